@@ -1,0 +1,91 @@
+//! The camera as EXIF tells it.
+
+use std::io::Cursor;
+
+use exif::{Exif, In, Reader, Tag, Value};
+use serde::{Deserialize, Serialize};
+
+/// Camera data of an EXIF block.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ExifCamera {
+    pub make: Option<String>,
+    pub model: Option<String>,
+    /// Focal length in mm.
+    pub focal_mm: f64,
+    /// Side of a pixel of the stored image in mm, from the focal-plane resolution or the 35 mm equivalent; absent where neither is given.
+    pub pixel_mm: Option<f64>,
+}
+
+/// Diagonal of the 36 mm x 24 mm frame to which the 35 mm equivalent of a focal length refers.
+const FRAME_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
+
+impl ExifCamera {
+    /// Reads the camera from the EXIF of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px.
+    ///
+    /// Absent where the file has no EXIF, where it is damaged, or where it does not name the focal length.
+    pub fn read(file: &[u8], width: u64, height: u64) -> Option<Self> {
+        let exif = read_exif(file)?;
+        let focal_mm = positive(&exif, Tag::FocalLength)?;
+        let pixel_mm = focal_plane_pixel_mm(&exif, width, height).or_else(|| equivalent_pixel_mm(&exif, focal_mm, width, height));
+        Some(Self { make: text(&exif, Tag::Make), model: text(&exif, Tag::Model), focal_mm, pixel_mm })
+    }
+}
+
+/// What can be read of the file's EXIF; fields that are damaged are left out.
+fn read_exif(file: &[u8]) -> Option<Exif> {
+    let mut reader = Reader::new();
+    reader.continue_on_error(true);
+    reader.read_from_container(&mut Cursor::new(file)).or_else(|error| error.distill_partial_result(|_| {})).ok()
+}
+
+/// Pixel side from the focal-plane resolution, which counts pixels of the image as the camera took it.
+fn focal_plane_pixel_mm(exif: &Exif, width: u64, height: u64) -> Option<f64> {
+    let unit_mm = match number(exif, Tag::FocalPlaneResolutionUnit).map_or(2, |unit| unit as u32) {
+        2 => 25.4,
+        3 => 10.0,
+        4 => 1.0,
+        5 => 0.001,
+        _ => return None,
+    };
+    let taken_pixel_mm = unit_mm / positive(exif, Tag::FocalPlaneXResolution)?;
+    // The longer sides are compared, since software that turns an image upright may leave the EXIF as it was.
+    let taken_side = positive(exif, Tag::PixelXDimension).map(|x| x.max(positive(exif, Tag::PixelYDimension).unwrap_or(0.0)));
+    let stored_side = width.max(height) as f64;
+    plausible(taken_pixel_mm * taken_side.map_or(1.0, |taken| taken / stored_side))
+}
+
+/// Pixel side from the focal length that has the same angle of view on the 35 mm frame, diagonal to diagonal.
+fn equivalent_pixel_mm(exif: &Exif, focal_mm: f64, width: u64, height: u64) -> Option<f64> {
+    let equivalent_mm = positive(exif, Tag::FocalLengthIn35mmFilm)?;
+    let diagonal_px = (width as f64 * width as f64 + height as f64 * height as f64).sqrt();
+    plausible(focal_mm / equivalent_mm * FRAME_DIAGONAL_MM / diagonal_px)
+}
+
+/// A pixel side between 0.1 µm and 1 mm: anything else is a damaged field, not a camera.
+fn plausible(pixel_mm: f64) -> Option<f64> {
+    (1e-4..=1.0).contains(&pixel_mm).then_some(pixel_mm)
+}
+
+fn positive(exif: &Exif, tag: Tag) -> Option<f64> {
+    number(exif, tag).filter(|n| n.is_finite() && *n > 0.0)
+}
+
+fn number(exif: &Exif, tag: Tag) -> Option<f64> {
+    match &exif.get_field(tag, In::PRIMARY)?.value {
+        Value::Rational(v) => v.first().map(|r| f64::from(r.num) / f64::from(r.denom)),
+        Value::SRational(v) => v.first().map(|r| f64::from(r.num) / f64::from(r.denom)),
+        // Not what the standard asks for, but written by software that rescales images.
+        Value::Float(v) => v.first().map(|&n| f64::from(n)),
+        Value::Double(v) => v.first().copied(),
+        value => value.get_uint(0).map(f64::from),
+    }
+}
+
+fn text(exif: &Exif, tag: Tag) -> Option<String> {
+    let Value::Ascii(lines) = &exif.get_field(tag, In::PRIMARY)?.value else {
+        return None;
+    };
+    let text = String::from_utf8_lossy(lines.first()?).trim_matches(|c: char| c.is_whitespace() || c == '\0').to_owned();
+    (!text.is_empty()).then_some(text)
+}

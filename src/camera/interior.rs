@@ -1,0 +1,207 @@
+//! The camera's constants, and the way from a pixel to photo coordinates.
+
+use super::{ExifCamera, FiducialOrientation};
+use crate::Error;
+use crate::parameters::refuse;
+use serde::{Deserialize, Serialize};
+
+/// The constants of a camera.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Camera {
+    /// Principal distance in mm, above 0 and up to 100,000.
+    pub focal_mm: f64,
+    /// Principal point `[x, y]` in mm: in the system of the calibrated fiducials, or from the middle of the image, x right, y up.
+    #[serde(default)]
+    pub principal_point_mm: [f64; 2],
+    /// Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
+    #[serde(default)]
+    pub pixel_mm: Option<f64>,
+    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`].
+    #[serde(default)]
+    pub radial_distortion: [f64; 3],
+}
+
+impl Camera {
+    /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
+    pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
+        let camera = Self { focal_mm: exif.focal_mm, principal_point_mm: [0.0; 2], pixel_mm: exif.pixel_mm, radial_distortion: [0.0; 3] };
+        camera.check().map(|()| camera)
+    }
+
+    /// Refuses values outside their ranges.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`], naming the field and its range.
+    pub fn check(&self) -> Result<(), Error> {
+        if !(self.focal_mm > 0.0 && self.focal_mm <= 1e5) {
+            return Err(refuse("camera.focal_mm", self.focal_mm, "above 0, up to 100000"));
+        }
+        if !self.principal_point_mm.iter().all(|v| v.abs() <= 1e4) {
+            return Err(refuse("camera.principal_point_mm", format!("{:?}", self.principal_point_mm), "two numbers from -10000 to 10000"));
+        }
+        if let Some(pixel) = self.pixel_mm
+            && !(1e-6..=10.0).contains(&pixel)
+        {
+            return Err(refuse("camera.pixel_mm", pixel, "0.000001 to 10"));
+        }
+        if !self.radial_distortion.iter().all(|k| k.is_finite()) {
+            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
+        }
+        Ok(())
+    }
+}
+
+/// The interior orientation of one image: from its pixels to photo coordinates.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Interior {
+    /// `[[a, b, tx], [d, e, ty]]`: x = a·col + b·row + tx, y = d·col + e·row + ty in mm, before the principal point is taken off;
+    /// col and row of this image in px, the centre of its top-left pixel at (0.5, 0.5).
+    pub parameters: [[f64; 3]; 2],
+    /// Principal point `[x, y]` in mm, in the same system.
+    pub principal_point_mm: [f64; 2],
+    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
+    pub radial_distortion: [f64; 3],
+}
+
+impl Interior {
+    /// From fiducial marks.
+    ///
+    /// `origin` is the place `[col, row]` of the image's top-left pixel in the scan whose fiducials were measured: a scan coordinate is the
+    /// image coordinate plus `origin`. `[0, 0]` where the image is the whole scan.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] for the camera or the origin.
+    pub fn from_fiducials(camera: &Camera, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
+        camera.check()?;
+        if !origin.iter().all(|v| v.abs() <= 1e7) {
+            return Err(refuse("origin", format!("{origin:?}"), "two numbers of px from -10000000 to 10000000"));
+        }
+        let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
+        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion })
+    }
+
+    /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
+    /// x = (col - width/2)·pixel - x0, y = (height/2 - row)·pixel - y0.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] for the camera, also where it has no `pixel_mm`.
+    pub fn from_pixel_size(camera: &Camera, width: usize, height: usize) -> Result<Self, Error> {
+        camera.check()?;
+        let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
+        let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
+        let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
+        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion })
+    }
+
+    /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times
+    /// 1 + k1·r² + k2·r⁴ + k3·r⁶ with r the distance in mm from the principal point.
+    ///
+    /// The factor is a correction of what was measured: a positive k1 moves points outwards, against a barrel distortion.
+    ///
+    /// # Source
+    /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), the radial terms.
+    pub fn photo_mm(&self, x_px: f64, y_px: f64) -> [f64; 2] {
+        let [[a, b, tx], [d, e, ty]] = self.parameters;
+        let x = a * x_px + b * y_px + tx - self.principal_point_mm[0];
+        let y = d * x_px + e * y_px + ty - self.principal_point_mm[1];
+        let [k1, k2, k3] = self.radial_distortion;
+        let r2 = x * x + y * y;
+        let factor = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+        [x * factor, y * factor]
+    }
+
+    /// The same rays at a focal length `factor` times as long.
+    pub fn scaled(&self, factor: f64) -> Self {
+        let [k1, k2, k3] = self.radial_distortion;
+        let f2 = factor * factor;
+        Self {
+            parameters: self.parameters.map(|row| row.map(|v| v * factor)),
+            principal_point_mm: self.principal_point_mm.map(|v| v * factor),
+            radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
+        }
+    }
+
+    /// Side of a pixel in mm: the root of the area that the transformation gives a pixel.
+    pub fn pixel_mm(&self) -> f64 {
+        let [[a, b, _], [d, e, _]] = self.parameters;
+        (a * e - b * d).abs().sqrt()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::camera::FiducialModel;
+
+    fn camera() -> Camera {
+        Camera { focal_mm: 153.38, principal_point_mm: [0.5, -0.25], pixel_mm: Some(0.01), radial_distortion: [0.0; 3] }
+    }
+
+    #[test]
+    fn the_middle_of_the_image_is_minus_the_principal_point() {
+        let interior = Interior::from_pixel_size(&camera(), 4000, 3000).unwrap();
+        assert_eq!(interior.photo_mm(2000.0, 1500.0), [-0.5, 0.25]);
+        let [x, y] = interior.photo_mm(2001.0, 1501.0);
+        assert!((x + 0.49).abs() < 1e-12 && (y - 0.24).abs() < 1e-12, "x goes right, y goes up: {x} {y}");
+        assert!((interior.pixel_mm() - 0.01).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_origin_is_added_to_image_coordinates() {
+        let parameters = [[0.25, 0.01, -100.0], [0.02, -0.26, 90.0]];
+        let marks = FiducialOrientation {
+            model: FiducialModel::Affine,
+            parameters,
+            residuals_mm: vec![],
+            sigma0_mm: None,
+            degrees_of_freedom: 0,
+            standard_errors: None,
+        };
+        let whole = Interior::from_fiducials(&camera(), &marks, [0.0, 0.0]).unwrap();
+        let patch = Interior::from_fiducials(&camera(), &marks, [410.0, 111.0]).unwrap();
+        let (of_scan, of_patch) = (whole.photo_mm(510.5, 211.5), patch.photo_mm(100.5, 100.5));
+        assert!((of_scan[0] - of_patch[0]).abs() < 1e-12 && (of_scan[1] - of_patch[1]).abs() < 1e-12);
+        assert!((patch.pixel_mm() - (0.25_f64 * 0.26 + 0.01 * 0.02).sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn positive_k1_moves_points_outwards() {
+        let camera = Camera { principal_point_mm: [0.0; 2], radial_distortion: [1e-4, 1e-7, 1e-10], ..camera() };
+        let interior = Interior::from_pixel_size(&camera, 2000, 2000).unwrap();
+        let [x, y] = interior.photo_mm(1300.0, 600.0);
+        let factor = 1.0 + 25.0 * 1e-4 + 625.0 * 1e-7 + 15625.0 * 1e-10;
+        assert!((x - 3.0 * factor).abs() < 1e-12 && (y - 4.0 * factor).abs() < 1e-12);
+    }
+
+    #[test]
+    fn values_outside_their_ranges_are_refused_by_name() {
+        let wrong = [
+            (Camera { focal_mm: 0.0, ..camera() }, "camera.focal_mm"),
+            (Camera { focal_mm: f64::NAN, ..camera() }, "camera.focal_mm"),
+            (Camera { principal_point_mm: [0.0, f64::INFINITY], ..camera() }, "camera.principal_point_mm"),
+            (Camera { pixel_mm: Some(-0.1), ..camera() }, "camera.pixel_mm"),
+            (Camera { pixel_mm: None, ..camera() }, "camera.pixel_mm"),
+            (Camera { radial_distortion: [f64::NAN, 0.0, 0.0], ..camera() }, "camera.radial_distortion"),
+        ];
+        for (camera, name) in wrong {
+            match Interior::from_pixel_size(&camera, 100, 100) {
+                Err(Error::InvalidOption { field, .. }) => assert_eq!(field, name),
+                other => panic!("{name}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn a_camera_without_focal_length_or_with_an_unknown_field_is_no_camera() {
+        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24}"#).is_ok());
+        assert!(serde_json::from_str::<Camera>(r#"{"pixel_mm": 0.01}"#).is_err());
+        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24, "focus": 1}"#).is_err());
+    }
+}

@@ -1,0 +1,11 @@
+//! From pixels to photo coordinates: interior orientation, camera data, EXIF.
+
+mod exif;
+mod fiducials;
+mod interior;
+mod rotation;
+
+pub use exif::ExifCamera;
+pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
+pub use interior::{Camera, Interior};
+pub use rotation::{angles_from_rotation, rotation_from_angles};

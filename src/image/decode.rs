@@ -1,0 +1,173 @@
+//! Image files to grey images, within limits that are checked in the header before anything is decoded.
+
+use std::io::Cursor;
+
+use image::codecs::{bmp::BmpDecoder, png::PngDecoder, pnm::PnmDecoder, webp::WebPDecoder};
+use image::{ColorType, ImageDecoder, ImageError};
+
+use super::GreyImage;
+use super::header::{FileLayout, Format, damaged, truncated};
+use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
+use super::{jpeg, tiff};
+use crate::Error;
+use crate::camera::ExifCamera;
+
+/// What a file may ask for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DecodeLimits {
+    /// Largest number of pixels a file may declare.
+    pub max_pixels: u64,
+    /// Most memory that decoding may need, in bytes.
+    pub max_memory_bytes: u64,
+}
+
+impl Default for DecodeLimits {
+    fn default() -> Self {
+        Self { max_pixels: 250_000_000, max_memory_bytes: 3 << 30 }
+    }
+}
+
+/// What the first bytes of a file tell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Header {
+    /// `JPEG`, `PNG`, `TIFF`, `BMP`, `PNM` or `WebP`.
+    pub format: &'static str,
+    pub width: u64,
+    pub height: u64,
+}
+
+/// A decoded file.
+#[derive(Debug, Clone)]
+pub struct Decoded {
+    pub grey: GreyImage,
+    pub format: &'static str,
+    /// Bits a sample held in the file: 8 or 16.
+    pub bits_per_sample: u8,
+    /// The camera, where the file's EXIF names its focal length.
+    pub camera: Option<ExifCamera>,
+}
+
+/// Reads format and size without decoding. A TIFF keeps them in its directory, wherever that lies; the others in their first bytes.
+///
+/// # Errors
+/// [`Error::UnsupportedImage`] for what is not decoded as far as the header tells; [`Error::UnreadableImage`] for a header that is
+/// cut off or contradicts itself, or a side of 0 px.
+pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
+    let FileLayout { format, width, height, .. } = FileLayout::read(bytes)?;
+    Ok(Header { format: format.name(), width, height })
+}
+
+/// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file to grey values 0..255.
+///
+/// The pixel grid is the stored one: EXIF orientation is not applied, since coordinates are measured in the stored image. Grey is the
+/// stored luma of a JPEG, else the luma of Rec. 601; alpha is ignored. Samples of 16 bits are stretched from the depth in use, 8 to 16
+/// bits, to 0..255. Of a TIFF with several images, the first is taken. The result is the same to the last bit on every machine.
+///
+/// # Errors
+/// [`Error::TooManyPixels`] and [`Error::TooMuchMemory`], from the header alone; [`Error::UnsupportedImage`] for formats and pixel types
+/// that are not decoded, such as CMYK and floating point; [`Error::UnreadableImage`] for damaged and truncated files.
+pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
+    let layout = FileLayout::read(bytes)?;
+    check_limits(&layout, limits)?;
+    let camera = ExifCamera::read(bytes, layout.width, layout.height);
+    let pixels = (layout.width * layout.height) as usize;
+    let (grey, bits_per_sample) = match layout.format {
+        Format::Jpeg => (jpeg::decode(bytes, pixels)?, 8),
+        Format::Tiff => tiff::decode(bytes, pixels, usize::try_from(limits.max_memory_bytes).unwrap_or(usize::MAX))?,
+        Format::Png => decode_with(PngDecoder::with_limits(Cursor::new(bytes), image_limits(limits)), &layout, limits)?,
+        Format::Bmp => decode_with(BmpDecoder::new(Cursor::new(bytes)), &layout, limits)?,
+        Format::Pnm => decode_with(PnmDecoder::new(Cursor::new(bytes)), &layout, limits)?,
+        Format::WebP => decode_with(WebPDecoder::new(Cursor::new(bytes)), &layout, limits)?,
+    };
+    let grey = GreyImage::new(layout.width as usize, layout.height as usize, grey)?;
+    Ok(Decoded { grey, format: layout.format.name(), bits_per_sample, camera })
+}
+
+/// Refuses what the header declares too large, or what the machine does not have.
+fn check_limits(layout: &FileLayout, limits: &DecodeLimits) -> Result<(), Error> {
+    let FileLayout { width, height, .. } = *layout;
+    let pixels = width.saturating_mul(height);
+    if pixels > limits.max_pixels {
+        let [megapixels, max_megapixels] = [width as f64 * height as f64, limits.max_pixels as f64].map(|n| n / 1e6);
+        return Err(Error::TooManyPixels { width, height, megapixels, max_megapixels });
+    }
+    // The decoder's output and working memory, and the grey values; no single block is larger than addresses allow.
+    let output = pixels.saturating_mul(layout.bytes_per_pixel);
+    let needed = output.saturating_add(pixels);
+    let largest_block = isize::MAX as u64;
+    let mut allowed = if output > largest_block { largest_block } else { u64::MAX };
+    allowed = allowed.min(limits.max_memory_bytes);
+    if needed <= allowed {
+        allowed = reservable(needed);
+    }
+    if needed > allowed {
+        let [needed_mb, max_mb] = [needed.div_ceil(1 << 20), allowed >> 20];
+        return Err(Error::TooMuchMemory { width, height, needed_mb, max_mb });
+    }
+    Ok(())
+}
+
+/// How much of this memory can be had now: it is reserved in blocks and given back, but not touched.
+fn reservable(bytes: u64) -> u64 {
+    const BLOCK: u64 = 256 << 20;
+    let (mut blocks, mut reserved) = (Vec::new(), 0);
+    while reserved < bytes {
+        let mut block = Vec::<u8>::new();
+        let length = BLOCK.min(bytes - reserved);
+        if block.try_reserve_exact(length as usize).is_err() {
+            break;
+        }
+        blocks.push(block);
+        reserved += length;
+    }
+    // Otherwise the compiler may leave out memory that nobody looks at.
+    std::hint::black_box(&blocks);
+    reserved
+}
+
+fn image_limits(limits: &DecodeLimits) -> image::Limits {
+    let mut image_limits = image::Limits::no_limits();
+    image_limits.max_alloc = Some(limits.max_memory_bytes);
+    image_limits
+}
+
+/// Decodes with a decoder of the crate `image`; gives grey values and the bits of a stored sample.
+fn decode_with<D: ImageDecoder>(
+    decoder: Result<D, ImageError>,
+    layout: &FileLayout,
+    limits: &DecodeLimits,
+) -> Result<(Vec<u8>, u8), Error> {
+    let format = layout.format;
+    let error = |e| decoder_error(e, layout, limits);
+    let mut decoder = decoder.map_err(error)?;
+    decoder.set_limits(image_limits(limits)).map_err(error)?;
+    let (width, height) = decoder.dimensions();
+    if (u64::from(width), u64::from(height)) != (layout.width, layout.height) {
+        return Err(damaged(format, "it declares two sizes"));
+    }
+    let colour = decoder.color_type();
+    let mut bytes = vec![0; decoder.total_bytes() as usize];
+    decoder.read_image(&mut bytes).map_err(error)?;
+    let samples = SampleLayout::interleaved(usize::from(colour.channel_count()));
+    let pixels = width as usize * height as usize;
+    match colour {
+        ColorType::L8 | ColorType::La8 | ColorType::Rgb8 | ColorType::Rgba8 => Ok((grey_of_u8(bytes, pixels, samples), 8)),
+        ColorType::L16 | ColorType::La16 | ColorType::Rgb16 | ColorType::Rgba16 => {
+            Ok((grey_of_u16(bytes.as_chunks::<2>().0, pixels, samples), 16))
+        }
+        other => Err(Error::UnsupportedImage { what: format!("{} with samples {other:?}", format.name()), allowed: "8 or 16 bits" }),
+    }
+}
+
+fn decoder_error(error: ImageError, layout: &FileLayout, limits: &DecodeLimits) -> Error {
+    let format = layout.format;
+    match error {
+        ImageError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(format),
+        ImageError::Unsupported(e) => Error::UnsupportedImage { what: format!("this {} ({e})", format.name()), allowed: Format::ALL },
+        ImageError::Limits(_) => {
+            let max_mb = limits.max_memory_bytes >> 20;
+            Error::TooMuchMemory { width: layout.width, height: layout.height, needed_mb: max_mb + 1, max_mb }
+        }
+        e => damaged(format, e),
+    }
+}

@@ -1,0 +1,104 @@
+//! The frame header: size, components and how they are sampled.
+
+use super::segments::{Segment, cut_off, write_segment};
+use crate::Error;
+use crate::image::header::{Format, damaged};
+
+/// The frame header.
+pub struct Frame {
+    marker: u8,
+    pub progressive: bool,
+    pub width: u16,
+    pub height: u16,
+    pub components: Vec<Component>,
+}
+
+pub struct Component {
+    pub id: u8,
+    /// Horizontal and vertical sampling factors.
+    pub sampling: (u8, u8),
+    /// Number of its quantisation table.
+    table: u8,
+}
+
+impl Frame {
+    /// Reads the header and refuses what is not decoded.
+    pub fn read(segment: &Segment<'_>) -> Result<Self, Error> {
+        let refuse = |what, allowed| Err(Error::UnsupportedImage { what, allowed });
+        let progressive = match segment.marker {
+            0xc0 | 0xc1 => false,
+            0xc2 => true,
+            marker => {
+                let process = if marker > 0xc8 { "arithmetic-coded" } else { "lossless or hierarchical" };
+                let what = format!("{process} JPEG (SOF{})", marker & 15);
+                return refuse(what, "baseline, extended and progressive Huffman-coded JPEG");
+            }
+        };
+        let [precision, h1, h0, w1, w0, count, rest @ ..] = segment.body else {
+            return Err(cut_off());
+        };
+        if *precision != 8 {
+            return refuse(format!("JPEG of {precision} bits"), "JPEG of 8 bits");
+        }
+        if !matches!(count, 1 | 3) {
+            return refuse(format!("JPEG of {count} components (4: CMYK)"), "grey and three-component colour JPEG");
+        }
+        if rest.len() != 3 * usize::from(*count) {
+            return Err(damaged(Format::Jpeg, "the length of its frame header does not fit its components"));
+        }
+        let components = rest.chunks_exact(3).map(|c| Component { id: c[0], sampling: (c[1] >> 4, c[1] & 15), table: c[2] }).collect();
+        let mut frame = Self {
+            marker: segment.marker,
+            progressive,
+            width: u16::from_be_bytes([*w1, *w0]),
+            height: u16::from_be_bytes([*h1, *h0]),
+            components,
+        };
+        frame.check_sampling()?;
+        Ok(frame)
+    }
+
+    /// Refuses sampling factors that the decoder does not handle; a single component needs none.
+    fn check_sampling(&mut self) -> Result<(), Error> {
+        let allowed = match self.components.as_mut_slice() {
+            [grey] => {
+                grey.sampling = (1, 1);
+                true
+            }
+            [first, others @ ..] => matches!(first.sampling, (1 | 2 | 4, 1 | 2 | 4)) && others.iter().all(|c| c.sampling == (1, 1)),
+            [] => false,
+        };
+        if !allowed {
+            let what = format!("JPEG with the sampling factors {:?}", self.components.iter().map(|c| c.sampling).collect::<Vec<_>>());
+            return Err(Error::UnsupportedImage { what, allowed: "the first component sampled 1, 2 or 4 times, the others once" });
+        }
+        Ok(())
+    }
+
+    /// Output and working memory of the decoder: progressive coefficients of all components are held at once.
+    pub fn bytes_per_pixel(&self) -> u64 {
+        if self.progressive { 11 } else { 8 }
+    }
+
+    /// Minimum coded units of a scan of all components.
+    pub fn units(&self) -> usize {
+        let (across, down) = self.components[0].sampling;
+        usize::from(self.width).div_ceil(8 * usize::from(across)) * usize::from(self.height).div_ceil(8 * usize::from(down))
+    }
+
+    /// Leaves the first component alone: a grey image.
+    pub fn keep_first(&mut self) {
+        self.components.truncate(1);
+        self.components[0].sampling = (1, 1);
+    }
+
+    /// Appends the header as a segment.
+    pub fn write(&self, stream: &mut Vec<u8>) {
+        let mut body = vec![8];
+        body.extend(self.height.to_be_bytes());
+        body.extend(self.width.to_be_bytes());
+        body.push(self.components.len() as u8);
+        body.extend(self.components.iter().flat_map(|c| [c.id, c.sampling.0 << 4 | c.sampling.1, c.table]));
+        write_segment(self.marker, &body, stream);
+    }
+}

@@ -1,0 +1,55 @@
+//! JPEG files: the marker structure is checked here, the entropy-coded data by the decoder.
+//!
+//! The decoder gets a stream that is written anew from the checked segments. What it would not notice is noticed here: a file
+//! that ends early, or scan data that do.
+
+mod frame;
+mod segments;
+mod stream;
+
+use zune_jpeg::JpegDecoder;
+use zune_jpeg::zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions};
+
+use self::frame::Frame;
+use self::segments::{Segments, marker};
+use self::stream::{CheckedStream, Output};
+use super::header::{Format, damaged};
+use super::luminance::{SampleLayout, grey_of_u8};
+use crate::Error;
+
+/// Width, height and most bytes a pixel that decoding needs.
+pub(super) fn read_header(bytes: &[u8]) -> Result<(u64, u64, u64), Error> {
+    let mut segments = Segments::of(bytes);
+    loop {
+        let segment = segments.next()?;
+        if segment.is_frame() {
+            let frame = Frame::read(&segment)?;
+            return Ok((frame.width.into(), frame.height.into(), frame.bytes_per_pixel()));
+        }
+        if matches!(segment.marker, marker::SOS | marker::EOI) {
+            return Err(damaged(Format::Jpeg, "its image data come before its frame header"));
+        }
+    }
+}
+
+/// Decodes to grey: the stored luma, or the luma of stored colour.
+pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<Vec<u8>, Error> {
+    let file = CheckedStream::read(bytes)?;
+    let (colours, channels) = match file.output {
+        Output::Luma => (ColorSpace::Luma, 1),
+        Output::LumaAndChroma => (ColorSpace::YCbCr, 3),
+        Output::Rgb => (ColorSpace::RGB, 3),
+    };
+    // Without the processor's own instructions the decoder computes the same everywhere; luma is not slower for it.
+    let options = DecoderOptions::new_safe()
+        .set_strict_mode(true)
+        .set_max_width(usize::from(u16::MAX))
+        .set_max_height(usize::from(u16::MAX))
+        .jpeg_set_out_colorspace(colours);
+    let samples = JpegDecoder::new_with_options(ZCursor::new(file.bytes), options).decode().map_err(|e| damaged(Format::Jpeg, e))?;
+    if samples.len() != pixels * channels {
+        return Err(damaged(Format::Jpeg, "the decoder gave another size than the header declares"));
+    }
+    let layout = SampleLayout { channels, colour: file.output == Output::Rgb, plane_stride: None };
+    Ok(grey_of_u8(samples, pixels, layout))
+}

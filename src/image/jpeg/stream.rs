@@ -1,0 +1,167 @@
+//! The stream for the decoder: checked, and with nothing in it but what decoding needs.
+
+use super::frame::Frame;
+use super::segments::{Segment, Segments, marker, write_segment};
+use crate::Error;
+use crate::image::header::{Format, damaged};
+
+/// What the decoder is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Output {
+    Luma,
+    /// Where luma is sampled twice as often down, but not across, as chroma, the decoder loses count of rows if asked for luma alone.
+    LumaAndChroma,
+    Rgb,
+}
+
+/// A checked file: whole, in one frame, with nothing in it but what decoding needs.
+pub struct CheckedStream {
+    pub bytes: Vec<u8>,
+    pub output: Output,
+}
+
+impl CheckedStream {
+    /// Reads and checks a file.
+    pub fn read(bytes: &[u8]) -> Result<Self, Error> {
+        let mut writer = Writer { stream: Vec::with_capacity(bytes.len() + 64), ..Writer::default() };
+        writer.stream.extend([0xff, marker::SOI]);
+        let mut segments = Segments::of(bytes);
+        loop {
+            let segment = segments.next()?;
+            match segment.marker {
+                _ if segment.is_frame() => writer.frame(&segment)?,
+                marker::SOS => writer.scan(&segment, segments.entropy_coded()?)?,
+                marker::EOI => break,
+                _ => writer.tables(&segment)?,
+            }
+        }
+        writer.finish()
+    }
+}
+
+/// Writes the checked stream.
+#[derive(Default)]
+struct Writer {
+    stream: Vec<u8>,
+    frame: Option<Frame>,
+    /// The frame header is written, before the first scan that is kept.
+    begun: bool,
+    /// All that decoding needs is written.
+    complete: bool,
+    adobe_transform: Option<u8>,
+    restart_interval: usize,
+}
+
+impl Writer {
+    fn frame(&mut self, segment: &Segment<'_>) -> Result<(), Error> {
+        if self.frame.is_some() {
+            return Err(damaged(Format::Jpeg, "it has two frame headers"));
+        }
+        self.frame = Some(Frame::read(segment)?);
+        Ok(())
+    }
+
+    /// Segments other than frame and scan: tables are kept, metadata are not.
+    fn tables(&mut self, segment: &Segment<'_>) -> Result<(), Error> {
+        match segment.marker {
+            _ if self.complete => {}
+            marker::DRI => {
+                let interval = segment.body.first_chunk().ok_or_else(|| damaged(Format::Jpeg, "its restart interval is cut off"))?;
+                self.restart_interval = usize::from(u16::from_be_bytes(*interval));
+                write_segment(marker::DRI, segment.body, &mut self.stream);
+            }
+            marker::DQT | marker::DHT => write_segment(segment.marker, segment.body, &mut self.stream),
+            marker::APP14 if segment.body.starts_with(b"Adobe") => {
+                self.adobe_transform = segment.body.get(11).copied();
+                write_segment(marker::APP14, segment.body, &mut self.stream);
+            }
+            marker::APP0..=marker::APP15 | marker::COM => {}
+            other => return Err(damaged(Format::Jpeg, format!("it has the unexpected marker {other:02x}"))),
+        }
+        Ok(())
+    }
+
+    /// A scan. Of a sequential file, one scan is kept: that of all components, or that of luma alone, which is a grey image.
+    fn scan(&mut self, segment: &Segment<'_>, (data, restarts): (&[u8], Vec<u8>)) -> Result<(), Error> {
+        if self.complete {
+            return Ok(());
+        }
+        let stores_rgb = self.stores_rgb();
+        let frame = self.frame.as_mut().ok_or_else(|| damaged(Format::Jpeg, "its image data come before its frame header"))?;
+        if !frame.progressive {
+            let scanned: Vec<u8> = segment.body.get(1..).unwrap_or_default().chunks(2).map(|selector| selector[0]).collect();
+            let scanned = &scanned[..scanned.len().min(segment.body.first().copied().unwrap_or(0).into())];
+            let first = frame.components[0].id;
+            if scanned.len() < frame.components.len() {
+                match scanned {
+                    _ if stores_rgb => return Err(scans_apart("RGB")),
+                    [only] if *only == first => frame.keep_first(),
+                    some if some.contains(&first) => return Err(scans_apart("luma and one chroma")),
+                    _ => return Ok(()),
+                }
+            }
+            check_restarts(&restarts, frame.units(), self.restart_interval)?;
+            self.complete = true;
+        }
+        if !self.begun {
+            frame.write(&mut self.stream);
+            self.begun = true;
+        }
+        write_segment(marker::SOS, segment.body, &mut self.stream);
+        self.stream.extend(data);
+        if self.complete {
+            end_in_ones(&mut self.stream);
+        }
+        Ok(())
+    }
+
+    fn stores_rgb(&self) -> bool {
+        let named_rgb = self.frame.as_ref().is_some_and(|frame| frame.components.iter().map(|c| c.id).eq(*b"RGB"));
+        let three = self.frame.as_ref().is_some_and(|frame| frame.components.len() == 3);
+        named_rgb || three && self.adobe_transform == Some(0)
+    }
+
+    fn finish(mut self) -> Result<CheckedStream, Error> {
+        self.stream.extend([0xff, marker::EOI]);
+        let stores_rgb = self.stores_rgb();
+        match self.frame {
+            Some(frame) if self.begun => {
+                let output = match frame.components[0].sampling {
+                    _ if stores_rgb => Output::Rgb,
+                    (1, 2) => Output::LumaAndChroma,
+                    _ => Output::Luma,
+                };
+                Ok(CheckedStream { bytes: self.stream, output })
+            }
+            _ => Err(damaged(Format::Jpeg, "it ends before its image data")),
+        }
+    }
+}
+
+fn scans_apart(components: &str) -> Error {
+    let what = format!("baseline JPEG with scans of {components} apart");
+    Error::UnsupportedImage { what, allowed: "one scan of all components, or one of luma alone" }
+}
+
+/// Refuses a scan whose restart markers show that intervals are missing. Some encoders add one restart after the last interval.
+fn check_restarts(restarts: &[u8], units: usize, interval: usize) -> Result<(), Error> {
+    if interval == 0 {
+        return Ok(());
+    }
+    let expected = units.div_ceil(interval) - 1;
+    let in_order = restarts.iter().enumerate().all(|(i, &number)| usize::from(number) == i % 8);
+    if !in_order || !(expected..=expected + 1).contains(&restarts.len()) {
+        return Err(damaged(
+            Format::Jpeg,
+            format!("it has {} of {expected} restart markers, or not in order: data are missing", restarts.len()),
+        ));
+    }
+    Ok(())
+}
+
+/// Appends bits that no Huffman code consists of: a decoder that runs out of data meets an error instead of made-up zeros.
+fn end_in_ones(stream: &mut Vec<u8>) {
+    for _ in 0..16 {
+        stream.extend([0xff, 0x00]);
+    }
+}

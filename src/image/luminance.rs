@@ -1,0 +1,170 @@
+//! Samples of a decoded file to grey values 0..255.
+
+/// How the samples of a pixel lie in memory.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct SampleLayout {
+    /// Samples a pixel, with alpha and further bands.
+    pub channels: usize,
+    /// The first three samples are red, green and blue; otherwise the first is grey.
+    pub colour: bool,
+    /// Samples from one plane to the next, where the planes follow one another; absent where the samples of a pixel do.
+    pub plane_stride: Option<usize>,
+}
+
+impl SampleLayout {
+    /// Samples pixel by pixel: 1 grey, 2 grey and alpha, 3 colour, 4 colour and alpha.
+    pub fn interleaved(channels: usize) -> Self {
+        Self { channels, colour: channels >= 3, plane_stride: None }
+    }
+}
+
+/// A sample as a decoder gives it.
+pub(super) trait Sample: Copy {
+    fn value(self) -> u16;
+}
+
+impl Sample for u8 {
+    fn value(self) -> u16 {
+        self.into()
+    }
+}
+
+impl Sample for u16 {
+    fn value(self) -> u16 {
+        self
+    }
+}
+
+/// 16 bits in the machine's byte order.
+impl Sample for [u8; 2] {
+    fn value(self) -> u16 {
+        u16::from_ne_bytes(self)
+    }
+}
+
+/// Grey of 8-bit samples: the grey sample, or the luma of the colour; alpha and further bands are ignored.
+pub(super) fn grey_of_u8(samples: Vec<u8>, pixels: usize, layout: SampleLayout) -> Vec<u8> {
+    if layout.channels == 1 {
+        return samples;
+    }
+    let mut grey = Vec::with_capacity(pixels);
+    for_each_pixel(&samples, layout, |rgb| grey.push(luma(rgb) as u8));
+    grey
+}
+
+/// Grey of 16-bit samples, stretched from the bits in use to 0..255.
+///
+/// With `k` the smallest depth of 8 to 16 bits that holds all samples, grey is `round(255 v / (2^k - 1))`, so that 10-, 12- and
+/// 14-bit data in 16-bit files keep their contrast. Samples that are all multiples of 257 are 8-bit data widened to 16 bits:
+/// they come out as they were, whatever their largest value.
+pub(super) fn grey_of_u16<T: Sample>(samples: &[T], pixels: usize, layout: SampleLayout) -> Vec<u8> {
+    let full_scale = full_scale(samples, layout);
+    let table: Vec<u8> = (0..=full_scale).map(|v| ((v * 255 + full_scale / 2) / full_scale) as u8).collect();
+    let mut grey = Vec::with_capacity(pixels);
+    for_each_pixel(samples, layout, |rgb| grey.push(table[luma(rgb) as usize]));
+    grey
+}
+
+/// The sample value that becomes white; at least as large as every colour sample.
+fn full_scale<T: Sample>(samples: &[T], layout: SampleLayout) -> u32 {
+    let (mut used_bits, mut unequal_bytes) = (0, 0);
+    for_each_pixel(samples, layout, |rgb| {
+        for v in rgb {
+            used_bits |= v;
+            unequal_bytes |= (v >> 8) ^ (v & 0xff);
+        }
+    });
+    if unequal_bytes == 0 {
+        return 0xffff;
+    }
+    let depth = (u16::BITS - used_bits.leading_zeros()).max(8);
+    (1 << depth) - 1
+}
+
+/// Luma after Rec. 601 in 14-bit fixed point with OpenCV's weights; they add up to 1, so that a grey pixel keeps its value.
+fn luma(rgb: [u16; 3]) -> u32 {
+    let [r, g, b] = rgb.map(u32::from);
+    (r * 4899 + g * 9617 + b * 1868 + (1 << 13)) >> 14
+}
+
+/// Visits the colour of each pixel; a grey pixel has three equal values.
+fn for_each_pixel<T: Sample>(samples: &[T], layout: SampleLayout, mut visit: impl FnMut([u16; 3])) {
+    let pixels = || samples.chunks_exact(layout.channels);
+    match layout.plane_stride {
+        None if layout.colour => pixels().for_each(|s| visit([s[0], s[1], s[2]].map(T::value))),
+        None => pixels().for_each(|s| visit([s[0].value(); 3])),
+        Some(stride) if layout.colour => {
+            let (red, rest) = samples.split_at(stride);
+            let (green, blue) = rest.split_at(stride);
+            let colours = red.iter().zip(green).zip(blue);
+            colours.for_each(|((&r, &g), &b)| visit([r, g, b].map(T::value)));
+        }
+        Some(stride) => samples[..stride].iter().for_each(|v| visit([v.value(); 3])),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GREY: SampleLayout = SampleLayout { channels: 1, colour: false, plane_stride: None };
+
+    #[test]
+    fn luma_has_opencv_values() {
+        // cv2.cvtColor of these colours with COLOR_RGB2GRAY.
+        let rgb = vec![255, 0, 0, 0, 255, 0, 0, 0, 255, 12, 200, 99, 255, 255, 255, 1, 2, 3];
+        assert_eq!(grey_of_u8(rgb, 6, SampleLayout::interleaved(3)), [76, 150, 29, 132, 255, 2]);
+    }
+
+    #[test]
+    fn alpha_and_further_bands_are_ignored() {
+        assert_eq!(grey_of_u8(vec![7, 0, 9, 255], 2, SampleLayout::interleaved(2)), [7, 9]);
+        assert_eq!(grey_of_u8(vec![7, 7, 7, 0, 9, 9, 9, 255], 2, SampleLayout::interleaved(4)), [7, 9]);
+        // Alpha at full scale does not widen the range of 10-bit colour.
+        let rgba = [1023u16, 1023, 1023, 65535, 0, 0, 0, 65535];
+        assert_eq!(grey_of_u16(&rgba, 2, SampleLayout::interleaved(4)), [255, 0]);
+    }
+
+    #[test]
+    fn planes_give_what_interleaved_samples_give() {
+        let interleaved = [10u16, 2000, 300, 4095, 5, 77];
+        let planes = [10u16, 4095, 2000, 5, 300, 77];
+        let planar = SampleLayout { channels: 3, colour: true, plane_stride: Some(2) };
+        assert_eq!(grey_of_u16(&planes, 2, planar), grey_of_u16(&interleaved, 2, SampleLayout::interleaved(3)));
+        let first = SampleLayout { channels: 3, colour: false, plane_stride: Some(2) };
+        assert_eq!(grey_of_u8(vec![1, 2, 3, 4, 5, 6], 2, first), [1, 2]);
+    }
+
+    #[test]
+    fn samples_in_bytes_are_in_the_machines_order() {
+        let bytes = [4095u16, 0, 2048].map(u16::to_ne_bytes);
+        assert_eq!(grey_of_u16(&bytes, 3, GREY), [255, 0, 128]);
+    }
+
+    #[test]
+    fn depth_is_the_smallest_that_holds_all_samples() {
+        for depth in 8..=16u32 {
+            let white = ((1u32 << depth) - 1) as u16;
+            // A sample that just needs this depth, and is no multiple of 257.
+            let data = [0, 1, 1 << (depth - 1), white];
+            let grey = grey_of_u16(&data, 4, GREY);
+            assert_eq!((grey[0], grey[3]), (0, 255), "{depth} bits");
+            let middle = (f64::from(data[2]) * 255.0 / f64::from(white)).round();
+            assert_eq!(f64::from(grey[2]), middle, "{depth} bits");
+        }
+    }
+
+    #[test]
+    fn widened_8_bit_images_come_back() {
+        let all: Vec<u8> = (0..=255).collect();
+        for top in [1usize, 3, 100, 127, 128, 255] {
+            let wide: Vec<u16> = all[..=top].iter().map(|&v| u16::from(v) * 257).collect();
+            assert_eq!(grey_of_u16(&wide, wide.len(), GREY), all[..=top]);
+        }
+        // Colour: luma of the widened colours rounds to the luma of the colours.
+        let rgb: Vec<u8> = (0..30_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 24) as u8).collect();
+        let wide: Vec<u16> = rgb.iter().map(|&v| u16::from(v) * 257).collect();
+        let layout = SampleLayout::interleaved(3);
+        assert_eq!(grey_of_u16(&wide, 10_000, layout), grey_of_u8(rgb, 10_000, layout));
+    }
+}

@@ -1,0 +1,13 @@
+//! Grey images: the raster, its view, decoding of files, reduction.
+
+mod decode;
+mod grey;
+mod header;
+mod jpeg;
+mod luminance;
+mod pyramid;
+mod tiff;
+
+pub use decode::{DecodeLimits, Decoded, Header, decode, read_header};
+pub use grey::{GreyImage, GreyView};
+pub use pyramid::{Reduced, halve, reduce_to};

@@ -1,0 +1,180 @@
+//! TIFF files: the first image, 8 or 16 bits a sample.
+
+mod directory;
+
+use std::borrow::Cow;
+use std::io::Cursor;
+
+use tiff::TiffError;
+use tiff::decoder::{Decoder, DecodingResult, Limits};
+
+use self::directory::Directory;
+use super::header::{Format, damaged, truncated};
+use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
+use crate::Error;
+
+mod tag {
+    pub const WIDTH: u64 = 256;
+    pub const HEIGHT: u64 = 257;
+    pub const BITS: u64 = 258;
+    pub const COMPRESSION: u64 = 259;
+    pub const PHOTOMETRIC: u64 = 262;
+    pub const SAMPLES: u64 = 277;
+    pub const ROWS_PER_STRIP: u64 = 278;
+    pub const PLANAR: u64 = 284;
+    pub const PREDICTOR: u64 = 317;
+    pub const COLOUR_MAP: u64 = 320;
+    pub const TILE_WIDTH: u64 = 322;
+    pub const TILE_HEIGHT: u64 = 323;
+    pub const SAMPLE_FORMAT: u64 = 339;
+}
+
+const BLACK_IS_ZERO: u64 = 1;
+const RGB: u64 = 2;
+const PALETTE: u64 = 3;
+
+/// Longest side of a tile: a row of a tile is held in memory.
+const MAX_TILE_SIDE: u64 = 1 << 16;
+
+/// What the first image directory declares.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TiffLayout {
+    pub width: u64,
+    pub height: u64,
+    bits: u64,
+    samples: u64,
+    photometric: u64,
+    planar: bool,
+    predictor: u64,
+}
+
+impl TiffLayout {
+    /// Reads the directory and refuses what is not decoded.
+    pub fn read(bytes: &[u8]) -> Result<Self, Error> {
+        let directory = Directory::first(bytes).ok_or_else(|| truncated(Format::Tiff))?;
+        let side = |tag, name| directory.value(tag).ok_or_else(|| damaged(Format::Tiff, format!("it does not declare its {name}")));
+        let layout = Self {
+            width: side(tag::WIDTH, "width")?,
+            height: side(tag::HEIGHT, "height")?,
+            bits: directory.value(tag::BITS).unwrap_or(1),
+            samples: directory.value(tag::SAMPLES).unwrap_or(1),
+            photometric: directory.value(tag::PHOTOMETRIC).unwrap_or(BLACK_IS_ZERO),
+            planar: directory.value(tag::PLANAR) == Some(2),
+            predictor: directory.value(tag::PREDICTOR).unwrap_or(1),
+        };
+        layout.check_supported(&directory)?;
+        Ok(layout)
+    }
+
+    /// Bytes a pixel of the decoder's output.
+    pub fn bytes_per_pixel(&self) -> u64 {
+        self.samples.saturating_mul(self.bits / 8)
+    }
+
+    fn check_supported(&self, directory: &Directory<'_>) -> Result<(), Error> {
+        let refuse = |what: String, allowed| Err(Error::UnsupportedImage { what: format!("TIFF {what}"), allowed });
+        match directory.value(tag::SAMPLE_FORMAT) {
+            None | Some(1) => {}
+            Some(3) => return refuse("with floating-point samples".into(), "unsigned integers of 8 or 16 bits"),
+            Some(_) => return refuse("with signed or undefined samples".into(), "unsigned integers of 8 or 16 bits"),
+        }
+        if !matches!(self.bits, 8 | 16) {
+            return refuse(format!("of {} bits a sample", self.bits), "8 or 16 bits a sample");
+        }
+        match (self.photometric, self.samples, self.bits) {
+            (0 | BLACK_IS_ZERO, 1.., _) | (RGB, 3.., _) | (PALETTE, 1, 8) => {}
+            (photometric, samples, bits) => {
+                let what = format!("of photometric interpretation {photometric} with {samples} samples of {bits} bits");
+                return refuse(what, "grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits");
+            }
+        }
+        let compression = directory.value(tag::COMPRESSION).unwrap_or(1);
+        if !matches!(compression, 1 | 5 | 8 | 32773 | 32946) {
+            return refuse(format!("with compression {compression}"), "none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)");
+        }
+        if [tag::TILE_WIDTH, tag::TILE_HEIGHT].iter().any(|&side| directory.value(side).is_some_and(|side| side > MAX_TILE_SIDE)) {
+            return refuse("with a tile side of more than 65,536 px".into(), "tile sides of up to 65,536 px");
+        }
+        Ok(())
+    }
+}
+
+/// Decodes to grey; gives the bits of a stored sample as well.
+pub(super) fn decode(bytes: &[u8], pixels: usize, max_memory: usize) -> Result<(Vec<u8>, u8), Error> {
+    let declared = TiffLayout::read(bytes)?;
+    let greys = if declared.photometric == PALETTE { Some(palette_greys(bytes)?) } else { None };
+    let (samples, channels) = read_samples(&as_the_decoder_reads(bytes, &declared), &declared, max_memory)?;
+    let plane_stride = (declared.planar && channels > 1).then_some(pixels);
+    let layout = SampleLayout { channels, colour: declared.photometric == RGB, plane_stride };
+    let expected = pixels.checked_mul(channels);
+    match samples {
+        DecodingResult::U8(samples) if Some(samples.len()) == expected => {
+            let mut grey = grey_of_u8(samples, pixels, layout);
+            if let Some(greys) = greys {
+                grey.iter_mut().for_each(|v| *v = greys[usize::from(*v)]);
+            }
+            Ok((grey, 8))
+        }
+        DecodingResult::U16(samples) if Some(samples.len()) == expected => Ok((grey_of_u16(&samples, pixels, layout), 16)),
+        _ => Err(damaged(Format::Tiff, "the decoder gave another size than the directory declares")),
+    }
+}
+
+/// All samples of the first image and the number of samples a pixel.
+fn read_samples(bytes: &[u8], declared: &TiffLayout, max_memory: usize) -> Result<(DecodingResult, usize), Error> {
+    let mut limits = Limits::default();
+    limits.decoding_buffer_size = max_memory;
+    limits.intermediate_buffer_size = max_memory;
+    limits.ifd_value_size = bytes.len();
+    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(decoder_error)?.with_limits(limits);
+    let (width, height) = decoder.dimensions().map_err(decoder_error)?;
+    if (u64::from(width), u64::from(height)) != (declared.width, declared.height) {
+        return Err(damaged(Format::Tiff, "its directory declares two sizes"));
+    }
+    let channels = decoder.colortype().map_err(decoder_error)?.num_samples();
+    if u64::from(channels) < declared.samples && declared.predictor != 1 && !declared.planar {
+        // The decoder leaves out the further bands before it undoes the prediction, which then mixes the bands.
+        let what = format!("TIFF of {} bands with a predictor", declared.samples);
+        return Err(Error::UnsupportedImage { what, allowed: "1, 3 or 4 bands (the fourth alpha), or no predictor" });
+    }
+    let mut samples = DecodingResult::U8(Vec::new());
+    decoder.read_image_to_buffer(&mut samples).map_err(decoder_error)?;
+    Ok((samples, usize::from(channels)))
+}
+
+/// The grey value of each palette index; the colour map holds 16-bit red, then green, then blue.
+fn palette_greys(bytes: &[u8]) -> Result<Vec<u8>, Error> {
+    let colour = |i| Directory::first(bytes)?.value_at(tag::COLOUR_MAP, i).and_then(|v| u16::try_from(v).ok());
+    let map: Option<Vec<u16>> = (0..768).map(colour).collect();
+    let map = map.ok_or_else(|| damaged(Format::Tiff, "its colour map has not 3 x 256 entries"))?;
+    Ok(grey_of_u16(&map, 256, SampleLayout { channels: 3, colour: true, plane_stride: Some(256) }))
+}
+
+/// The file with two declarations put in the words of the decoder.
+///
+/// It takes palette indices for what they are only if they are called grey, and a strip of more rows than the image has, as
+/// writers declare for 'all rows', overflows where addresses have 32 bits.
+fn as_the_decoder_reads<'a>(bytes: &'a [u8], declared: &TiffLayout) -> Cow<'a, [u8]> {
+    let Some(directory) = Directory::first(bytes) else {
+        return bytes.into();
+    };
+    let palette = (declared.photometric == PALETTE).then_some((tag::PHOTOMETRIC, BLACK_IS_ZERO));
+    let all_rows = directory.value(tag::ROWS_PER_STRIP).filter(|&rows| rows > declared.height);
+    let mut file = Cow::from(bytes);
+    for (tag, value) in palette.into_iter().chain(all_rows.map(|_| (tag::ROWS_PER_STRIP, declared.height))) {
+        if let Some((at, encoded)) = directory.encoded(tag, value) {
+            file.to_mut()[at..at + encoded.len()].copy_from_slice(&encoded);
+        }
+    }
+    file
+}
+
+fn decoder_error(error: TiffError) -> Error {
+    match error {
+        TiffError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(Format::Tiff),
+        TiffError::UnsupportedError(e) => {
+            Error::UnsupportedImage { what: format!("this TIFF ({e})"), allowed: "grey and RGB of 8 or 16 bits, in strips or tiles" }
+        }
+        e => damaged(Format::Tiff, e),
+    }
+}

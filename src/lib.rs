@@ -1,0 +1,41 @@
+//! Photogrammetric matching: from overlapping photographs to oriented tie points.
+//!
+//! Conventions: pixel positions are in px, x to the right, y down, the centre of the top-left pixel at (0.5, 0.5). Photo
+//! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
+//! where a name ends in `_deg`.
+
+mod camera;
+mod descriptors;
+mod error;
+mod image;
+mod matches;
+mod math;
+mod orientation;
+mod pair;
+mod parameters;
+mod points;
+mod simulate;
+mod tables;
+#[cfg(target_arch = "wasm32")]
+mod wasm;
+
+pub use camera::{
+    Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
+    rotation_from_angles,
+};
+pub use descriptors::{Brightness, Descriptor, Measure, WindowMoments, WindowOptions, WindowShape, describe, window_moments};
+pub use error::Error;
+pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
+pub use matches::{
+    Candidate, Denominator, Described, Match, MatchCounts, MatchOptions, MatchSet, OffsetField, Rule, Verdict, candidates_of,
+    estimate_offset, estimate_offset_of_reduced, match_points,
+};
+pub use orientation::{FiveParameters, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, orient_relative};
+pub use pair::{PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_pair, observations, photo_interior};
+pub use parameters::{PARAMETERS, Parameter, ParameterKind};
+pub use points::{
+    Candidates, InterestPoint, LEAST_FRACTION, Operator, PointCounts, PointOptions, PointSet, Selection, Ties, detect, forstner, ground1,
+    ground2, moravec, suppress_non_maxima,
+};
+pub use simulate::{Flight, SAMPLE_SEED, Sample, sample_pair, simulate};
+pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};

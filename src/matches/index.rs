@@ -1,0 +1,90 @@
+//! Looking points up by position.
+
+/// Positions sorted into strips one pixel high and some pixels wide.
+pub(super) struct PositionIndex {
+    /// Index of the point, x, y; by row, then strip, then the order they came in.
+    entries: Vec<(u32, f64, f64)>,
+    /// Where each strip of each row starts in `entries`.
+    starts: Vec<u32>,
+    strips: usize,
+    top: f64,
+    left: f64,
+}
+
+/// Width of a strip in px.
+const STRIP: f64 = 16.0;
+
+impl PositionIndex {
+    /// Takes points as index, x, y; positions are finite.
+    pub fn new(points: impl Iterator<Item = (usize, f64, f64)> + Clone) -> Self {
+        let bounds = points.clone().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, (_, x, y)| {
+            [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)]
+        });
+        let mut index = Self { entries: Vec::new(), starts: vec![0, 0], strips: 1, top: 0.0, left: 0.0 };
+        if bounds[2] < bounds[0] {
+            return index;
+        }
+        (index.left, index.top) = (bounds[0].floor(), bounds[1].floor());
+        index.strips = ((bounds[2] - index.left) / STRIP) as usize + 1;
+        let rows = (bounds[3] - index.top) as usize + 1;
+        let cell = |x: f64, y: f64| (y - index.top) as usize * index.strips + ((x - index.left) / STRIP) as usize;
+        let mut starts = vec![0u32; rows * index.strips + 1];
+        points.clone().for_each(|(_, x, y)| starts[cell(x, y) + 1] += 1);
+        (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);
+        let mut next = starts.clone();
+        index.entries = vec![(0, 0.0, 0.0); starts[starts.len() - 1] as usize];
+        points.for_each(|(point, x, y)| {
+            let slot = &mut next[cell(x, y)];
+            index.entries[*slot as usize] = (point as u32, x, y);
+            *slot += 1;
+        });
+        index.starts = starts;
+        index
+    }
+
+    /// Gives the points with |x - `x`| and |y - `y`| up to `reach`, row by row.
+    pub fn within(&self, x: f64, y: f64, reach: f64, mut visit: impl FnMut(usize)) {
+        let rows = (self.starts.len() - 1) / self.strips;
+        let first_row = (y - reach - self.top).floor().max(0.0) as usize;
+        let first_strip = ((x - reach - self.left) / STRIP).floor().max(0.0) as usize;
+        let (last_row, last_strip) = ((y + reach - self.top).floor(), ((x + reach - self.left) / STRIP).floor());
+        if !(last_row >= 0.0 && last_strip >= 0.0) || first_strip >= self.strips {
+            return;
+        }
+        let last_strip = (last_strip as usize).min(self.strips - 1);
+        for row in first_row..(last_row as usize + 1).min(rows) {
+            let cells = row * self.strips;
+            let (start, end) = (self.starts[cells + first_strip], self.starts[cells + last_strip + 1]);
+            for (point, px, py) in &self.entries[start as usize..end as usize] {
+                if (px - x).abs() <= reach && (py - y).abs() <= reach {
+                    visit(*point as usize);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_what_the_definition_finds() {
+        let points: Vec<(usize, f64, f64)> =
+            (0..500).map(|k| (k, ((k * 7919) % 1000) as f64 / 7.0 - 20.0, ((k * 104_729) % 1000) as f64 / 9.0 + 3.0)).collect();
+        let index = PositionIndex::new(points.iter().copied());
+        for (x, y, reach) in [(30.0, 40.0, 12.0), (-25.0, 0.0, 8.0), (125.0, 115.0, 30.0), (500.0, 500.0, 12.0), (50.0, 50.0, 1000.0)] {
+            let mut found = Vec::new();
+            index.within(x, y, reach, |k| found.push(k));
+            found.sort_unstable();
+            let expected: Vec<usize> =
+                points.iter().filter(|p| (p.1 - x).abs() <= reach && (p.2 - y).abs() <= reach).map(|p| p.0).collect();
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn an_empty_index_finds_nothing() {
+        PositionIndex::new(std::iter::empty()).within(0.0, 0.0, 10.0, |_| panic!("nothing is there"));
+    }
+}

@@ -1,0 +1,328 @@
+//! The best candidate of each point in its search window, and the rules it must pass.
+
+use super::index::PositionIndex;
+use super::parallax::refuse_by_parallax;
+use super::{Denominator, Match, MatchCounts, MatchOptions, MatchSet, OffsetField, Rule, Verdict};
+use crate::{Descriptor, Error, InterestPoint};
+
+/// A right point in the search window of a left one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Candidate {
+    /// Index of the right point.
+    pub right: usize,
+    /// The dissimilarity; 0 for equal descriptors, at most 14.
+    pub measure: f64,
+}
+
+/// Points with their descriptors, `None` where a point has none.
+pub type Described<'a> = (&'a [InterestPoint], &'a [Option<Descriptor>]);
+
+/// Matches described points.
+///
+/// For each left point the candidates are the right points with |Δcol| and |Δrow| up to (search - 1) / 2 of its position plus the
+/// expected offset. The least measure wins if it is below `max_measure`; it is ambiguous when it exceeds `ambiguity` times the second
+/// least; of several left points that win the same right point the least measure keeps it (of equal ones the first); last, matches
+/// whose y-parallax deviates from that of their neighbours are refused. Every refused point keeps the rule that refused it.
+///
+/// # Errors
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] where points and descriptors differ in number or positions are not finite.
+///
+/// # Source
+/// Zahran 2007, section 4 and eqs. 15, 16, with max(|p|, |q|) for the printed denominator, which fails for signed moments.
+pub fn match_points(left: Described<'_>, right: Described<'_>, offset: &OffsetField, options: &MatchOptions) -> Result<MatchSet, Error> {
+    let search = Search::new(left, right, offset, options)?;
+    let mut verdicts: Vec<Verdict> = (0..left.0.len()).map(|k| search.best_of(k)).collect();
+    refuse_many_to_one(&mut verdicts, right.0.len());
+    refuse_by_parallax(left.0, right.0, offset, &mut verdicts, options);
+    let matches =
+        (verdicts.iter().enumerate()).filter_map(|(left, v)| matched(v).map(|right| Match { left, right, measure: v.measure })).collect();
+    let counts = count(&verdicts);
+    Ok(MatchSet { matches, verdicts, counts })
+}
+
+/// All candidates of one left point, the best first; of equal measures the lower index.
+///
+/// # Errors
+/// As [`match_points`]; [`Error::InvalidInput`] where `index` is not that of a left point.
+pub fn candidates_of(
+    index: usize,
+    left: Described<'_>,
+    right: Described<'_>,
+    offset: &OffsetField,
+    options: &MatchOptions,
+) -> Result<Vec<Candidate>, Error> {
+    let search = Search::new(left, right, offset, options)?;
+    if index >= left.0.len() {
+        return Err(Error::InvalidInput {
+            what: "index of a left point",
+            got: index.to_string(),
+            allowed: format!("below {}, the number of left points", left.0.len()),
+        });
+    }
+    let mut candidates = Vec::new();
+    search.for_each_candidate(index, |right, measure| candidates.push(Candidate { right, measure }));
+    candidates.sort_by(|a, b| a.measure.total_cmp(&b.measure).then(a.right.cmp(&b.right)));
+    Ok(candidates)
+}
+
+/// A descriptor with a zero beside it, so that it is compared in pairs.
+type Padded = [f64; 8];
+
+/// What stands ready to look candidates up.
+struct Search<'a> {
+    left: &'a [InterestPoint],
+    left_descriptors: Vec<Option<Padded>>,
+    right_descriptors: Vec<Padded>,
+    right_index: PositionIndex,
+    offset: &'a OffsetField,
+    least_denominators: Padded,
+    reach: f64,
+    options: &'a MatchOptions,
+}
+
+impl<'a> Search<'a> {
+    fn new(left: Described<'a>, right: Described<'a>, offset: &'a OffsetField, options: &'a MatchOptions) -> Result<Self, Error> {
+        options.check()?;
+        check_described("left points", left)?;
+        check_described("right points", right)?;
+        let floor = match options.denominator {
+            Denominator::Maxabs => [0.0; 7],
+            Denominator::Floor => median_magnitudes(left.1.iter().chain(right.1).flatten()),
+        };
+        let described = right.0.iter().enumerate().filter(|(k, _)| right.1[*k].is_some());
+        Ok(Self {
+            left: left.0,
+            left_descriptors: left.1.iter().map(|d| d.as_ref().map(padded)).collect(),
+            right_descriptors: right.1.iter().map(|d| d.as_ref().map_or([0.0; 8], padded)).collect(),
+            right_index: PositionIndex::new(described.map(|(k, p)| (k, p.x, p.y))),
+            offset,
+            // Where both moments are 0 their term is 0 / MIN_POSITIVE = 0.
+            least_denominators: padded(&floor).map(|f| f.max(f64::MIN_POSITIVE)),
+            reach: (options.search / 2) as f64,
+            options,
+        })
+    }
+
+    fn for_each_candidate(&self, left: usize, mut visit: impl FnMut(usize, f64)) {
+        let Some(descriptor) = &self.left_descriptors[left] else { return };
+        let point = self.left[left];
+        let [dx, dy] = self.offset.at(point.x, point.y);
+        self.right_index.within(point.x + dx, point.y + dy, self.reach, |right| {
+            visit(right, dissimilarity(descriptor, &self.right_descriptors[right], &self.least_denominators));
+        });
+    }
+
+    /// The verdict before the rules that look at other matches.
+    fn best_of(&self, left: usize) -> Verdict {
+        let mut verdict = Verdict { rule: Rule::NoCandidate, best: None, measure: f64::INFINITY, second: f64::INFINITY };
+        if self.left_descriptors[left].is_none() {
+            return Verdict { rule: Rule::NoDescriptor, ..verdict };
+        }
+        self.for_each_candidate(left, |right, measure| {
+            // Of equal measures the lower index wins, in whatever order they are visited.
+            if measure < verdict.measure || (measure == verdict.measure && verdict.best.is_some_and(|best| right < best)) {
+                (verdict.second, verdict.measure, verdict.best) = (verdict.measure, measure, Some(right));
+            } else if measure < verdict.second {
+                verdict.second = measure;
+            }
+        });
+        if verdict.best.is_some() {
+            verdict.rule = if verdict.measure.partial_cmp(&self.options.max_measure) != Some(std::cmp::Ordering::Less) {
+                Rule::Threshold
+            } else if verdict.measure > self.options.ambiguity * verdict.second {
+                Rule::Ambiguous
+            } else {
+                Rule::Matched
+            };
+        }
+        verdict
+    }
+}
+
+/// Σ |p - q| / max(|p|, |q|, least), with 0 for 0 / 0.
+fn dissimilarity(p: &Padded, q: &Padded, least: &Padded) -> f64 {
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    let t: Padded = std::array::from_fn(|k| (p[k] - q[k]).abs() / larger(larger(p[k].abs(), q[k].abs()), least[k]));
+    ((t[0] + t[2]) + (t[4] + t[6])) + ((t[1] + t[3]) + (t[5] + t[7]))
+}
+
+/// Of the left points that won the same right point, only the best keeps it.
+fn refuse_many_to_one(verdicts: &mut [Verdict], right_points: usize) {
+    let mut keeper: Vec<Option<usize>> = vec![None; right_points];
+    for left in 0..verdicts.len() {
+        let Some(right) = matched(&verdicts[left]) else { continue };
+        let loser = match keeper[right] {
+            Some(first) if verdicts[first].measure <= verdicts[left].measure => Some(left),
+            previous => {
+                keeper[right] = Some(left);
+                previous
+            }
+        };
+        if let Some(loser) = loser {
+            verdicts[loser].rule = Rule::ManyToOne;
+        }
+    }
+}
+
+/// The right point of a verdict that stands.
+pub(super) fn matched(verdict: &Verdict) -> Option<usize> {
+    verdict.best.filter(|_| verdict.rule == Rule::Matched)
+}
+
+fn count(verdicts: &[Verdict]) -> MatchCounts {
+    let of = |rule| verdicts.iter().filter(|v| v.rule == rule).count();
+    MatchCounts {
+        matches: of(Rule::Matched),
+        no_descriptor: of(Rule::NoDescriptor),
+        no_candidate: of(Rule::NoCandidate),
+        threshold: of(Rule::Threshold),
+        ambiguous: of(Rule::Ambiguous),
+        many_to_one: of(Rule::ManyToOne),
+        parallax: of(Rule::Parallax),
+    }
+}
+
+fn padded(descriptor: &Descriptor) -> Padded {
+    std::array::from_fn(|k| descriptor.get(k).copied().unwrap_or(0.0))
+}
+
+/// The median of |d_k| of each component, 0 without descriptors; of an even number the mean of the middle two.
+fn median_magnitudes<'d>(descriptors: impl Iterator<Item = &'d Descriptor> + Clone) -> Descriptor {
+    std::array::from_fn(|k| {
+        let mut magnitudes: Vec<f64> = descriptors.clone().map(|d| d[k].abs()).collect();
+        crate::math::median(&mut magnitudes).unwrap_or(0.0)
+    })
+}
+
+fn check_described(what: &'static str, (points, descriptors): Described<'_>) -> Result<(), Error> {
+    if points.len() != descriptors.len() {
+        let got = format!("{} points with {} descriptors", points.len(), descriptors.len());
+        return Err(Error::InvalidInput { what, got, allowed: "as many descriptors as points".into() });
+    }
+    // A position beyond this is no pixel, and the index must not allocate for it.
+    let far = |v: f64| !(-1e6..=1e6).contains(&v);
+    if let Some(point) = points.iter().find(|p| far(p.x) || far(p.y)) {
+        let got = format!("a position of ({}, {})", point.x, point.y);
+        return Err(Error::InvalidInput { what, got, allowed: "positions from -1e6 to 1e6 px".into() });
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn point(x: f64, y: f64) -> InterestPoint {
+        InterestPoint { x, y, value: 1.0 }
+    }
+
+    fn uniform(v: f64) -> Option<Descriptor> {
+        Some([v; 7])
+    }
+
+    fn options() -> MatchOptions {
+        MatchOptions { parallax_neighbours: 0, ..MatchOptions::default() }
+    }
+
+    fn rules(left: Described<'_>, right: Described<'_>, options: &MatchOptions) -> Vec<Rule> {
+        let set = match_points(left, right, &OffsetField::constant(0.0, 0.0), options).unwrap();
+        let c = set.counts;
+        assert_eq!(c.matches, set.matches.len());
+        let counted = c.matches + c.no_descriptor + c.no_candidate + c.threshold + c.ambiguous + c.many_to_one + c.parallax;
+        assert_eq!(counted, left.0.len());
+        set.verdicts.iter().map(|v| v.rule).collect()
+    }
+
+    #[test]
+    fn each_rule_refuses_what_it_should() {
+        let left = [
+            point(10.5, 10.5),
+            point(50.5, 10.5),
+            point(90.5, 10.5),
+            point(130.5, 10.5),
+            point(131.5, 10.5),
+            point(170.5, 10.5),
+            point(300.5, 10.5),
+        ];
+        let left_d = [uniform(1.0), uniform(1.0), uniform(1.0), uniform(1.0), uniform(1.05), None, uniform(1.0)];
+        let right = [point(12.5, 10.5), point(50.5, 10.5), point(90.5, 10.5), point(91.5, 10.5), point(130.5, 10.5), point(170.5, 10.5)];
+        let right_d = [uniform(1.1), uniform(9.0), uniform(1.1), uniform(1.105), uniform(1.06), uniform(1.0)];
+        let expected =
+            [Rule::Matched, Rule::Threshold, Rule::Ambiguous, Rule::ManyToOne, Rule::Matched, Rule::NoDescriptor, Rule::NoCandidate];
+        assert_eq!(rules((&left, &left_d), (&right, &right_d), &options()), expected);
+    }
+
+    #[test]
+    fn the_search_window_reaches_12_px_and_no_further() {
+        let left = [point(50.5, 50.5)];
+        for (dx, dy, inside) in [(12.0, -12.0, true), (13.0, 0.0, false), (0.0, 13.0, false)] {
+            let right = [point(50.5 + dx, 50.5 + dy)];
+            let rule = rules((&left, &[uniform(1.0)]), (&right, &[uniform(1.0)]), &options())[0];
+            assert_eq!(rule == Rule::Matched, inside);
+        }
+    }
+
+    #[test]
+    fn a_measure_equal_to_the_threshold_is_refused() {
+        // Each of the seven terms is |1 - 2| / 2.
+        let (left, right) = ([point(5.5, 5.5)], [point(5.5, 5.5)]);
+        let with = |max_measure| rules((&left, &[uniform(1.0)]), (&right, &[uniform(2.0)]), &MatchOptions { max_measure, ..options() })[0];
+        assert_eq!((with(3.5), with(3.6)), (Rule::Threshold, Rule::Matched));
+    }
+
+    #[test]
+    fn signed_and_zero_moments_give_terms_from_0_to_2() {
+        let least = [f64::MIN_POSITIVE; 8];
+        let p = padded(&[1.0, -1.0, 0.0, 2.0, 0.0, 3.0, 1.0]);
+        let q = padded(&[-1.0, -1.0, 0.0, 1.0, 5.0, 3.0, 0.0]);
+        assert_eq!(dissimilarity(&p, &q, &least), 2.0 + 0.5 + 1.0 + 1.0);
+        assert_eq!(dissimilarity(&p, &p, &least), 0.0);
+    }
+
+    #[test]
+    fn the_floor_is_the_median_magnitude_over_both_images() {
+        let (left, right) = ([point(5.5, 5.5), point(200.5, 5.5)], [point(5.5, 5.5), point(200.5, 5.5)]);
+        let (left_d, right_d) = ([uniform(0.1), uniform(-4.0)], [uniform(0.2), uniform(4.0)]);
+        let floor = MatchOptions { denominator: Denominator::Floor, ..options() };
+        let set = match_points((&left, &left_d), (&right, &right_d), &OffsetField::constant(0.0, 0.0), &floor).unwrap();
+        // Magnitudes 0.1 0.2 4 4: median 2.1.
+        assert!((set.verdicts[0].measure - 7.0 * 0.1 / 2.1).abs() < 1e-12);
+        assert_eq!(set.verdicts[1].measure, 14.0);
+    }
+
+    #[test]
+    fn candidates_come_best_first_and_agree_with_the_verdict() {
+        let left = [point(50.5, 50.5)];
+        let right = [point(45.5, 50.5), point(50.5, 55.5), point(52.5, 48.5), point(99.5, 50.5)];
+        let right_d = [uniform(1.3), uniform(1.1), uniform(1.2), uniform(1.0)];
+        let field = OffsetField::constant(0.0, 0.0);
+        let all = candidates_of(0, (&left, &[uniform(1.0)]), (&right, &right_d), &field, &options()).unwrap();
+        assert_eq!(all.iter().map(|c| c.right).collect::<Vec<_>>(), [1, 2, 0]);
+        let set = match_points((&left, &[uniform(1.0)]), (&right, &right_d), &field, &options()).unwrap();
+        assert_eq!((set.verdicts[0].best, set.verdicts[0].measure, set.verdicts[0].second), (Some(1), all[0].measure, all[1].measure));
+    }
+
+    #[test]
+    fn bad_input_is_named() {
+        let field = OffsetField::constant(0.0, 0.0);
+        let (far, near) = ([point(f64::NAN, 0.0)], [point(1.5, 1.5)]);
+        let d = [uniform(1.0)];
+        assert!(matches!(match_points((&far, &d), (&near, &d), &field, &options()), Err(Error::InvalidInput { what: "left points", .. })));
+        assert!(matches!(
+            match_points((&near, &d), (&near, &[]), &field, &options()),
+            Err(Error::InvalidInput { what: "right points", .. })
+        ));
+        assert!(matches!(candidates_of(1, (&near, &d), (&near, &d), &field, &options()), Err(Error::InvalidInput { .. })));
+        let nan = MatchOptions { max_measure: f64::NAN, ..options() };
+        assert!(matches!(
+            match_points((&near, &d), (&near, &d), &field, &nan),
+            Err(Error::InvalidOption { field: "matching.max_measure", .. })
+        ));
+    }
+
+    #[test]
+    fn nothing_to_match_gives_nothing() {
+        let set = match_points((&[], &[]), (&[], &[]), &OffsetField::constant(0.0, 0.0), &options()).unwrap();
+        assert_eq!(set.matches, []);
+    }
+}

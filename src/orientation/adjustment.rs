@@ -1,0 +1,93 @@
+//! The rigorous adjustment: all four photo coordinates are observed, the coplanarity of the rays is the condition (Gauss-Helmert).
+
+use super::coplanarity::{Pose, Ray};
+use super::normals::{Matrix5, Normals};
+use super::refusal::{check_parallax, diverged, undetermined};
+use crate::Error;
+
+/// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
+#[derive(Debug, Clone)]
+pub(super) struct Adjusted {
+    pub pose: Pose,
+    /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
+    pub cofactors: Matrix5,
+    /// Standard error of a photo coordinate; 0 without redundancy.
+    pub sigma: f64,
+    pub iterations: usize,
+    /// Size of the last step relative to [`step_tolerance`].
+    pub last_step: f64,
+}
+
+impl Adjusted {
+    /// Turns the base into its opposite. Of its two tangents the first turns too and the second does not, while both shifts do: the second
+    /// shift changes sign.
+    pub fn reverse_base(&mut self) {
+        self.pose.base = -self.pose.base;
+        for k in 0..4 {
+            self.cofactors[(k, 4)] = -self.cofactors[(k, 4)];
+            self.cofactors[(4, k)] = -self.cofactors[(4, k)];
+        }
+    }
+}
+
+const MAX_ITERATIONS: usize = 50;
+
+/// No single step turns the photo or the base by more than this (radians): a longer one is beyond what a linearisation means.
+const LONGEST_STEP: f64 = 0.2;
+
+/// A step has converged when its size √(δᵀNδ / 5) is below a millionth of σ, or is rounding.
+pub(super) fn step_tolerance(sigma: f64) -> f64 {
+    (1e-6 * sigma).max(1e-13)
+}
+
+/// Moves the pose by a step, cut to the longest one allowed.
+pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknowns) -> Pose {
+    let length = step.norm();
+    if length > LONGEST_STEP { pose.moved(&(step * (LONGEST_STEP / length))) } else { pose.moved(step) }
+}
+
+/// Adjusts the pose to `rays` by least squares of the corrections of their coordinates, linearised at the adjusted coordinates until the
+/// steps vanish.
+///
+/// `bounds` tells for each pose whether it is still believable; plain iteration from a poor start may run away.
+///
+/// # Errors
+/// [`Error::Degenerate`] where the normal equations are singular; [`Error::NotConverged`].
+///
+/// # Source
+/// Mikhail & Ackermann 1976, Observations and Least Squares, on conditions with unknowns; Lenzmann & Lenzmann 2004 on linearising at the
+/// adjusted observations.
+pub(super) fn adjust(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
+    let redundancy = rays.len().saturating_sub(5);
+    let mut pose = start;
+    let mut adjusted = rays.to_vec();
+    let (mut last_step, mut last_sigma) = (f64::INFINITY, 0.0);
+    for iteration in 1..=MAX_ITERATIONS {
+        let tangents = pose.tangents();
+        let mut normals = Normals::new();
+        let lines: Vec<_> = rays.iter().zip(&adjusted).map(|(observed, at)| pose.linearise(&tangents, observed, at)).collect();
+        for line in lines.iter().flatten() {
+            normals.add(&line.by_unknowns, line.misclosure, 1.0);
+        }
+        let solution = normals.solve().map_err(undetermined)?;
+        let mut square_sum = 0.0;
+        for ((line, observed), at) in lines.iter().zip(rays).zip(&mut adjusted) {
+            if let Some(line) = line {
+                let distance = line.misclosure + line.by_unknowns.dot(&solution.step);
+                square_sum += distance * distance;
+                *at = line.adjusted(observed, distance);
+            }
+        }
+        let sigma = if redundancy > 0 { (square_sum / redundancy as f64).sqrt() } else { 0.0 };
+        pose = move_within_bounds(&pose, &solution.step);
+        last_sigma = sigma;
+        last_step = solution.size / step_tolerance(sigma);
+        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        if last_step < 1.0 {
+            return Ok(Adjusted { pose, cofactors: solution.cofactors, sigma, iterations: iteration, last_step });
+        }
+    }
+    // Without a base there is no direction of it to settle on.
+    check_parallax(&pose, last_sigma, rays)?;
+    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+}

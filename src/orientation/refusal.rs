@@ -1,0 +1,130 @@
+//! What cannot be oriented, and why.
+
+use super::adjustment::Adjusted;
+use super::coplanarity::{Pose, Ray};
+use super::result::Observation;
+use crate::Error;
+use crate::math::median;
+use crate::parameters::refuse;
+
+const WHAT: &str = "the relative orientation";
+
+/// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
+const LARGEST_COORDINATE: f64 = 100.0;
+
+/// Least width of the points across the line through them, as a share of their length.
+const LEAST_WIDTH: f64 = 1e-4;
+
+/// Least median parallax after the rotation is taken off, in standard errors of a photo coordinate. Without any base it is 1.7: what is
+/// below 6 tells noise and base apart badly.
+const LEAST_PARALLAX: f64 = 6.0;
+
+/// Largest standard error of an angle or of the base's direction, in radians, that still is an orientation.
+const LARGEST_ERROR: f64 = 0.35;
+
+/// Refuses a focal length and observations that are none.
+pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result<(), Error> {
+    if !((1e-3..=1e5).contains(&focal_mm)) {
+        return Err(refuse("focal_mm", focal_mm, "0.001 to 100000"));
+    }
+    let largest = LARGEST_COORDINATE * focal_mm;
+    for (index, observation) in observations.iter().enumerate() {
+        let coordinates = observation.left.iter().chain(&observation.right);
+        if let Some(wrong) = coordinates.into_iter().find(|v| !(v.abs() <= largest)) {
+            let got = format!("{wrong} mm in observation {index} (counted from 0)");
+            let allowed = format!("-{largest} to {largest} mm, {LARGEST_COORDINATE} focal lengths");
+            return Err(Error::InvalidInput { what: "photo coordinates", got, allowed });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses observations that cannot determine five unknowns whatever the pose: too few different ones, all on a line, no parallax.
+pub(super) fn check_geometry(rays: &[Ray]) -> Result<(), Error> {
+    let mut different = rays.to_vec();
+    different.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+    different.dedup();
+    if different.len() < 5 {
+        return Err(Error::TooFew { what: "different observations for the relative orientation", got: different.len(), needed: 5 });
+    }
+    for (photo, first) in [("left", 0), ("right", 2)] {
+        let width = relative_width(rays, first);
+        if !(width >= LEAST_WIDTH) {
+            let reason =
+                format!("all points of the {photo} photo lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
+            return Err(Error::Degenerate { what: WHAT, reason });
+        }
+    }
+    if rays.iter().all(|[xl, yl, xr, yr]| (xl - xr).abs() < 1e-12 && (yl - yr).abs() < 1e-12) {
+        let reason = "both photos have the same coordinates, so there is no parallax".into();
+        return Err(Error::Degenerate { what: WHAT, reason });
+    }
+    Ok(())
+}
+
+/// Width of the points of a photo divided by their length, by the principal axes of their scatter.
+fn relative_width(rays: &[Ray], first: usize) -> f64 {
+    let n = rays.len() as f64;
+    let mean = |k: usize| rays.iter().map(|ray| ray[k]).sum::<f64>() / n;
+    let (x, y) = (mean(first), mean(first + 1));
+    let sum = |product: fn(f64, f64) -> f64| rays.iter().map(|ray| product(ray[first] - x, ray[first + 1] - y)).sum::<f64>();
+    let (xx, xy, yy) = (sum(|x, _| x * x), sum(|x, y| x * y), sum(|_, y| y * y));
+    let (half_trace, half_difference) = (0.5 * (xx + yy), 0.5 * (xx - yy));
+    let root = (half_difference * half_difference + xy * xy).sqrt();
+    ((half_trace - root).max(0.0) / (half_trace + root)).sqrt()
+}
+
+/// Refuses a pose without a base: after its rotation nothing is left of the parallaxes but noise of the standard error `sigma`.
+pub(super) fn check_parallax(pose: &Pose, sigma: f64, rays: &[Ray]) -> Result<(), Error> {
+    let parallax = median(&mut rays.iter().map(|ray| pose.parallactic_angle(ray)).collect::<Vec<_>>()).unwrap_or(0.0);
+    let noise = sigma.max(1e-10);
+    if parallax > LEAST_PARALLAX * noise {
+        return Ok(());
+    }
+    let reason = format!(
+        "after a rotation the median parallax is {:.1} standard errors of a photo coordinate (above {LEAST_PARALLAX} is needed): the photos \
+         differ by a rotation alone, so there is no base",
+        parallax / noise
+    );
+    Err(Error::Degenerate { what: WHAT, reason })
+}
+
+/// Refuses an adjusted pose that the observations do not support: no base, absurd standard errors, points behind the cameras.
+pub(super) fn check_result(adjusted: &Adjusted, rays: &[Ray]) -> Result<(), Error> {
+    check_parallax(&adjusted.pose, adjusted.sigma, rays)?;
+    let errors = adjusted.cofactors.diagonal().map(|q| adjusted.sigma * q.sqrt());
+    if !(errors.amax() < LARGEST_ERROR) {
+        let reason = format!("the standard error of an angle or of the base's direction is {:.0}°", errors.amax().to_degrees());
+        return Err(Error::Degenerate { what: WHAT, reason });
+    }
+    let in_front = rays.iter().filter(|ray| adjusted.pose.in_front(ray, 0.0)).count();
+    if 2 * in_front <= rays.len() {
+        let reason = format!("only {in_front} of {} points would lie in front of both cameras", rays.len());
+        return Err(Error::Degenerate { what: WHAT, reason });
+    }
+    Ok(())
+}
+
+/// Bounds of an iteration that starts from the vertical pair.
+pub(super) fn near_vertical(pose: &Pose) -> Result<(), String> {
+    let cosine = 0.5 * (pose.rotation.trace() - 1.0);
+    let rise = pose.base.z.abs();
+    if !(cosine > 0.5) {
+        return Err("it ran away: the right photo is turned by more than 60° from the start; the robust start takes any rotation".into());
+    }
+    if !(rise < 0.87) {
+        return Err("it ran away: the base rises by more than 60°; the robust start takes any base".into());
+    }
+    Ok(())
+}
+
+/// The error of singular normal equations.
+pub(super) fn undetermined(share: f64) -> Error {
+    let reason = format!("the normal equations are singular (condition figure 1 - R² = {share:.1e}, above 1e-13 is needed)");
+    Error::Degenerate { what: WHAT, reason }
+}
+
+/// The error of an iteration that did not settle.
+pub(super) fn diverged(iterations: usize, reason: String) -> Error {
+    Error::NotConverged { what: WHAT, iterations, reason }
+}

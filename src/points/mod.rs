@@ -1,0 +1,81 @@
+//! Interest points: one operator a file, thresholds, suppression of non-maxima.
+
+mod box_sums;
+mod forstner;
+mod ground;
+mod moravec;
+mod options;
+mod suppression;
+mod threshold;
+
+pub use forstner::forstner;
+pub use ground::{ground1, ground2};
+pub use moravec::moravec;
+pub use options::{Operator, PointOptions, Ties};
+pub use suppression::suppress_non_maxima;
+pub use threshold::{LEAST_FRACTION, Selection};
+
+use crate::{Error, GreyView};
+use serde::{Deserialize, Serialize};
+
+/// A point of interest. Positions are in px; the centre of the top-left pixel is (0.5, 0.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InterestPoint {
+    pub x: f64,
+    pub y: f64,
+    /// The operator's interest value; its unit is the operator's.
+    pub value: f64,
+}
+
+/// How many points each phase left (the first rows of the paper's Table 1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PointCounts {
+    /// Pixels (or windows) that passed the operator's threshold.
+    pub candidates: usize,
+    /// Of these, the ones that passed the threshold of roundness; all of them where the operator has none.
+    pub after_roundness: usize,
+    /// Of these, the ones that suppression of non-maxima left.
+    pub after_suppression: usize,
+}
+
+/// What an operator found before suppression.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Candidates {
+    /// The points that passed all thresholds, in raster order: by row, then column.
+    pub points: Vec<InterestPoint>,
+    /// How many passed the first threshold, before that of roundness.
+    pub candidates: usize,
+    /// The threshold that was applied, in the operator's unit: as given, or as found for the wanted fraction.
+    pub threshold: f64,
+}
+
+/// What an operator found, after suppression of non-maxima.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointSet {
+    /// In raster order: by row, then column.
+    pub points: Vec<InterestPoint>,
+    pub counts: PointCounts,
+    /// As in [`Candidates`].
+    pub threshold: f64,
+}
+
+/// Finds interest points: operator, threshold, roundness, suppression of non-maxima.
+///
+/// A flat image gives an empty set.
+///
+/// # Errors
+/// [`Error::ImageTooSmall`] for the operator's window; [`Error::InvalidOption`], naming the field and its range.
+pub fn detect(image: GreyView<'_>, options: &PointOptions) -> Result<PointSet, Error> {
+    let selection = options.selection()?;
+    let window = options.operator_window();
+    let found = match options.operator {
+        Operator::Moravec => moravec(image, selection, window, options.tiled)?,
+        Operator::Forstner => forstner(image, selection, window, options.roundness())?,
+        Operator::Ground1 => ground1(image, selection)?,
+        Operator::Ground2 => ground2(image, selection, options.roundness())?,
+    };
+    let points = suppress_non_maxima(&found.points, options.suppression_window, options.ties)?;
+    let counts = PointCounts { candidates: found.candidates, after_roundness: found.points.len(), after_suppression: points.len() };
+    Ok(PointSet { points, counts, threshold: found.threshold })
+}

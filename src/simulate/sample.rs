@@ -1,0 +1,130 @@
+//! The simulated pair with everything that a measurement of it needs and everything that is known of it.
+
+use super::buckets::Rectangle;
+use super::flight::Flight;
+use super::photo::{Photo, Scan, photos};
+use super::random::{Random, Stream};
+use super::render::render;
+use super::scene::Scene;
+use super::sensor::Sensor;
+use super::truth::right_positions;
+use super::view::View;
+use crate::camera::{Camera, Fiducial};
+use crate::orientation::FiveParameters;
+use crate::parameters::refuse;
+use crate::{Error, GreyImage};
+
+/// The seed of the built-in sample.
+pub const SAMPLE_SEED: u32 = 1;
+
+/// A simulated pair and its truth.
+#[derive(Debug, Clone)]
+pub struct Sample {
+    /// The patches that were cut from the scans of both photos.
+    pub left: GreyImage,
+    pub right: GreyImage,
+    pub camera: Camera,
+    /// Fiducial marks as measured, in px of the whole scans; the centre of a scan's top-left pixel is (0.5, 0.5).
+    pub left_fiducials: Vec<Fiducial>,
+    pub right_fiducials: Vec<Fiducial>,
+    /// Column and row of the scan's pixel that is the patch's top-left one: whole numbers.
+    pub left_origin: [f64; 2],
+    pub right_origin: [f64; 2],
+    /// The base component b at photo scale in mm.
+    pub base_mm: f64,
+    /// The true dependent relative orientation of the right photo.
+    pub truth: FiveParameters,
+    /// For each left pixel, row by row, the `[x, y]` in px of the right patch at which what its centre shows is seen; NaN where
+    /// that is hidden or outside. The centre of the patch's top-left pixel is (0.5, 0.5).
+    pub right_position: Vec<[f32; 2]>,
+}
+
+/// Renders the default flight with another seed.
+///
+/// # Errors
+/// None for any seed; those of [`simulate`] in principle.
+pub fn sample_pair(seed: u32) -> Result<Sample, Error> {
+    simulate(&Flight { seed, ..Flight::default() })
+}
+
+/// Flies over a made town, takes two photos, scans them and cuts patches of the same ground.
+///
+/// The same flight gives the same bytes natively and as WebAssembly.
+///
+/// # Errors
+/// [`Error::InvalidOption`], naming the field and its range; a NaN is in no range.
+pub fn simulate(flight: &Flight) -> Result<Sample, Error> {
+    let Stage { scene, photos, mut scan_random } = Stage::new(flight)?;
+    let (width, height) = (flight.width_px, flight.height_px);
+    let [left_view, right_view] = photos.each_ref().map(|photo| View::new(&scene, photo, width, height));
+    let take = |view: &View<'_>, gain, offset_grey, noise| {
+        let sensor = Sensor { gain, offset_grey, noise_grey: flight.noise_grey };
+        sensor.record(&render(view, width, height, flight.psf_px), width, height, &mut Random::new(flight.seed, noise))
+    };
+    let [left, right] = &photos;
+    Ok(Sample {
+        left: take(&left_view, 1.0, 0.0, Stream::LeftNoise)?,
+        right: take(&right_view, flight.gain, flight.offset_grey, Stream::RightNoise)?,
+        camera: camera(flight),
+        left_fiducials: left.scan.measure(flight.fiducial_noise_px, &mut scan_random[0]),
+        right_fiducials: right.scan.measure(flight.fiducial_noise_px, &mut scan_random[1]),
+        left_origin: left.origin_px,
+        right_origin: right.origin_px,
+        base_mm: flight.base_mm,
+        truth: flight.orientation,
+        right_position: right_positions(&left_view, &right_view, width, height),
+    })
+}
+
+/// A flight before the shutter opens.
+pub(super) struct Stage {
+    pub(super) scene: Scene,
+    pub(super) photos: [Photo; 2],
+    /// The random numbers of both scans, after their geometry was drawn.
+    scan_random: [Random; 2],
+}
+
+impl Stage {
+    /// Checks a flight, places its photos and builds its scene.
+    pub(super) fn new(flight: &Flight) -> Result<Self, Error> {
+        flight.check()?;
+        let mut scan_random = [Stream::LeftScan, Stream::RightScan].map(|stream| Random::new(flight.seed, stream));
+        let scans = scan_random.each_mut().map(|random| Scan::new(flight.pixel_mm, random));
+        let photos = photos(flight, scans, cut_px(&mut Random::new(flight.seed, Stream::Cut)));
+        let scene = Scene::new(flight, ground_area(flight, photos.each_ref())?);
+        Ok(Self { scene, photos, scan_random })
+    }
+}
+
+/// Patches are never cut exactly: up to two whole pixels aside.
+fn cut_px(random: &mut Random) -> [f64; 2] {
+    [0, 1].map(|_| random.between(-2.5, 2.5).round())
+}
+
+/// Pixels come from the fiducial marks, so that the camera names none.
+fn camera(flight: &Flight) -> Camera {
+    Camera { focal_mm: flight.focal_mm, principal_point_mm: flight.principal_point_mm, pixel_mm: None, radial_distortion: [0.0; 3] }
+}
+
+/// The flattest ray that is allowed, as height over length.
+const FLATTEST: f64 = 0.4;
+
+/// The ground under both patches, and around it as far as a building may lean into the picture or throw its shadow.
+fn ground_area(flight: &Flight, photos: [&Photo; 2]) -> Result<Rectangle, Error> {
+    let (width, height) = (flight.width_px as f64, flight.height_px as f64);
+    let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    for photo in photos {
+        let rays = photo.rays();
+        for [x, y] in [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]] {
+            let ray = rays.ray(x, y);
+            if -ray.direction.z < FLATTEST * ray.direction.norm() {
+                let allowed = "long enough that, with these tilts, all rays fall at 24 degrees or steeper";
+                return Err(refuse("flight.focal_mm", flight.focal_mm, allowed));
+            }
+            let foot = ray.at((-0.5 * flight.relief_m - ray.origin.z) / ray.direction.z);
+            area = [area[0].min(foot.x), area[1].min(foot.y), area[2].max(foot.x), area[3].max(foot.y)];
+        }
+    }
+    let around = 15.0 + 2.5 * flight.building_heights_m[1];
+    Ok([area[0] - around, area[1] - around, area[2] + around, area[3] + around])
+}

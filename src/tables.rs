@@ -1,0 +1,186 @@
+//! Small files of text: fiducials, observations and a camera in; points and matches out.
+
+use crate::{Camera, Error, Fiducial, Observation};
+use csv::{ReaderBuilder, StringRecord};
+
+/// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
+///
+/// The first line names the columns, in any order; further columns are ignored. Separated by commas, or by semicolons where the first line
+/// has them. Blank lines and lines that begin with `#` are skipped.
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the line and the column.
+pub fn parse_fiducials(csv: &str) -> Result<Vec<Fiducial>, Error> {
+    let rows = read_table("the table of fiducials", csv, ["col", "row", "x_mm", "y_mm"])?;
+    Ok(rows.into_iter().map(|[col, row, x_mm, y_mm]| Fiducial { col, row, x_mm, y_mm }).collect())
+}
+
+/// Reads photo coordinates in mm: columns `x_left_mm`, `y_left_mm`, `x_right_mm`, `y_right_mm`, in the form of [`parse_fiducials`].
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the line and the column.
+pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
+    let rows = read_table("the table of observations", csv, ["x_left_mm", "y_left_mm", "x_right_mm", "y_right_mm"])?;
+    Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation { left: [xl, yl], right: [xr, yr] }).collect())
+}
+
+/// Reads a camera: `{"focal_mm": 153.38, "principal_point_mm": [0, 0], "pixel_mm": 0.01, "radial_distortion": [0, 0, 0]}`, all but the first
+/// optional.
+///
+/// # Errors
+/// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
+pub fn parse_camera(json: &str) -> Result<Camera, Error> {
+    let text = json.trim_start_matches('\u{feff}');
+    let camera: Camera = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: e.to_string() })?;
+    camera.check().map(|()| camera)
+}
+
+/// Writes matches `[x_left, y_left, x_right, y_right, measure]`, positions in px, one a line under a line of column names.
+pub fn matches_csv(matches: &[[f64; 5]]) -> String {
+    write_table("x_left_px,y_left_px,x_right_px,y_right_px,measure", matches)
+}
+
+/// Writes points `[x, y, value]`, positions in px, one a line under a line of column names.
+pub fn points_csv(points: &[[f64; 3]]) -> String {
+    write_table("x_px,y_px,value", points)
+}
+
+/// Numbers are written as the shortest text that reads back as the same number.
+fn write_table<const N: usize>(header: &str, rows: &[[f64; N]]) -> String {
+    let mut text = String::from(header);
+    text.push('\n');
+    for row in rows {
+        text.push_str(&row.map(|value| value.to_string()).join(","));
+        text.push('\n');
+    }
+    text
+}
+
+fn read_table<const N: usize>(what: &'static str, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
+    let text = text.trim_start_matches('\u{feff}');
+    let header_line = text.lines().find(|line| is_data(line)).unwrap_or("");
+    let delimiter = if header_line.contains(';') { b';' } else { b',' };
+    let mut reader =
+        ReaderBuilder::new().delimiter(delimiter).comment(Some(b'#')).trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
+    let header = reader.headers().map_err(|e| broken(what, &e))?.clone();
+    let places = find_columns(what, &header, columns)?;
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(|e| broken(what, &e))?;
+        // A line of blanks, or of separators alone as spreadsheets leave them at the end.
+        if record.iter().any(|field| !field.is_empty()) {
+            rows.push(read_row(what, &record, columns, places, || line_of(text, &record))?);
+        }
+    }
+    Ok(rows)
+}
+
+fn find_columns<const N: usize>(what: &'static str, header: &StringRecord, columns: [&'static str; N]) -> Result<[usize; N], Error> {
+    let allowed = || format!("a first line that names the columns {}", columns.join(","));
+    let mut places = [0; N];
+    for (place, column) in places.iter_mut().zip(columns) {
+        let mut found = header.iter().enumerate().filter(|(_, name)| *name == column).map(|(index, _)| index);
+        *place = found.next().ok_or_else(|| {
+            let names = header.iter().collect::<Vec<_>>().join(",");
+            Error::InvalidInput { what, got: format!("no column {column} in the first line '{}'", shorten(&names)), allowed: allowed() }
+        })?;
+        if found.next().is_some() {
+            return Err(Error::InvalidInput { what, got: format!("column {column} twice"), allowed: allowed() });
+        }
+    }
+    Ok(places)
+}
+
+fn read_row<const N: usize>(
+    what: &'static str,
+    record: &StringRecord,
+    columns: [&'static str; N],
+    places: [usize; N],
+    line: impl Fn() -> usize,
+) -> Result<[f64; N], Error> {
+    let mut row = [0.0; N];
+    for ((value, column), place) in row.iter_mut().zip(columns).zip(places) {
+        let refused = |got: String| Error::InvalidInput { what, got, allowed: "finite numbers with a decimal point".into() };
+        let field = record.get(place).ok_or_else(|| refused(format!("no value for {column} in line {}", line())))?;
+        let number = field.parse().ok().filter(|number: &f64| number.is_finite());
+        *value = number.ok_or_else(|| refused(format!("'{}' for {column} in line {}", shorten(field), line())))?;
+    }
+    Ok(row)
+}
+
+fn is_data(line: &str) -> bool {
+    !line.trim().is_empty() && !line.starts_with('#')
+}
+
+/// The line of a record, counted from 1; the reader's own position is that of the blank lines and comments before it.
+fn line_of(text: &str, record: &StringRecord) -> usize {
+    let start = record.position().map_or(0, |position| position.byte() as usize).min(text.len());
+    let before = text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count();
+    let skipped = text.get(start..).unwrap_or("").lines().take_while(|line| !is_data(line)).count();
+    before + skipped + 1
+}
+
+fn broken(what: &'static str, error: &csv::Error) -> Error {
+    Error::InvalidInput { what, got: error.to_string(), allowed: "lines of numbers between commas or semicolons".into() }
+}
+
+/// The beginning of a text, for a message of one line.
+fn shorten(text: &str) -> String {
+    const LONGEST: usize = 60;
+    let printable = text.chars().map(|c| if c.is_control() { ' ' } else { c });
+    if text.chars().count() <= LONGEST { printable.collect() } else { printable.take(LONGEST).chain("…".chars()).collect() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(csv: &str) -> String {
+        parse_fiducials(csv).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn columns_stand_in_any_order_among_others() {
+        let text = "\u{feff}# a scan\r\n\r\nmark, y_mm, x_mm, row, col\r\n1, 4, 3, 2, 1.5\r\n  \r\n# end\r\n2, -4, -3, 20, 10\r\n";
+        let marks = parse_fiducials(text).unwrap();
+        assert_eq!(
+            marks,
+            [Fiducial { col: 1.5, row: 2.0, x_mm: 3.0, y_mm: 4.0 }, Fiducial { col: 10.0, row: 20.0, x_mm: -3.0, y_mm: -4.0 },]
+        );
+    }
+
+    #[test]
+    fn semicolons_separate_where_the_first_line_has_them() {
+        let read = parse_observations("x_left_mm;y_left_mm;x_right_mm;y_right_mm\n1;2;-3;4e-1\n;;;\n").unwrap();
+        assert_eq!(read, [Observation { left: [1.0, 2.0], right: [-3.0, 0.4] }]);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_by_line_and_column() {
+        assert!(message("").contains("no column col"), "{}", message(""));
+        assert!(message("1,2,3,4\n5,6,7,8\n").contains("no column col in the first line '1,2,3,4'"));
+        assert!(message("col,row,x_mm,y_mm,row\n1,2,3,4,5\n").contains("column row twice"));
+        assert!(message("col,row,x_mm,y_mm\n1,2,3,4\n\n1,2,x,4\n").contains("'x' for x_mm in line 4"));
+        assert!(message("col,row,x_mm,y_mm\r\n# two\r\n1,2,3,4\r\n \r\n\r\n#\r\n1,2,x,4").contains("'x' for x_mm in line 7"));
+        assert!(message("col,row,x_mm,y_mm\n1,2,3\n").contains("no value for y_mm in line 2"));
+        assert!(message("col,row,x_mm,y_mm\n1,NaN,3,4\n").contains("'NaN' for row in line 2"));
+        assert!(message("col,row,x_mm,y_mm\n1,inf,3,4\n").contains("'inf' for row"));
+        assert!(message("col;row;x_mm;y_mm\n1,5;2;3;4\n").contains("'1,5' for col in line 2"));
+        assert!(!message(&"\u{1}x".repeat(1000)).contains('\u{1}'));
+    }
+
+    #[test]
+    fn a_camera_is_read_and_checked() {
+        let camera = parse_camera("\u{feff}{\"focal_mm\": 24.0, \"pixel_mm\": 0.0039}").unwrap();
+        assert_eq!((camera.focal_mm, camera.pixel_mm, camera.principal_point_mm), (24.0, Some(0.0039), [0.0, 0.0]));
+        assert_eq!(parse_camera("{\"focal_mm\": 24,").unwrap_err().code(), "invalid-json");
+        assert_eq!(parse_camera("{\"focal_mm\": -24}").unwrap_err().code(), "invalid-option");
+    }
+
+    #[test]
+    fn written_numbers_read_back_as_they_were() {
+        let text = matches_csv(&[[0.5, 1.25, 1.0 / 3.0, 1e-7, 2.5]]);
+        assert_eq!(text, format!("x_left_px,y_left_px,x_right_px,y_right_px,measure\n0.5,1.25,{},{},2.5\n", 1.0 / 3.0, 1e-7));
+        assert_eq!(points_csv(&[[0.5, 1.5, 40.0]]), "x_px,y_px,value\n0.5,1.5,40\n");
+    }
+}

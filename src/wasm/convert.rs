@@ -1,0 +1,101 @@
+//! Between JavaScript values and plain data.
+
+use crate::{Error, InterestPoint};
+use js_sys::{Float64Array, JSON, Object, Reflect};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::Value;
+use wasm_bindgen::{JsCast, JsValue};
+
+/// What every call that can fail gives: an `Error` named `TiepointError` with `code` and `usage` on failure.
+pub type JsResult<T> = Result<T, JsValue>;
+
+pub fn thrown(error: Error) -> JsValue {
+    let value = js_sys::Error::new(&error.to_string());
+    value.set_name("TiepointError");
+    set(&value, "code", &error.code().into());
+    set(&value, "usage", &error.is_usage().into());
+    value.into()
+}
+
+/// Reads a value. It goes through text, so that unknown fields are refused.
+pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
+    parsed(value).and_then(serde_json::from_value).map_err(|e| refused(what, &e))
+}
+
+/// Reads options: the fields that are given, the others from the defaults.
+pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
+    let merged = parsed(value).and_then(|given| {
+        let mut options = serde_json::to_value(T::default())?;
+        overlay(&mut options, given);
+        serde_json::from_value(options)
+    });
+    merged.map_err(|e| refused(what, &e))
+}
+
+/// The JSON form of a value: null where it has none, as `undefined`.
+fn parsed(value: &JsValue) -> serde_json::Result<Value> {
+    let text = JSON::stringify(value).ok().and_then(|text| text.as_string());
+    serde_json::from_str(text.as_deref().unwrap_or("null"))
+}
+
+/// Puts the fields that are given in place of the defaults, object by object.
+fn overlay(options: &mut Value, given: Value) {
+    match (options, given) {
+        (Value::Object(options), Value::Object(given)) => {
+            for (name, value) in given {
+                overlay(options.entry(name).or_insert(Value::Null), value);
+            }
+        }
+        // Options as a whole may be absent.
+        (Value::Object(_), Value::Null) => {}
+        (options, given) => *options = given,
+    }
+}
+
+fn refused(what: &'static str, error: &serde_json::Error) -> JsValue {
+    thrown(Error::InvalidJson { what, reason: reason(error) })
+}
+
+/// The reason without the place, which would be that in a text that nobody wrote.
+fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    text.rsplit_once(" at line ").map_or(text.clone(), |(reason, _)| reason.to_string())
+}
+
+/// Packs plain data as an object.
+pub fn pack(value: &impl Serialize) -> JsValue {
+    let text = serde_json::to_string(value).expect("plain data has a JSON form");
+    JSON::parse(&text).expect("JSON that was just written")
+}
+
+/// An object with these fields.
+pub fn object<const N: usize>(fields: [(&str, JsValue); N]) -> JsValue {
+    let object = Object::new();
+    fields.iter().for_each(|(name, value)| set(&object, name, value));
+    object.into()
+}
+
+fn set(object: &impl AsRef<JsValue>, name: &str, value: &JsValue) {
+    Reflect::set(object.as_ref(), &name.into(), value).expect("a plain object takes fields");
+}
+
+/// A copy of numbers as a typed array.
+pub fn numbers(values: impl IntoIterator<Item = f64>) -> JsValue {
+    let values: Vec<f64> = values.into_iter().collect();
+    Float64Array::from(&values[..]).unchecked_into()
+}
+
+/// The rows of a flat array.
+pub fn rows<'a, const N: usize>(what: &'static str, flat: &'a [f64]) -> JsResult<&'a [[f64; N]]> {
+    let (rows, rest) = flat.as_chunks::<N>();
+    if rest.is_empty() {
+        return Ok(rows);
+    }
+    Err(thrown(Error::InvalidInput { what, got: format!("{} numbers", flat.len()), allowed: format!("a multiple of {N} numbers") }))
+}
+
+/// Points of a flat array of x, y, value.
+pub fn points(what: &'static str, flat: &[f64]) -> JsResult<Vec<InterestPoint>> {
+    Ok(rows::<3>(what, flat)?.iter().map(|[x, y, value]| InterestPoint { x: *x, y: *y, value: *value }).collect())
+}

@@ -1,0 +1,193 @@
+//! Offsets and matches between two sets of points.
+
+use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, thrown};
+use super::photo::{Photo, pack_points};
+use crate::{
+    Descriptor, Error, GreyImage, InterestPoint, MatchOptions, MatchSet, OffsetField, PairInput, PairResult, PairSettings, PointSet,
+    Reduced, Rule, candidates_of, estimate_offset_of_reduced, match_pair as match_images, match_points as match_described,
+};
+use js_sys::{Int32Array, Reflect, Uint8Array, Uint32Array};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The outcome of matching. */
+export interface MatchResult {
+    counts: MatchCounts;
+    /** x and y of the left point, x and y of the right point in px, measure; stride 5. */
+    matches: Float64Array;
+    /** Index of the left and of the right point of each match; stride 2. */
+    indices: Uint32Array;
+    /** For each left point the rule that decided: an index into `rule_names()`. */
+    rules: Uint8Array;
+    /** For each left point the index of its best right point, -1 without a candidate. */
+    best: Int32Array;
+    /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
+    measures: Float64Array;
+}
+
+/** The outcome of a whole pair. */
+export interface PairOutput {
+    left: DetectedPoints;
+    right: DetectedPoints;
+    offset: OffsetField;
+    match: MatchResult;
+    interior: PairInterior | null;
+    /** Side of a left pixel in mm. */
+    pixel_mm: number | null;
+    orientation: RelativeOrientation | null;
+    /** Why there is no orientation. */
+    orientation_reason: string | null;
+}
+"#;
+
+/// The rules, in the order of the codes in `MatchResult.rules`.
+const RULES: [Rule; 7] =
+    [Rule::Matched, Rule::NoDescriptor, Rule::NoCandidate, Rule::Threshold, Rule::Ambiguous, Rule::ManyToOne, Rule::Parallax];
+
+/// The names of the rules, in the order of their codes.
+#[wasm_bindgen(unchecked_return_type = "Rule[]")]
+pub fn rule_names() -> JsValue {
+    pack(&RULES)
+}
+
+/// Estimates the offsets between two images from `Photo.reduced(1024)` of each.
+#[wasm_bindgen(unchecked_return_type = "OffsetField")]
+pub fn estimate_offset(
+    #[wasm_bindgen(unchecked_param_type = "ReducedImage")] left: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "ReducedImage")] right: &JsValue,
+) -> JsResult<JsValue> {
+    Ok(pack(&estimate_offset_of_reduced(&read_reduced(left)?, &read_reduced(right)?)))
+}
+
+/// The same offset (right minus left position, px) everywhere.
+#[wasm_bindgen(unchecked_return_type = "OffsetField")]
+pub fn constant_offset(dx: f64, dy: f64) -> JsResult<JsValue> {
+    let field = OffsetField::constant(dx, dy);
+    field.check().map_err(thrown)?;
+    Ok(pack(&field))
+}
+
+/// Matches described points: points of stride 3, descriptors of stride 7.
+#[wasm_bindgen(unchecked_return_type = "MatchResult")]
+pub fn match_points(
+    left_points: &[f64],
+    left_descriptors: &[f64],
+    right_points: &[f64],
+    right_descriptors: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<MatchOptions>")] options: &JsValue,
+) -> JsResult<JsValue> {
+    let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
+    let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
+    let set = match_described(left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
+    Ok(pack_matches(&set, &left.points, &right.points))
+}
+
+/// The candidates of one left point, the best first: index of the right point and measure, stride 2.
+#[wasm_bindgen]
+pub fn candidates(
+    index: usize,
+    left_points: &[f64],
+    left_descriptors: &[f64],
+    right_points: &[f64],
+    right_descriptors: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<MatchOptions>")] options: &JsValue,
+) -> JsResult<Vec<f64>> {
+    let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
+    let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
+    let all = candidates_of(index, left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
+    Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
+}
+
+/// Matches and orients a pair on one thread.
+#[wasm_bindgen(unchecked_return_type = "PairOutput")]
+pub fn match_pair(
+    left: &Photo,
+    right: &Photo,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+) -> JsResult<JsValue> {
+    let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
+    match_images(left.pair_image(), right.pair_image(), &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)
+}
+
+fn pack_pair(result: &PairResult) -> JsValue {
+    let points = |set: &PointSet| set.points.clone();
+    object([
+        ("left", pack_points(&result.left)),
+        ("right", pack_points(&result.right)),
+        ("offset", pack(&result.offset)),
+        ("match", pack_matches(&result.matching, &points(&result.left), &points(&result.right))),
+        ("interior", pack(&result.interior)),
+        ("pixel_mm", pack(&result.interior.as_ref().map(|i| i.left.pixel_mm()))),
+        ("orientation", pack(&result.orientation.as_ref().ok())),
+        ("orientation_reason", pack(&result.orientation.as_ref().err())),
+    ])
+}
+
+fn pack_matches(set: &MatchSet, left: &[InterestPoint], right: &[InterestPoint]) -> JsValue {
+    let code = |rule: Rule| RULES.iter().position(|r| *r == rule).expect("RULES holds every rule") as u8;
+    let rules: Vec<u8> = set.verdicts.iter().map(|v| code(v.rule)).collect();
+    let best: Vec<i32> = set.verdicts.iter().map(|v| v.best.map_or(-1, |best| best as i32)).collect();
+    let indices: Vec<u32> = set.matches.iter().flat_map(|m| [m.left as u32, m.right as u32]).collect();
+    object([
+        ("counts", pack(&set.counts)),
+        (
+            "matches",
+            numbers(set.matches.iter().flat_map(|m| {
+                let (l, r) = (left[m.left], right[m.right]);
+                [l.x, l.y, r.x, r.y, m.measure]
+            })),
+        ),
+        ("indices", Uint32Array::from(&indices[..]).into()),
+        ("rules", Uint8Array::from(&rules[..]).into()),
+        ("best", Int32Array::from(&best[..]).into()),
+        ("measures", numbers(set.verdicts.iter().flat_map(|v| [v.measure, v.second]))),
+    ])
+}
+
+/// Points with their descriptors.
+struct Described {
+    points: Vec<InterestPoint>,
+    descriptors: Vec<Option<Descriptor>>,
+}
+
+impl Described {
+    fn read(point_list: &[f64], descriptors: &[f64]) -> JsResult<Self> {
+        let descriptors = rows::<7>("descriptors", descriptors)?;
+        let descriptors = descriptors.iter().map(|d| d.iter().all(|v| v.is_finite()).then_some(*d)).collect();
+        Ok(Self { points: points("points", point_list)?, descriptors })
+    }
+
+    fn parts(&self) -> crate::Described<'_> {
+        (&self.points, &self.descriptors)
+    }
+}
+
+fn read_offset(value: &JsValue) -> JsResult<OffsetField> {
+    let field: OffsetField = read("offset field", value)?;
+    field.check().map_err(thrown)?;
+    Ok(field)
+}
+
+fn read_reduced(value: &JsValue) -> JsResult<Reduced> {
+    let refuse = |got: &str| {
+        let allowed = "an object {width, height, halvings, grey} as Photo.reduced gives it".to_string();
+        thrown(Error::InvalidInput { what: "reduced image", got: got.to_string(), allowed })
+    };
+    let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refuse("no object"));
+    let whole = |name: &str| {
+        let number = field(name)?.as_f64().filter(|v| v.fract() == 0.0 && (0.0..1e9).contains(v));
+        number.map(|v| v as usize).ok_or_else(|| refuse(&format!("no whole number as {name}")))
+    };
+    let grey = field("grey")?.dyn_into::<Uint8Array>().map_err(|_| refuse("no Uint8Array as grey"))?;
+    let halvings = whole("halvings")?;
+    if halvings > 30 {
+        return Err(refuse("more than 30 halvings"));
+    }
+    let image = GreyImage::new(whole("width")?, whole("height")?, grey.to_vec()).map_err(thrown)?;
+    Ok(Reduced { image, halvings: halvings as u32 })
+}

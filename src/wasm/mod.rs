@@ -1,0 +1,12 @@
+//! The only folder that names JavaScript: unpack, call the core, pack.
+//!
+//! Bulk data crosses as flat typed arrays of a stated stride, options and small results as plain objects. Every result is a copy.
+
+mod about;
+mod convert;
+mod draw;
+mod matching;
+mod orientation;
+mod photo;
+mod sample;
+mod tables;

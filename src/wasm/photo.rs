@@ -1,0 +1,188 @@
+//! An image in wasm memory, and what is found in it.
+
+use super::convert::{JsResult, numbers, object, pack, points, read, read_options, thrown};
+use crate::{
+    DecodeLimits, Error, ExifCamera, GreyImage, Measure, PairImage, PointOptions, PointSet, Reduced, WindowOptions, decode, describe,
+    detect, reduce_to, window_moments,
+};
+use js_sys::Uint8Array;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What is known of a decoded image. */
+export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null }
+
+/** An image halved a number of times: grey values 0..255, row by row. */
+export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
+
+/** Interest points: x and y in px and the interest value, stride 3; in raster order. */
+export interface DetectedPoints { counts: PointCounts; threshold: number; points: Float64Array }
+
+/** The window of a point: its grey values row by row, which of them lie within the outline, and its moments. */
+export interface WindowReport {
+    side: number;
+    grey: number[];
+    mask: boolean[];
+    /** The centroid in image coordinates, px. */
+    centroid_px: [number, number];
+    axis_angle_deg: number;
+    central: Record<"mu00" | "mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
+    normalized: Record<"mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
+    invariants: number[];
+}
+"#;
+
+/// A grey image in wasm memory. Call `free` when it is no longer needed.
+#[wasm_bindgen]
+pub struct Photo {
+    grey: GreyImage,
+    format: &'static str,
+    bits_per_sample: u8,
+    camera: Option<ExifCamera>,
+}
+
+#[wasm_bindgen]
+impl Photo {
+    /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
+    pub fn decode(bytes: &[u8]) -> JsResult<Photo> {
+        let decoded = decode(bytes, &DecodeLimits::default()).map_err(thrown)?;
+        Ok(Self { grey: decoded.grey, format: decoded.format, bits_per_sample: decoded.bits_per_sample, camera: decoded.camera })
+    }
+
+    /// Takes grey values 0..255, row by row.
+    pub fn from_grey(width: usize, height: usize, grey: Vec<u8>) -> JsResult<Photo> {
+        let grey = GreyImage::new(width, height, grey).map_err(thrown)?;
+        Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None })
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn width(&self) -> usize {
+        self.grey.width()
+    }
+
+    #[wasm_bindgen(getter)]
+    pub fn height(&self) -> usize {
+        self.grey.height()
+    }
+
+    /// Size, format and camera.
+    #[wasm_bindgen(unchecked_return_type = "PhotoInfo")]
+    pub fn info(&self) -> JsValue {
+        object([
+            ("width", (self.grey.width() as f64).into()),
+            ("height", (self.grey.height() as f64).into()),
+            ("format", self.format.into()),
+            ("bits_per_sample", self.bits_per_sample.into()),
+            ("camera", pack(&self.camera)),
+        ])
+    }
+
+    /// A copy of the grey values, row by row.
+    pub fn grey(&self) -> Vec<u8> {
+        self.grey.data().to_vec()
+    }
+
+    /// The image halved until its longer side is at most `max_side` px.
+    #[wasm_bindgen(unchecked_return_type = "ReducedImage")]
+    pub fn reduced(&self, max_side: usize) -> JsValue {
+        pack_reduced(&reduce_to(self.grey.view(), max_side))
+    }
+
+    /// Finds interest points.
+    #[wasm_bindgen(unchecked_return_type = "DetectedPoints")]
+    pub fn detect(&self, #[wasm_bindgen(unchecked_param_type = "Given<PointOptions>")] options: &JsValue) -> JsResult<JsValue> {
+        let options: PointOptions = read_options("points", options)?;
+        detect(self.grey.view(), &options).map(|set| pack_points(&set)).map_err(thrown)
+    }
+
+    /// Describes points (stride 3) by seven numbers each; NaN where a window leaves the image or is constant.
+    pub fn describe(
+        &self,
+        point_list: &[f64],
+        #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Measure")] measure: &JsValue,
+    ) -> JsResult<Vec<f64>> {
+        let (window, measure): (WindowOptions, Measure) = (read_options("window", window)?, read("measure", measure)?);
+        let described = describe(self.grey.view(), &points("points", point_list)?, &window, measure).map_err(thrown)?;
+        Ok(described.into_iter().flat_map(|d| d.unwrap_or([f64::NAN; 7])).collect())
+    }
+
+    /// The window around a pixel (column and row from 0) with its moments.
+    #[wasm_bindgen(unchecked_return_type = "WindowReport")]
+    pub fn window_moments(
+        &self,
+        col: usize,
+        row: usize,
+        #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
+    ) -> JsResult<JsValue> {
+        let options: WindowOptions = read_options("window", window)?;
+        self.report(col, row, &options).map_err(thrown)
+    }
+}
+
+impl Photo {
+    pub(super) fn pair_image(&self) -> PairImage<'_> {
+        PairImage { grey: self.grey.view(), exif: self.camera.as_ref() }
+    }
+
+    fn report(&self, col: usize, row: usize, options: &WindowOptions) -> Result<JsValue, Error> {
+        let image = self.grey.view();
+        let m = window_moments(image, col, row, options)?;
+        let reach = options.side / 2;
+        let grey: Vec<u8> = (row - reach..=row + reach).flat_map(|r| &image.row(r)[col - reach..=col + reach]).copied().collect();
+        let n = m.normalized();
+        let [x, y] = m.centroid_px;
+        Ok(object([
+            ("side", (options.side as f64).into()),
+            ("grey", pack(&grey)),
+            ("mask", pack(&options.mask()?)),
+            ("centroid_px", pack(&[col as f64 + 0.5 + x, row as f64 + 0.5 + y])),
+            ("axis_angle_deg", m.axis_angle_rad().to_degrees().into()),
+            (
+                "central",
+                object([
+                    ("mu00", m.mu00.into()),
+                    ("mu20", m.mu20.into()),
+                    ("mu11", m.mu11.into()),
+                    ("mu02", m.mu02.into()),
+                    ("mu30", m.mu30.into()),
+                    ("mu21", m.mu21.into()),
+                    ("mu12", m.mu12.into()),
+                    ("mu03", m.mu03.into()),
+                ]),
+            ),
+            (
+                "normalized",
+                object([
+                    ("mu20", n[0].into()),
+                    ("mu11", n[1].into()),
+                    ("mu02", n[2].into()),
+                    ("mu30", n[3].into()),
+                    ("mu21", n[4].into()),
+                    ("mu12", n[5].into()),
+                    ("mu03", n[6].into()),
+                ]),
+            ),
+            ("invariants", pack(&m.invariants())),
+        ]))
+    }
+}
+
+pub(super) fn pack_points(set: &PointSet) -> JsValue {
+    object([
+        ("counts", pack(&set.counts)),
+        ("threshold", set.threshold.into()),
+        ("points", numbers(set.points.iter().flat_map(|p| [p.x, p.y, p.value]))),
+    ])
+}
+
+fn pack_reduced(reduced: &Reduced) -> JsValue {
+    object([
+        ("width", (reduced.image.width() as f64).into()),
+        ("height", (reduced.image.height() as f64).into()),
+        ("halvings", reduced.halvings.into()),
+        ("grey", Uint8Array::from(reduced.image.data()).into()),
+    ])
+}

@@ -1,0 +1,40 @@
+//! Small files of text.
+
+use super::convert::{JsResult, pack, rows, thrown};
+use crate::{
+    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials, parse_observations as read_observations,
+    points_csv as write_points,
+};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// Reads fiducial marks: columns col, row, x_mm, y_mm.
+#[wasm_bindgen(unchecked_return_type = "Fiducial[]")]
+pub fn parse_fiducials(csv: &str) -> JsResult<JsValue> {
+    read_fiducials(csv).map(|f| pack(&f)).map_err(thrown)
+}
+
+/// Reads photo coordinates: columns x_left_mm, y_left_mm, x_right_mm, y_right_mm; stride 4.
+#[wasm_bindgen]
+pub fn parse_observations(csv: &str) -> JsResult<Vec<f64>> {
+    let observations = read_observations(csv).map_err(thrown)?;
+    Ok(observations.iter().flat_map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect())
+}
+
+/// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+#[wasm_bindgen(unchecked_return_type = "Camera")]
+pub fn parse_camera(json: &str) -> JsResult<JsValue> {
+    read_camera(json).map(|c| pack(&c)).map_err(thrown)
+}
+
+/// Writes matches (stride 5) as CSV.
+#[wasm_bindgen]
+pub fn matches_csv(matches: &[f64]) -> JsResult<String> {
+    Ok(write_matches(rows("matches", matches)?))
+}
+
+/// Writes points (stride 3) as CSV.
+#[wasm_bindgen]
+pub fn points_csv(points: &[f64]) -> JsResult<String> {
+    Ok(write_points(rows("points", points)?))
+}

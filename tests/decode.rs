@@ -1,0 +1,29 @@
+//! Decoding of image files: values, limits, hostile input, EXIF. That wasm gives the same is tested in `decode_everywhere.rs`.
+#![cfg(not(target_arch = "wasm32"))]
+
+#[path = "decode/jpeg_writer.rs"]
+mod jpeg_writer;
+#[path = "decode/samples.rs"]
+mod samples;
+#[path = "decode/tiff_writer.rs"]
+mod tiff_writer;
+
+#[path = "decode/exif.rs"]
+mod exif;
+#[path = "decode/formats.rs"]
+mod formats;
+#[path = "decode/hostile.rs"]
+mod hostile;
+#[path = "decode/jpeg.rs"]
+mod jpeg;
+#[path = "decode/limits.rs"]
+mod limits;
+#[path = "decode/photographs.rs"]
+mod photographs;
+
+use tiepoint::{DecodeLimits, Decoded, Error};
+
+/// Decodes within limits that small files never reach.
+fn decode(file: &[u8]) -> Result<Decoded, Error> {
+    tiepoint::decode(file, &DecodeLimits::default())
+}

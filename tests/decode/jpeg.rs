@@ -1,0 +1,70 @@
+//! JPEG of every sampling and scan structure, with blocks of known values.
+
+use crate::decode;
+use crate::formats::{grey, luma};
+use crate::jpeg_writer::Jpeg;
+
+/// Luma of blocks, different for each of the first 13 columns and 17 rows.
+fn block_luma(column: usize, row: usize) -> u8 {
+    (20 + 11 * (column % 13) + 5 * (row % 17)) as u8
+}
+
+#[test]
+fn jpeg_luma_is_exact_for_every_sampling_and_scan_structure() {
+    let sizes = [(1, 1), (8, 8), (16, 16), (17, 33), (64, 8), (131, 75), (40, 129)];
+    for (h, v) in [(1, 1), (2, 1), (1, 2), (2, 2), (4, 1), (1, 4), (4, 2), (2, 4), (4, 4)] {
+        let components = [(1, h, v), (2, 1, 1), (3, 1, 1)];
+        for (width, height) in sizes {
+            for (progressive, interleaved) in [(false, true), (false, false), (true, true), (true, false)] {
+                for restart_interval in [0, 1, 3] {
+                    let what = format!(
+                        "{h}x{v}, {width} x {height} px, progressive {progressive}, one scan {interleaved}, restarts {restart_interval}"
+                    );
+                    let jpeg = Jpeg { progressive, interleaved, restart_interval, ..Jpeg::baseline(width, height, &components) };
+                    let file = jpeg.write(|c, column, row| if c == 0 { block_luma(column, row) } else { (90 * c + 3 * column) as u8 });
+                    let decoded = decode(&file).unwrap_or_else(|e| panic!("{what}: {e}"));
+                    let [width, height] = [width, height].map(usize::from);
+                    let expected: Vec<u8> = (0..height).flat_map(|y| (0..width).map(move |x| block_luma(x / 8, y / 8))).collect();
+                    assert!(decoded.grey.data() == expected, "{what}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn jpeg_grey_ignores_its_sampling_factors() {
+    for (h, v) in [(1, 1), (2, 2), (4, 1), (2, 1)] {
+        for progressive in [false, true] {
+            let file = Jpeg { progressive, ..Jpeg::baseline(50, 30, &[(1, h, v)]) }.write(|_, column, row| block_luma(column, row));
+            let expected: Vec<u8> = (0..30).flat_map(|y| (0..50).map(move |x| block_luma(x / 8, y / 8))).collect();
+            assert_eq!(grey(&file), expected, "{h}x{v}, progressive {progressive}");
+        }
+    }
+}
+
+#[test]
+fn jpeg_of_stored_rgb_comes_out_as_its_luma() {
+    let value = |c, column, row| (30 + 60 * c + 7 * column + 3 * row) as u8;
+    let expected: Vec<u8> = (0..20)
+        .flat_map(|y| (0..30).map(move |x| luma(&[value(0, x / 8, y / 8), value(1, x / 8, y / 8), value(2, x / 8, y / 8)])))
+        .collect();
+    let named = Jpeg::baseline(30, 20, &[(b'R', 1, 1), (b'G', 1, 1), (b'B', 1, 1)]);
+    assert_eq!(grey(&named.write(value)), expected, "components R, G, B");
+    let adobe = Jpeg { adobe_transform: Some(0), ..Jpeg::baseline(30, 20, &[(1, 1, 1), (2, 1, 1), (3, 1, 1)]) };
+    assert_eq!(grey(&adobe.write(value)), expected, "Adobe transform 0");
+}
+
+#[test]
+fn jpeg_kinds_that_are_not_decoded_are_named() {
+    let cmyk = Jpeg::baseline(16, 16, &[(1, 1, 1), (2, 1, 1), (3, 1, 1), (4, 1, 1)]).write(|_, _, _| 5);
+    let error = decode(&cmyk).unwrap_err();
+    assert_eq!(error.code(), "unsupported-image");
+    assert!(error.to_string().contains("CMYK"), "{error}");
+    let odd = Jpeg::baseline(16, 16, &[(1, 1, 1), (2, 2, 1), (3, 1, 1)]).write(|_, _, _| 5);
+    assert!(decode(&odd).unwrap_err().to_string().contains("sampling factors"));
+    let mut arithmetic = Jpeg::baseline(16, 16, &[(1, 1, 1)]).write(|_, _, _| 5);
+    let frame = arithmetic.windows(2).position(|pair| pair == [0xff, 0xc0]).unwrap();
+    arithmetic[frame + 1] = 0xc9;
+    assert!(decode(&arithmetic).unwrap_err().to_string().contains("arithmetic"));
+}

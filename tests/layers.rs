@@ -1,0 +1,99 @@
+//! Data flows one way: a module of the crate imports only modules above it.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The modules from the first to the last, as ARCHITECTURE.md lists them.
+const ORDER: [&str; 13] = [
+    "error",
+    "parameters",
+    "math",
+    "camera",
+    "image",
+    "points",
+    "descriptors",
+    "matches",
+    "orientation",
+    "pair",
+    "tables",
+    "simulate",
+    "wasm",
+];
+
+#[test]
+fn a_module_imports_only_modules_above_it() {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let homes = homes_of_exports(&fs::read_to_string(source.join("lib.rs")).unwrap());
+    assert!(homes.len() > 30, "the exports of lib.rs were not understood: {homes:?}");
+    let mut wrong = Vec::new();
+    let mut imports = 0;
+    for (place, module) in ORDER.iter().enumerate() {
+        for file in files_of(&source, module) {
+            let text = fs::read_to_string(&file).unwrap();
+            let shipped = text.split("#[cfg(test)]\nmod tests").next().unwrap();
+            for name in names_from_the_root(shipped) {
+                let home = homes.get(&name).cloned().unwrap_or(name);
+                let Some(at) = ORDER.iter().position(|m| *m == home) else { panic!("{}: crate::{home} has no place", file.display()) };
+                imports += 1;
+                if at > place {
+                    wrong.push(format!("{} imports {home}", file.display()));
+                }
+            }
+        }
+    }
+    assert!(imports > 50, "only {imports} imports were found");
+    assert!(wrong.is_empty(), "against the flow:\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn every_module_has_a_place() {
+    let lib = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("src/lib.rs")).unwrap();
+    let declared: Vec<&str> = lib.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';')).collect();
+    assert!(declared.len() == ORDER.len() && declared.iter().all(|module| ORDER.contains(module)), "{declared:?}");
+}
+
+/// For each name that lib.rs exports, the module it comes from.
+fn homes_of_exports(lib: &str) -> BTreeMap<String, String> {
+    let mut homes = BTreeMap::new();
+    for export in lib.split("pub use ").skip(1) {
+        let (module, names) = export.split(';').next().unwrap().split_once("::").unwrap();
+        for name in names.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|name| !name.is_empty()) {
+            homes.insert(name.to_string(), module.to_string());
+        }
+    }
+    homes
+}
+
+/// The first name after every `crate::`, of a braced list each.
+fn names_from_the_root(text: &str) -> Vec<String> {
+    let code: String = text.lines().filter(|line| !line.trim_start().starts_with("//")).collect::<Vec<_>>().join("\n");
+    let word = |text: &str| text.trim().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+    let listed = |list: &str| {
+        let mut depth = 0;
+        let separated: String = list
+            .chars()
+            .map_while(|c| {
+                depth += i32::from(c == '{') - i32::from(c == '}');
+                (depth > 0).then_some(if c == ',' && depth > 1 { ' ' } else { c })
+            })
+            .collect();
+        separated[1..].split(',').map(word).filter(|name| !name.is_empty()).collect::<Vec<_>>()
+    };
+    code.split("crate::").skip(1).flat_map(|rest| if rest.starts_with('{') { listed(rest) } else { vec![word(rest)] }).collect()
+}
+
+fn files_of(source: &Path, module: &str) -> Vec<PathBuf> {
+    let single = source.join(format!("{module}.rs"));
+    if single.exists() {
+        return vec![single];
+    }
+    let mut files = Vec::new();
+    let mut folders = vec![source.join(module)];
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
+            if entry.is_dir() { folders.push(entry) } else { files.push(entry) }
+        }
+    }
+    files
+}

@@ -1,0 +1,127 @@
+//! The whole pipeline on photographs beside the project; skipped where they are absent.
+
+use nalgebra::{Matrix3, Vector3};
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use tiepoint::{
+    Camera, DecodeLimits, Decoded, Error, Fiducial, FiducialModel, PairImage, PairInput, PairResult, PairSettings, PointOptions,
+    RelativeOrientation, decode, match_pair, orient_fiducials, rotation_from_angles,
+};
+
+fn folder(name: &str) -> Option<PathBuf> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data").join(name);
+    if !folder.is_dir() {
+        println!("skipped: {} is absent", folder.display());
+    }
+    folder.is_dir().then_some(folder)
+}
+
+fn image(folder: &Path, name: &str) -> Decoded {
+    decode(&fs::read(folder.join(name)).unwrap(), &DecodeLimits::default()).unwrap()
+}
+
+fn truth(folder: &Path) -> Value {
+    serde_json::from_str(&fs::read_to_string(folder.join("truth.json")).unwrap()).unwrap()
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
+}
+
+fn run(left: &Decoded, right: &Decoded, input: &PairInput, points: PointOptions) -> Result<PairResult, Error> {
+    let image = |decoded: &'_ Decoded| decoded.camera.clone();
+    let (left_exif, right_exif) = (image(left), image(right));
+    let pair = [(left, &left_exif), (right, &right_exif)].map(|(d, exif)| PairImage { grey: d.grey.view(), exif: exif.as_ref() });
+    match_pair(pair[0], pair[1], input, &PairSettings { points, ..PairSettings::default() })
+}
+
+/// Angles in degrees between the found rotation and base direction and those of `X_right = R X_left + t` with x right, y down, z forward.
+fn errors_deg(found: &RelativeOrientation, rotation: &Value, translation: &Value) -> [f64; 2] {
+    let p = found.parameters;
+    let m = rotation_from_angles(p.omega_deg.to_radians(), p.phi_deg.to_radians(), p.kappa_deg.to_radians());
+    // From photo axes (x right, y up, z backward) to those of the truth.
+    let flip = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
+    let base = Vector3::new(found.base_mm, p.by_mm, p.bz_mm);
+    let (found_rotation, found_translation) = (flip * m * flip, -(flip * m * base).normalize());
+    let rows: Vec<f64> = rotation.as_array().unwrap().iter().flat_map(numbers).collect();
+    let wanted = Matrix3::from_row_slice(&rows);
+    let direction = Vector3::from_vec(numbers(translation)).normalize();
+    let cosine = ((wanted.transpose() * found_rotation).trace() - 1.0) / 2.0;
+    [cosine, direction.dot(&found_translation)].map(|c| c.clamp(-1.0, 1.0).acos().to_degrees())
+}
+
+#[test]
+fn a_rendered_stereo_pair_is_oriented_as_it_was_rendered() {
+    let Some(folder) = folder("semisynth_exact_caliterra") else { return };
+    let truth = truth(&folder);
+    let k = numbers(&truth["images"][0]["K"]);
+    // Any pixel size will do: the focal length is in its unit. The truth's pixels count from the centre of the first.
+    let pixel = 0.005;
+    let principal_point_mm = [(k[2] + 0.5 - 500.0) * pixel, (375.0 - (k[3] + 0.5)) * pixel];
+    let camera = Camera { focal_mm: k[0] * pixel, principal_point_mm, pixel_mm: Some(pixel), radial_distortion: [0.0; 3] };
+    let input = PairInput { camera: Some(camera), ..PairInput::default() };
+    let (left, right) = (image(&folder, "v1.png"), image(&folder, "v2.png"));
+    let result = run(&left, &right, &input, PointOptions { fraction: Some(0.148), ..PointOptions::default() }).unwrap();
+    assert!(result.matching.matches.len() > 1000, "{:?}", result.matching.counts);
+    let errors = errors_deg(&result.orientation.unwrap(), &truth["pairs"][0]["R"], &truth["pairs"][0]["t"]);
+    assert!(errors[0] < 0.3 && errors[1] < 0.5, "{errors:?} deg");
+}
+
+#[test]
+fn a_drone_pair_of_12_mp_is_oriented_with_nothing_given() {
+    let Some(folder) = folder("pair_full_caliterra") else { return };
+    let (left, right) = (image(&folder, "IMG_9401.jpg"), image(&folder, "IMG_9402.jpg"));
+    let result = run(&left, &right, &PairInput::default(), PointOptions::default()).unwrap();
+    assert!(result.matching.matches.len() > 1000, "{:?}", result.matching.counts);
+    let truth = truth(&folder);
+    let errors = errors_deg(&result.orientation.unwrap(), &truth["pairs"][0]["R"], &truth["pairs"][0]["t"]);
+    // The reference is good to about 1 deg in rotation and 3 deg in direction, the EXIF focal length to 4 %.
+    assert!(errors[0] < 1.5 && errors[1] < 4.0, "{errors:?} deg");
+}
+
+#[test]
+fn images_of_16_bits_give_points_and_matches() {
+    let Some(folder) = folder("tiff16_multispectral_garfield") else { return };
+    let (left, right) = (image(&folder, "IMG_161122_163239_0001_GRE.TIF"), image(&folder, "IMG_161122_164150_0091_GRE_deflate.tif"));
+    assert_eq!((left.bits_per_sample, right.bits_per_sample), (16, 16));
+    let itself = run(&left, &left, &PairInput { offset: Some([0.0, 0.0]), ..PairInput::default() }, PointOptions::default()).unwrap();
+    assert!(itself.left.points.len() > 1000);
+    assert!(itself.matching.matches.iter().all(|m| m.left == m.right && m.measure == 0.0));
+    // Without parallax there is nothing to orient, and that is said.
+    assert!(itself.orientation.is_err_and(|reason| reason.contains("not determined")));
+    // Turned by 27 deg against each other, which is beyond this strategy: it must end well all the same.
+    assert!(run(&left, &right, &PairInput::default(), PointOptions::default()).is_ok());
+}
+
+#[test]
+fn scanned_frames_are_oriented_by_their_fiducials() {
+    let Some(folder) = folder("film_fiducials_canberra") else { return };
+    let truth = truth(&folder);
+    let mut oriented = 0;
+    for photo in truth["images"].as_array().unwrap() {
+        // The marks of a frame of 9 x 9 inches lie near ±106 mm; no calibration is known.
+        let place =
+            |corner: &str| [if corner.ends_with('L') { -106.0 } else { 106.0 }, if corner.starts_with('T') { 106.0 } else { -106.0 }];
+        let marks: Vec<Fiducial> = (photo["fiducials_px"].as_array().unwrap().iter())
+            .map(|mark| {
+                let [x_mm, y_mm] = place(mark["corner"].as_str().unwrap());
+                Fiducial { col: mark["x"].as_f64().unwrap() + 0.5, row: mark["y"].as_f64().unwrap() + 0.5, x_mm, y_mm }
+            })
+            .collect();
+        if marks.len() < 4 {
+            assert!(matches!(orient_fiducials(&marks, FiducialModel::Affine), Err(Error::TooFew { .. })));
+            continue;
+        }
+        for model in [FiducialModel::Affine, FiducialModel::Similarity] {
+            let found = orient_fiducials(&marks, model).unwrap();
+            let [[a, b, _], [d, e, _]] = found.parameters;
+            let pixel_mm = (a * e - b * d).abs().sqrt();
+            assert!((pixel_mm - 0.127).abs() < 0.003, "{pixel_mm} mm");
+            // Measured to 1.5 px.
+            assert!(found.sigma0_mm.unwrap() < 3.0 * pixel_mm, "{:?}", found.sigma0_mm);
+        }
+        oriented += 1;
+    }
+    assert!(oriented >= 2);
+}
