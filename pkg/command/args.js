@@ -1,0 +1,100 @@
+// @ts-check
+/** Splits a call into its positional arguments and its options, each checked against what the command takes. */
+
+import { UsageError } from './errors.js';
+
+/**
+ * @typedef {import('./options.js').Option} Option
+ * @typedef {import('./options.js').Value} Value
+ * @typedef {object} Command
+ * @property {string} name
+ * @property {string} summary one line
+ * @property {string[]} positionals their names, all required
+ * @property {Option[]} options
+ * @property {string} details what `--help` says below the options
+ * @property {(call: Call) => void} run
+ * @typedef {{ positionals: string[], values: Map<string, Value> }} Call values: by option name, those that were given
+ */
+
+/** @param {Command} command @param {string[]} args @returns {Call} */
+export function parse(command, args) {
+  /** @type {Call} */
+  const call = { positionals: [], values: new Map() };
+  for (let i = 0; i < args.length; i++) {
+    const arg = args[i] ?? '';
+    if (arg === '--') {
+      call.positionals.push(...args.slice(i + 1));
+      break;
+    }
+    if (!/^--?[a-z]/i.test(arg)) {
+      call.positionals.push(arg);
+      continue;
+    }
+    const [name, attached] = split(arg);
+    const option = find(command, name);
+    if (call.values.has(option.name)) throw new UsageError(`--${option.name} is given twice; give it once`);
+    call.values.set(option.name, option.placeholder ? option.read(attached ?? valueAfter(args, ++i, option)) : flag(option, attached));
+  }
+  checkPositionals(command, call.positionals);
+  return call;
+}
+
+/** @param {string} arg @returns {[string, string | undefined]} */
+function split(arg) {
+  const at = arg.indexOf('=');
+  return at < 0 ? [arg, undefined] : [arg.slice(0, at), arg.slice(at + 1)];
+}
+
+/** @param {Command} command @param {string} name @returns {Option} */
+function find(command, name) {
+  const option = command.options.find((o) => `--${o.name}` === name);
+  if (option) return option;
+  const near = nearest(name, command.options.map((o) => `--${o.name}`));
+  throw new UsageError(`tiepoint ${command.name} has no option ${name}; ${near ? `did you mean ${near}?` : `see tiepoint ${command.name} --help`}`);
+}
+
+/** @param {string[]} args @param {number} i @param {Option} option @returns {string} */
+function valueAfter(args, i, option) {
+  const value = args[i];
+  if (value === undefined || /^--[a-z]/i.test(value)) throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
+  return value;
+}
+
+/** @param {Option} option @param {string | undefined} attached */
+function flag(option, attached) {
+  if (attached !== undefined) throw new UsageError(`--${option.name} takes no value; give --${option.name} alone`);
+  return true;
+}
+
+/** @param {Command} command @param {string[]} given */
+function checkPositionals(command, given) {
+  const wanted = command.positionals;
+  const missing = wanted[given.length];
+  if (missing) throw new UsageError(`${missing} is missing: tiepoint ${command.name} ${wanted.join(' ')}`);
+  const extra = given[wanted.length];
+  if (extra !== undefined) throw new UsageError(`${extra} is one argument too many: tiepoint ${command.name} ${wanted.join(' ')}`.trimEnd());
+}
+
+/**
+ * The known word nearest to one that is not known, if it is near.
+ * @param {string} word @param {string[]} known @returns {string | undefined}
+ */
+export function nearest(word, known) {
+  const ranked = known.map((k) => ({ k, d: editDistance(word, k) })).sort((a, b) => a.d - b.d);
+  const best = ranked[0];
+  return best && best.d <= Math.max(2, Math.floor(word.length / 3)) ? best.k : undefined;
+}
+
+/** The number of letters to insert, delete or replace.  @param {string} a @param {string} b @returns {number} */
+function editDistance(a, b) {
+  let row = Array.from({ length: b.length + 1 }, (_, j) => j);
+  for (let i = 1; i <= a.length; i++) {
+    const next = [i];
+    for (let j = 1; j <= b.length; j++) {
+      const replace = (row[j - 1] ?? 0) + (a[i - 1] === b[j - 1] ? 0 : 1);
+      next.push(Math.min((row[j] ?? 0) + 1, (next[j - 1] ?? 0) + 1, replace));
+    }
+    row = next;
+  }
+  return row[b.length] ?? 0;
+}

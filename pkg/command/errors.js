@@ -1,0 +1,46 @@
+// @ts-check
+/** The two ways a command fails, each told in one line. */
+
+/** A bad call: exit code 2. */
+export class UsageError extends Error {}
+
+/** Bad data: exit code 1. */
+export class DataError extends Error {}
+
+/**
+ * What the crate threw, where it refused something.
+ * @typedef {Error & { code: string, usage: boolean }} Refusal
+ * @param {unknown} error @returns {error is Refusal}
+ */
+export const isRefusal = (error) => error instanceof Error && error.name === 'TiepointError';
+
+/**
+ * Calls the crate with what a file holds; its refusals then name the file and count as bad data.
+ * @template T @param {string} path @param {() => T} call @returns {T}
+ */
+export function about(path, call) {
+  try {
+    return call();
+  } catch (error) {
+    if (isRefusal(error)) throw new DataError(`${path}: ${error.message}`);
+    throw error;
+  }
+}
+
+/**
+ * The line and the exit code of an error.
+ * @param {unknown} error @param {(message: string) => string} rename gives settings their option names
+ * @returns {{ line: string, code: 1 | 2 }}
+ */
+export function explain(error, rename) {
+  const message = error instanceof Error ? error.message : String(error);
+  if (error instanceof UsageError) return { line: message, code: 2 };
+  if (isRefusal(error)) return { line: rename(message), code: error.usage ? 2 : 1 };
+  if (error instanceof DataError) return { line: message, code: 1 };
+  if (error instanceof RangeError) return { line: `there is not enough memory for this: ${message}`, code: 1 };
+  if (error instanceof WebAssembly.RuntimeError) return { line: `the computation broke off (${message}): reduce the images, or report this as a bug`, code: 1 };
+  return { line: `unexpected: ${message}`, code: 1 };
+}
+
+/** One line, whatever the message holds.  @param {string} text */
+export const oneLine = (text) => text.replace(/\s*\n\s*/g, ' ').trim();

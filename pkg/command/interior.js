@@ -1,0 +1,58 @@
+// @ts-check
+import { orient_fiducials, parse_fiducials } from '../node.js';
+import { about, UsageError } from './errors.js';
+import { readText } from './files.js';
+import { JSON_FLAG } from './options.js';
+import { print, printJson } from './output.js';
+import { fixed, table } from './text.js';
+
+/** @typedef {import('../node.js').FiducialModel} FiducialModel */
+
+/** @type {FiducialModel[]} */
+const MODELS = ['affine', 'similarity'];
+
+/** @type {import('./options.js').Option} */
+const MODEL = {
+  name: 'model',
+  placeholder: 'NAME',
+  help: `The transformation from scan to photo: ${MODELS.join(' (six parameters, default) or ')} (four).`,
+  read: (text) => MODELS.find((m) => m === text) ?? refuse(text),
+};
+
+/** @param {string} text @returns {never} */
+function refuse(text) {
+  throw new UsageError(`--model is ${text || 'empty'}; allowed: ${MODELS.join(', ')}`);
+}
+
+/** @type {import('./args.js').Command} */
+export const interior = {
+  name: 'interior',
+  summary: 'Interior orientation: the transformation from measured to calibrated fiducial marks, by least squares.',
+  positionals: ['FIDUCIALS.csv'],
+  options: [MODEL, JSON_FLAG],
+  details: 'FIDUCIALS.csv: columns col,row,x_mm,y_mm, a line a mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. '
+    + 'JSON: parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), degrees_of_freedom.',
+  run({ positionals: [file = ''], values }) {
+    const text = readText(file);
+    const model = /** @type {FiducialModel} */ (values.get('model') ?? 'affine');
+    const result = about(file, () => orient_fiducials(parse_fiducials(text), model));
+    if (values.has('json')) printJson(result);
+    else print(...describe(result));
+  },
+};
+
+/** @param {import('../node.js').FiducialOrientation} result @returns {string[]} */
+function describe(result) {
+  const { parameters, standard_errors: errors, residuals_mm: residuals } = result;
+  const names = [['a', 'b', 'tx [mm]'], ['d', 'e', 'ty [mm]']];
+  const lines = names.flatMap((row, r) => row.map((name, c) => [name, fixed(parameters[r]?.[c], 8), fixed(errors?.[r]?.[c], 8)]));
+  return [
+    `${result.model} transformation: x = a col + b row + tx, y = d col + e row + ty`,
+    '',
+    table([['', 'value', 'std. error'], ...lines]),
+    '',
+    table([['mark', 'vx [mm]', 'vy [mm]'], ...residuals.map(([vx, vy], i) => [i + 1, fixed(vx, 4), fixed(vy, 4)])]),
+    '',
+    `sigma0 ${fixed(result.sigma0_mm, 4)} mm, ${result.degrees_of_freedom} degrees of freedom`,
+  ];
+}

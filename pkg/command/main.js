@@ -1,0 +1,51 @@
+// @ts-check
+/** Finds the command that was called, runs it, and turns errors into one line and an exit code. */
+
+import { version } from '../node.js';
+import { nearest, parse } from './args.js';
+import { explain, oneLine, UsageError } from './errors.js';
+import { helpOf, overview } from './help.js';
+import { interior } from './interior.js';
+import { match } from './match.js';
+import { moments } from './moments.js';
+import { HELP_FLAG, withOptionNames } from './options.js';
+import { orient } from './orient.js';
+import { print } from './output.js';
+import { points } from './points.js';
+import { sample } from './sample.js';
+
+/** @typedef {import('./args.js').Command} Command */
+
+/** @type {Command[]} */
+const COMMANDS = [points, match, interior, orient, moments, sample].map((c) => ({ ...c, options: [...c.options, HELP_FLAG] }));
+
+/** @param {string[]} args what follows the program's name @returns {0 | 1 | 2} the exit code */
+export function main(args) {
+  const [name, ...rest] = args;
+  const command = COMMANDS.find((c) => c.name === name);
+  try {
+    if (!command) general(name, rest);
+    else if (rest.includes('--help') || rest.includes('-h')) print(helpOf(command));
+    else command.run(parse(command, rest));
+    return 0;
+  } catch (error) {
+    const { line, code } = explain(error, (message) => withOptionNames(command?.options ?? [], message));
+    process.stderr.write(`tiepoint: ${oneLine(line)}\n`);
+    return code;
+  }
+}
+
+/** Everything that is not a command's own.  @param {string | undefined} name @param {string[]} rest */
+function general(name, rest) {
+  if (name === '--version' || name === '-V') print(version());
+  else if (name === 'help' && rest[0] !== undefined) print(helpOf(COMMANDS.find((c) => c.name === rest[0]) ?? unknown(rest[0])));
+  else if (name === 'help' || name === '--help' || name === '-h') print(overview(COMMANDS));
+  else if (name === undefined) throw new UsageError(`name a command: ${COMMANDS.map((c) => c.name).join(', ')}; tiepoint help tells more`);
+  else unknown(name);
+}
+
+/** @param {string} name @returns {never} */
+function unknown(name) {
+  const near = nearest(name, COMMANDS.map((c) => c.name));
+  throw new UsageError(`there is no command ${name}; ${near ? `did you mean ${near}?` : `allowed: ${COMMANDS.map((c) => c.name).join(', ')}, help`}`);
+}

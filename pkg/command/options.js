@@ -1,0 +1,165 @@
+// @ts-check
+/** The options of all commands. Those that stand for a setting take kind, range, help and default from the crate. */
+
+import { defaults, parameters } from '../node.js';
+import { nearest } from './args.js';
+import { UsageError } from './errors.js';
+
+/**
+ * @typedef {number | string | boolean | [number, number]} Value
+ * @typedef {object} Option
+ * @property {string} name without the dashes
+ * @property {string} placeholder of its value; empty for a flag
+ * @property {string} help
+ * @property {string} [key] the setting it stands for: `group.field`
+ * @property {boolean} [negates] the flag switches the setting off
+ * @property {(text: string) => Value} read checks and converts what was given
+ * @typedef {import('../node.js').Parameter} Parameter
+ * @typedef {import('../node.js').PairSettings} PairSettings
+ */
+
+/** @type {Map<string, Parameter>} */
+const PARAMETERS = new Map(parameters().map((p) => [p.key, p]));
+
+/** @param {string} key @returns {Parameter} */
+function parameterOf(key) {
+  const parameter = PARAMETERS.get(key);
+  if (!parameter) throw new Error(`the crate has no setting ${key}`);
+  return parameter;
+}
+
+/** @param {string} name @param {string} text @returns {number} */
+function number(name, text) {
+  const value = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text) ? Number(text) : NaN;
+  if (!Number.isFinite(value)) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: a number`);
+  return value;
+}
+
+/** What a parameter allows, in words.  @param {Parameter} p @returns {string} */
+export function allowed(p) {
+  switch (p.kind) {
+    case 'integer': return `${p.odd ? 'odd ' : ''}whole numbers from ${p.min} to ${p.max}`;
+    case 'real': return `${p.min} to ${p.max}`;
+    case 'choice': return p.values.join(', ');
+    default: return 'yes or no';
+  }
+}
+
+/** @param {string} name @param {Parameter} p @param {string} text @returns {Value} */
+function read(name, p, text) {
+  if (p.kind === 'choice') {
+    if (p.values.includes(text)) return text;
+    const near = nearest(text, p.values);
+    throw new UsageError(`--${name} is ${text || 'empty'}; allowed: ${allowed(p)}${near ? ` (did you mean ${near}?)` : ''}`);
+  }
+  const value = number(name, text);
+  const { min, max } = p.kind === 'integer' || p.kind === 'real' ? p : { min: -Infinity, max: Infinity };
+  const whole = p.kind !== 'integer' || (Number.isInteger(value) && (!p.odd || value % 2 !== 0));
+  if (!whole || value < min || value > max) throw new UsageError(`--${name} is ${text}; allowed: ${allowed(p)}`);
+  return value;
+}
+
+/** An option that stands for a setting.  @param {string} name @param {string} placeholder @param {string} key @returns {Option} */
+function setting(name, placeholder, key) {
+  const p = parameterOf(key);
+  return { name, placeholder, key, help: p.help, read: (text) => read(name, p, text) };
+}
+
+/** @param {string} name @param {string} help @returns {Option} */
+const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
+
+/** @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
+export const path = (name, placeholder, help) => ({
+  name, placeholder, help,
+  read: (text) => {
+    if (text === '') throw new UsageError(`--${name} is empty; allowed: the path of a file or folder`);
+    return text;
+  },
+});
+
+/** @param {string} name @param {string} help @param {(value: number) => boolean} valid @param {string} range in words @returns {Option} */
+export const real = (name, help, valid, range) => ({
+  name, placeholder: 'N', help,
+  read: (text) => {
+    const value = number(name, text);
+    if (!valid(value)) throw new UsageError(`--${name} is ${text}; allowed: ${range}`);
+    return value;
+  },
+});
+
+/** Two numbers with a comma between.  @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
+export const pair = (name, placeholder, help) => ({
+  name, placeholder, help,
+  read: (text) => {
+    const parts = text.split(',').map((part) => part.trim());
+    if (parts.length !== 2) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: two numbers with a comma between, ${placeholder}`);
+    return [number(name, parts[0] ?? ''), number(name, parts[1] ?? '')];
+  },
+});
+
+export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
+export const HELP_FLAG = flag('help', 'Prints this text.');
+
+export const POINT_OPTIONS = [
+  setting('operator', 'NAME', 'points.operator'),
+  setting('threshold', 'T', 'points.threshold'),
+  setting('fraction', 'F', 'points.fraction'),
+  setting('roundness', 'Q', 'points.roundness'),
+  setting('suppress', 'N', 'points.suppression_window'),
+  setting('ties', 'RULE', 'points.ties'),
+];
+
+export const WINDOW = setting('window', 'N', 'window.side');
+export const BRIGHTNESS = setting('brightness', 'NAME', 'window.brightness');
+
+export const MATCH_OPTIONS = [
+  setting('search', 'N', 'matching.search'),
+  WINDOW,
+  setting('measure', 'NAME', 'matching.measure'),
+  setting('denominator', 'NAME', 'matching.denominator'),
+  setting('max-measure', 'T', 'matching.max_measure'),
+  setting('ambiguity', 'R', 'matching.ambiguity'),
+];
+
+export const BASE = setting('base-mm', 'B', 'orientation.base_mm');
+
+/** @type {Option[]} */
+export const ORIENTATION_OPTIONS = [
+  setting('method', 'NAME', 'orientation.method'),
+  { ...flag('no-robust', 'Plain least squares from all observations: no consensus, no rejection.'), key: 'orientation.robust', negates: true },
+];
+
+/**
+ * The crate's defaults with what was given in their place.
+ * @param {Option[]} options @param {Map<string, Value>} values @returns {PairSettings}
+ */
+export function settingsOf(options, values) {
+  const settings = defaults();
+  /** @type {Record<string, Record<string, unknown>>} */
+  const groups = Object.fromEntries(Object.entries(settings));
+  for (const { name, key, negates } of options) {
+    const given = values.get(name);
+    if (!key || given === undefined) continue;
+    const [group = '', field = ''] = key.split('.');
+    Object.assign(groups[group] ?? {}, { [field]: negates ? !given : given });
+  }
+  return settings;
+}
+
+/** Gives settings the names of their options in a message of the crate.  @param {Option[]} options @param {string} message */
+export function withOptionNames(options, message) {
+  return options.reduce((text, { key, name }) => (key ? text.replaceAll(key, `--${name}`) : text), message);
+}
+
+/** The default of an option, as `--help` shows it; empty where there is none.  @param {Option} option @returns {string} */
+export function defaultText({ key, negates }) {
+  if (!key || negates) return '';
+  const [group = '', field = ''] = key.split('.');
+  /** @type {Record<string, Record<string, unknown>>} */
+  const groups = Object.fromEntries(Object.entries(defaults()));
+  const value = groups[group]?.[field];
+  return value === undefined || value === null ? '' : String(value);
+}
+
+/** @param {Option} option @returns {string} what its setting allows; empty for the others */
+export const allowedText = ({ key, negates }) => (key && !negates ? allowed(parameterOf(key)) : '');

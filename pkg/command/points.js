@@ -1,0 +1,51 @@
+// @ts-check
+import { JSON_FLAG, POINT_OPTIONS, settingsOf } from './options.js';
+import { readPhoto } from './files.js';
+import { print, printJson, rows } from './output.js';
+import { Progress } from './progress.js';
+import { fixed, table } from './text.js';
+
+/** @typedef {import('../node.js').DetectedPoints} DetectedPoints */
+
+/** How many points the table shows. */
+const SHOWN = 20;
+
+const OPTIONS = [...POINT_OPTIONS, JSON_FLAG];
+
+/** @type {import('./args.js').Command} */
+export const points = {
+  name: 'points',
+  summary: 'Finds the interest points of an image.',
+  positionals: ['IMAGE'],
+  options: OPTIONS,
+  details: 'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px.',
+  run({ positionals: [image = ''], values }) {
+    const settings = settingsOf(OPTIONS, values);
+    const progress = new Progress(2);
+    const photo = progress.step('reading', () => readPhoto(image));
+    const found = progress.step('finding points', () => photo.detect(settings.points));
+    progress.end();
+    const { width, height } = photo;
+    if (values.has('json')) printJson({ width, height, threshold: found.threshold, counts: found.counts, points: rows(found.points, 3) });
+    else print(`${image}: ${width} x ${height} px`, '', countTable([['', found]]), '', pointTable(found.points));
+  },
+};
+
+/** The counts of each phase, a column an image.  @param {[string, DetectedPoints][]} images @returns {string} */
+export function countTable(images) {
+  return table([
+    ['', ...images.map(([name]) => name)],
+    ['candidates', ...images.map(([, p]) => p.counts.candidates)],
+    ['after roundness', ...images.map(([, p]) => p.counts.after_roundness)],
+    ['after suppression', ...images.map(([, p]) => p.counts.after_suppression)],
+    ['threshold', ...images.map(([, p]) => fixed(p.threshold, 2))],
+  ]).replace(/^\s*\n/, '');
+}
+
+/** @param {Float64Array} flat @returns {string} */
+function pointTable(flat) {
+  const all = rows(flat, 3);
+  const shown = all.slice(0, SHOWN).map(([x, y, value]) => [fixed(x, 1), fixed(y, 1), fixed(value, 4)]);
+  const rest = all.length - shown.length;
+  return table([['x [px]', 'y [px]', 'value'], ...shown]) + (rest > 0 ? `\n… and ${rest} more; --json prints all` : '');
+}

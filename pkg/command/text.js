@@ -1,0 +1,30 @@
+// @ts-check
+/** Plain text for a terminal: tables and wrapped paragraphs. */
+
+/**
+ * Columns side by side: the first to the left, the others to the right.
+ * @param {(string | number)[][]} rows @returns {string}
+ */
+export function table(rows) {
+  const cells = rows.map((row) => row.map(String));
+  const widths = cells[0]?.map((_, c) => Math.max(...cells.map((row) => row[c]?.length ?? 0))) ?? [];
+  return cells.map((row) => row.map((cell, c) => (c === 0 ? cell.padEnd(widths[c] ?? 0) : cell.padStart(widths[c] ?? 0))).join('  ').trimEnd()).join('\n');
+}
+
+/** A number for reading.  @param {number | null | undefined} value @param {number} digits after the point @returns {string} */
+export const fixed = (value, digits) => (value === null || value === undefined || Number.isNaN(value) ? '-' : value.toFixed(digits));
+
+/** @param {string} text @param {number} width @param {string} indent of every line @returns {string} */
+export function wrap(text, width, indent = '') {
+  /** @type {string[]} */
+  const lines = [];
+  for (const word of text.split(' ')) {
+    const last = lines.at(-1);
+    if (last !== undefined && indent.length + last.length + 1 + word.length <= width) lines[lines.length - 1] = `${last} ${word}`;
+    else lines.push(word);
+  }
+  return lines.map((line) => indent + line).join('\n');
+}
+
+/** A word as a shell takes it.  @param {string} word */
+export const shellWord = (word) => (/^[\w./,:=@%+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);

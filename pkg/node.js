@@ -1,0 +1,8 @@
+/** The crate in Node: the module is read from disk and ready at once. */
+
+import { readFileSync } from 'node:fs';
+import { initSync } from './wasm/tiepoint.js';
+
+initSync({ module: readFileSync(new URL('./wasm/tiepoint_bg.wasm', import.meta.url)) });
+
+export * from './wasm/tiepoint.js';

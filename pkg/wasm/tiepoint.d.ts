@@ -1,0 +1,770 @@
+/* tslint:disable */
+/* eslint-disable */
+
+/** Grey values 0..255, row by row. */
+export interface SampleImage { width: number; height: number; grey: Uint8Array }
+
+/** A simulated pair and its truth. */
+export interface SamplePair {
+    left: SampleImage;
+    right: SampleImage;
+    camera: Camera;
+    base_mm: number;
+    left_fiducials: Fiducial[];
+    right_fiducials: Fiducial[];
+    left_origin: [number, number];
+    right_origin: [number, number];
+    /** The true relative orientation. */
+    truth: FiveParameters;
+    /** For each left pixel, row by row, the x and y in px at which the right image shows the same; NaN where hidden or outside. */
+    right_position: Float32Array;
+}
+
+
+
+/** Options of which any may be absent: these take their defaults. */
+export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
+
+/** One tunable: `key` is its place in PairSettings, as "points.threshold". */
+export type Parameter = { key: string; label: string; unit: string; help: string } & ParameterKind;
+
+/** What an operator does where an option is absent. */
+export interface OperatorDefaults { threshold: number; roundness: number; operator_window: number }
+
+/** What every refused call throws. */
+export interface TiepointError extends Error {
+    name: "TiepointError";
+    /** Stable for programs, as "invalid-option". */
+    code: string;
+    /** Whether the caller's options are at fault rather than the data. */
+    usage: boolean;
+}
+
+
+
+/** The outcome of matching. */
+export interface MatchResult {
+    counts: MatchCounts;
+    /** x and y of the left point, x and y of the right point in px, measure; stride 5. */
+    matches: Float64Array;
+    /** Index of the left and of the right point of each match; stride 2. */
+    indices: Uint32Array;
+    /** For each left point the rule that decided: an index into `rule_names()`. */
+    rules: Uint8Array;
+    /** For each left point the index of its best right point, -1 without a candidate. */
+    best: Int32Array;
+    /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
+    measures: Float64Array;
+}
+
+/** The outcome of a whole pair. */
+export interface PairOutput {
+    left: DetectedPoints;
+    right: DetectedPoints;
+    offset: OffsetField;
+    match: MatchResult;
+    interior: PairInterior | null;
+    /** Side of a left pixel in mm. */
+    pixel_mm: number | null;
+    orientation: RelativeOrientation | null;
+    /** Why there is no orientation. */
+    orientation_reason: string | null;
+}
+
+
+
+/** What is known of a decoded image. */
+export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null }
+
+/** An image halved a number of times: grey values 0..255, row by row. */
+export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
+
+/** Interest points: x and y in px and the interest value, stride 3; in raster order. */
+export interface DetectedPoints { counts: PointCounts; threshold: number; points: Float64Array }
+
+/** The window of a point: its grey values row by row, which of them lie within the outline, and its moments. */
+export interface WindowReport {
+    side: number;
+    grey: number[];
+    mask: boolean[];
+    /** The centroid in image coordinates, px. */
+    centroid_px: [number, number];
+    axis_angle_deg: number;
+    central: Record<"mu00" | "mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
+    normalized: Record<"mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
+    invariants: number[];
+}
+
+
+/**
+ * A fiducial mark: where it was measured and where the calibration has it.
+ */
+export interface Fiducial {
+    /**
+     * Measured column in px; the centre of the top-left pixel is 0.5.
+     */
+    col: number;
+    /**
+     * Measured row in px; the centre of the top-left pixel is 0.5.
+     */
+    row: number;
+    /**
+     * Calibrated x in mm, to the right.
+     */
+    x_mm: number;
+    /**
+     * Calibrated y in mm, up.
+     */
+    y_mm: number;
+}
+
+/**
+ * An image as interior orientation needs it: its size, and what is known of its fiducials.
+ */
+export interface PhotoGeometry {
+    /**
+     * In px.
+     */
+    width: number;
+    height: number;
+    fiducials?: Fiducial[];
+    model?: FiducialModel;
+    /**
+     * Place `[col, row]` of the image's top-left pixel in the scan whose fiducials were measured.
+     */
+    origin?: [number, number] | null;
+}
+
+/**
+ * Camera data of an EXIF block.
+ */
+export interface ExifCamera {
+    make: string | null;
+    model: string | null;
+    /**
+     * Focal length in mm.
+     */
+    focal_mm: number;
+    /**
+     * Side of a pixel of the stored image in mm, from the focal-plane resolution or the 35 mm equivalent; absent where neither is given.
+     */
+    pixel_mm: number | null;
+}
+
+/**
+ * Expected offsets (right minus left position) at the nodes of a square grid over the left image, in between bilinear.
+ */
+export interface OffsetField {
+    columns: number;
+    rows: number;
+    /**
+     * Distance of the nodes in px; the first lies at (0, 0).
+     */
+    spacing_px: number;
+    /**
+     * `[dx, dy]` in px of each node, row by row.
+     */
+    offsets: [number, number][];
+    /**
+     * Median of the offsets that were found, in px.
+     */
+    median_px: [number, number];
+    /**
+     * Median correlation of the nodes that were found; absent for a given offset.
+     */
+    correlation: number | null;
+}
+
+/**
+ * How grey values I become the weights g of the moments.
+ */
+export type Brightness = "sum" | "range" | "unit";
+
+/**
+ * How many left points each rule refused.
+ */
+export interface MatchCounts {
+    matches: number;
+    no_descriptor: number;
+    no_candidate: number;
+    threshold: number;
+    ambiguous: number;
+    many_to_one: number;
+    parallax: number;
+}
+
+/**
+ * How many points each phase left (the first rows of the paper's Table 1).
+ */
+export interface PointCounts {
+    /**
+     * Pixels (or windows) that passed the operator's threshold.
+     */
+    candidates: number;
+    /**
+     * Of these, the ones that passed the threshold of roundness; all of them where the operator has none.
+     */
+    after_roundness: number;
+    /**
+     * Of these, the ones that suppression of non-maxima left.
+     */
+    after_suppression: number;
+}
+
+/**
+ * One number for each of the five unknowns.
+ */
+export interface FiveParameters {
+    omega_deg: number;
+    phi_deg: number;
+    kappa_deg: number;
+    by_mm: number;
+    bz_mm: number;
+}
+
+/**
+ * Options of [`detect`](crate::detect). What is absent takes the operator's own default.
+ */
+export interface PointOptions {
+    operator: Operator;
+    /**
+     * Moravec: sum of squared grey differences. Förstner: factor of the mean weight. Ground: grey difference. Absent, as is
+     * `fraction`: the operator's default, lowered where it leaves less than 5 % of the pixels as candidates.
+     */
+    threshold: number | null;
+    /**
+     * Instead of a threshold: the share of all pixels that are to be candidates, 0..1.
+     */
+    fraction: number | null;
+    /**
+     * Least roundness q (Förstner, ground 2), 0..1.
+     */
+    roundness: number | null;
+    /**
+     * Side of the operator's window in px (Moravec 4 or 8, Förstner 5 or 7; any from 2 or 3 up is taken).
+     */
+    operator_window: number | null;
+    /**
+     * Moravec: windows side by side in place of one at each pixel.
+     */
+    tiled: boolean;
+    /**
+     * Side of the suppression window in px, odd; 1 suppresses nothing.
+     */
+    suppression_window: number;
+    ties: Ties;
+}
+
+/**
+ * Options of [`match_points`](crate::match_points).
+ */
+export interface MatchOptions {
+    measure: Measure;
+    denominator: Denominator;
+    /**
+     * Side of the search window in px, odd.
+     */
+    search: number;
+    /**
+     * The best measure must be below this.
+     */
+    max_measure: number;
+    /**
+     * Refused when the best measure exceeds this share of the second best, 0..1.
+     */
+    ambiguity: number;
+    /**
+     * Number of nearest matches that give the expected y-parallax; 0 switches the rule off.
+     */
+    parallax_neighbours: number;
+    /**
+     * Least deviation of the y-parallax that is refused, in px.
+     */
+    parallax_tolerance: number;
+}
+
+/**
+ * Options of [`orient_relative`](crate::orient_relative).
+ */
+export interface OrientationOptions {
+    method: OrientationMethod;
+    /**
+     * Start from the consensus of minimal samples and reject gross errors.
+     */
+    robust: boolean;
+    /**
+     * Standardised residual above which an observation is rejected; 3.29 rejects one good observation in a thousand (Baarda 1968).
+     */
+    rejection: number;
+    /**
+     * Start of the random numbers.
+     */
+    seed: number;
+    /**
+     * Photo base b in mm; absent: the median x-parallax.
+     */
+    base_mm: number | null;
+}
+
+/**
+ * Options of the window around a point.
+ */
+export interface WindowOptions {
+    /**
+     * Side in px, odd.
+     */
+    side: number;
+    shape: WindowShape;
+    brightness: Brightness;
+}
+
+/**
+ * The constants of a camera.
+ */
+export interface Camera {
+    /**
+     * Principal distance in mm, above 0 and up to 100,000.
+     */
+    focal_mm: number;
+    /**
+     * Principal point `[x, y]` in mm: in the system of the calibrated fiducials, or from the middle of the image, x right, y up.
+     */
+    principal_point_mm?: [number, number];
+    /**
+     * Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
+     */
+    pixel_mm?: number | null;
+    /**
+     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`].
+     */
+    radial_distortion?: [number, number, number];
+}
+
+/**
+ * The dependent relative orientation of the right photo, with its precision.
+ */
+export interface RelativeOrientation extends FiveParameters {
+    /**
+     * The base component b that was fixed.
+     */
+    base_mm: number;
+    focal_mm: number;
+    method: OrientationMethod;
+    /**
+     * Absent without redundancy.
+     */
+    standard_errors: FiveParameters | null;
+    /**
+     * Standard error of one photo coordinate in mm (a y-parallax has √2 of it); absent without redundancy.
+     */
+    sigma0_mm: number | null;
+    degrees_of_freedom: number;
+    iterations: number;
+    /**
+     * Size of the last step relative to a millionth of the standard errors, or to rounding where these are smaller: below 1 it has converged.
+     */
+    last_step: number;
+    /**
+     * Of ω φ κ by bz, from the inverse of the normal equations.
+     */
+    correlations: [[number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number]];
+    /**
+     * Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
+     */
+    residuals_mm: [number, number, number, number][];
+    /**
+     * Indices of the observations that were left out as gross errors.
+     */
+    rejected: number[];
+}
+
+/**
+ * The interior orientation of one image: from its pixels to photo coordinates.
+ */
+export interface Interior {
+    /**
+     * `[[a, b, tx], [d, e, ty]]`: x = a·col + b·row + tx, y = d·col + e·row + ty in mm, before the principal point is taken off;
+     * col and row of this image in px, the centre of its top-left pixel at (0.5, 0.5).
+     */
+    parameters: [[number, number, number], [number, number, number]];
+    /**
+     * Principal point `[x, y]` in mm, in the same system.
+     */
+    principal_point_mm: [number, number];
+    /**
+     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
+     */
+    radial_distortion: [number, number, number];
+}
+
+/**
+ * The interior orientation that the marks give.
+ */
+export interface FiducialOrientation {
+    model: FiducialModel;
+    /**
+     * `[[a, b, tx], [d, e, ty]]`: x_mm = a·col + b·row + tx, y_mm = d·col + e·row + ty.
+     */
+    parameters: [[number, number, number], [number, number, number]];
+    /**
+     * Transformed minus calibrated `[x, y]` of each mark in mm.
+     */
+    residuals_mm: [number, number][];
+    /**
+     * Standard error of one photo coordinate in mm; absent without redundancy.
+     */
+    sigma0_mm: number | null;
+    degrees_of_freedom: number;
+    /**
+     * Standard errors of `parameters`; absent without redundancy.
+     */
+    standard_errors: [[number, number, number], [number, number, number]] | null;
+}
+
+/**
+ * The interior orientations of a pair, of one focal length.
+ */
+export interface PairInterior {
+    left: Interior;
+    right: Interior;
+    focal_mm: number;
+}
+
+/**
+ * The options of all stages.
+ */
+export interface PairSettings {
+    points: PointOptions;
+    window: WindowOptions;
+    matching: MatchOptions;
+    orientation: OrientationOptions;
+}
+
+/**
+ * The published interest operators.
+ */
+export type Operator = "moravec" | "forstner" | "ground1" | "ground2";
+
+/**
+ * The rule that decided on a left point.
+ */
+export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax";
+
+/**
+ * The transformation from pixels to photo coordinates.
+ */
+export type FiducialModel = "affine" | "similarity";
+
+/**
+ * The window's outline.
+ */
+export type WindowShape = "square" | "circle";
+
+/**
+ * What is known of a pair beside its grey values.
+ */
+export interface PairInput {
+    /**
+     * The camera of both images; absent: that of their EXIF.
+     */
+    camera: Camera | null;
+    left: PhotoInput;
+    right: PhotoInput;
+    /**
+     * Right minus left position `[dx, dy]` in px; absent: estimated.
+     */
+    offset: [number, number] | null;
+}
+
+/**
+ * What is known of one image of a pair.
+ */
+export interface PhotoInput {
+    /**
+     * Measured fiducial marks; none for a digital camera.
+     */
+    fiducials: Fiducial[];
+    model: FiducialModel;
+    /**
+     * Place `[col, row]` of the image's top-left pixel in the scan whose fiducials were measured.
+     */
+    origin: [number, number] | null;
+}
+
+/**
+ * What is minimised.
+ */
+export type OrientationMethod = "rigorous" | "determinant";
+
+/**
+ * What the difference of two moments is divided by.
+ */
+export type Denominator = "maxabs" | "floor";
+
+/**
+ * What two points are compared by.
+ */
+export type Measure = "dm" | "di";
+
+/**
+ * What values a parameter takes.
+ */
+export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[] } | { kind: "flag" };
+
+/**
+ * Which of equal neighbouring values survive the suppression of non-maxima.
+ */
+export type Ties = "keep" | "first";
+
+
+/**
+ * A grey image in wasm memory. Call `free` when it is no longer needed.
+ */
+export class Photo {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
+     */
+    static decode(bytes: Uint8Array | number[]): Photo;
+    /**
+     * Describes points (stride 3) by seven numbers each; NaN where a window leaves the image or is constant.
+     */
+    describe(point_list: Float64Array | number[], window: Given<WindowOptions>, measure: Measure): Float64Array;
+    /**
+     * Finds interest points.
+     */
+    detect(options: Given<PointOptions>): DetectedPoints;
+    /**
+     * Takes grey values 0..255, row by row.
+     */
+    static from_grey(width: number, height: number, grey: Uint8Array | number[]): Photo;
+    /**
+     * A copy of the grey values, row by row.
+     */
+    grey(): Uint8Array;
+    /**
+     * Size, format and camera.
+     */
+    info(): PhotoInfo;
+    /**
+     * The image halved until its longer side is at most `max_side` px.
+     */
+    reduced(max_side: number): ReducedImage;
+    /**
+     * The window around a pixel (column and row from 0) with its moments.
+     */
+    window_moments(col: number, row: number, window: Given<WindowOptions>): WindowReport;
+    readonly height: number;
+    readonly width: number;
+}
+
+/**
+ * The candidates of one left point, the best first: index of the right point and measure, stride 2.
+ */
+export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
+
+/**
+ * The same offset (right minus left position, px) everywhere.
+ */
+export function constant_offset(dx: number, dy: number): OffsetField;
+
+/**
+ * The defaults of all options.
+ */
+export function defaults(): PairSettings;
+
+/**
+ * Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
+ *
+ * `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
+ * a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
+ */
+export function draw_match_lines(context: CanvasRenderingContext2D, matches: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], left_view: Float64Array | number[], right_view: Float64Array | number[], most: number): number;
+
+/**
+ * Draws points; returns how many were drawn.
+ *
+ * `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
+ * `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
+ * 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
+ * the last on top; where points crowd, some are left out.
+ */
+export function draw_points(context: CanvasRenderingContext2D, points: Float64Array | number[], codes: Uint8Array | number[], styles: Float64Array | number[], colours: string[], view: Float64Array | number[]): number;
+
+/**
+ * Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
+ *
+ * `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
+ * `widths` and `colours`: one a style.
+ */
+export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], factor: number, view: Float64Array | number[]): number;
+
+/**
+ * Estimates the offsets between two images from `Photo.reduced(1024)` of each.
+ */
+export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
+
+/**
+ * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
+ */
+export function interior(camera: Camera, photo: PhotoGeometry): Interior;
+
+/**
+ * Matches and orients a pair on one thread.
+ */
+export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>): PairOutput;
+
+/**
+ * Matches described points: points of stride 3, descriptors of stride 7.
+ */
+export function match_points(left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): MatchResult;
+
+/**
+ * Writes matches (stride 5) as CSV.
+ */
+export function matches_csv(matches: Float64Array | number[]): string;
+
+/**
+ * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
+ */
+export function observations(matches: Float64Array | number[], left: Interior, right: Interior): Float64Array;
+
+/**
+ * The defaults of each operator for the options that are absent by default.
+ */
+export function operator_defaults(): Record<Operator, OperatorDefaults>;
+
+/**
+ * Interior orientation by fiducial marks.
+ */
+export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): FiducialOrientation;
+
+/**
+ * Relative orientation of observations x, y left, x, y right in mm (stride 4).
+ */
+export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>): RelativeOrientation;
+
+/**
+ * Every tunable with label, unit, range and help, in the order of the pipeline.
+ */
+export function parameters(): Parameter[];
+
+/**
+ * Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+ */
+export function parse_camera(json: string): Camera;
+
+/**
+ * Reads fiducial marks: columns col, row, x_mm, y_mm.
+ */
+export function parse_fiducials(csv: string): Fiducial[];
+
+/**
+ * Reads photo coordinates: columns x_left_mm, y_left_mm, x_right_mm, y_right_mm; stride 4.
+ */
+export function parse_observations(csv: string): Float64Array;
+
+/**
+ * Writes points (stride 3) as CSV.
+ */
+export function points_csv(points: Float64Array | number[]): string;
+
+/**
+ * The names of the rules, in the order of their codes.
+ */
+export function rule_names(): Rule[];
+
+/**
+ * Renders the sample pair of a seed.
+ */
+export function sample(seed: number): SamplePair;
+
+/**
+ * The seed of the built-in sample pair.
+ */
+export function sample_seed(): number;
+
+/**
+ * The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
+ */
+export function scaled_interior(interior: Interior, factor: number): Interior;
+
+/**
+ * The version of the crate.
+ */
+export function version(): string;
+
+export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembly.Module;
+
+export interface InitOutput {
+    readonly memory: WebAssembly.Memory;
+    readonly __wbg_photo_free: (a: number, b: number) => void;
+    readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+    readonly constant_offset: (a: number, b: number) => [number, number, number];
+    readonly defaults: () => any;
+    readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
+    readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
+    readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
+    readonly estimate_offset: (a: any, b: any) => [number, number, number];
+    readonly interior: (a: any, b: any) => [number, number, number];
+    readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
+    readonly matches_csv: (a: number, b: number) => [number, number, number, number];
+    readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
+    readonly operator_defaults: () => any;
+    readonly orient_fiducials: (a: any, b: any) => [number, number, number];
+    readonly orient_relative: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly parameters: () => any;
+    readonly parse_camera: (a: number, b: number) => [number, number, number];
+    readonly parse_fiducials: (a: number, b: number) => [number, number, number];
+    readonly parse_observations: (a: number, b: number) => [number, number, number, number];
+    readonly photo_decode: (a: number, b: number) => [number, number, number];
+    readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
+    readonly photo_detect: (a: number, b: any) => [number, number, number];
+    readonly photo_from_grey: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly photo_grey: (a: number) => [number, number];
+    readonly photo_height: (a: number) => number;
+    readonly photo_info: (a: number) => any;
+    readonly photo_reduced: (a: number, b: number) => any;
+    readonly photo_width: (a: number) => number;
+    readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly rule_names: () => any;
+    readonly sample: (a: number) => [number, number, number];
+    readonly sample_seed: () => number;
+    readonly scaled_interior: (a: any, b: number) => [number, number, number];
+    readonly version: () => [number, number];
+    readonly __wbindgen_malloc: (a: number, b: number) => number;
+    readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
+    readonly __wbindgen_free: (a: number, b: number, c: number) => void;
+    readonly __wbindgen_exn_store: (a: number) => void;
+    readonly __externref_table_alloc: () => number;
+    readonly __wbindgen_externrefs: WebAssembly.Table;
+    readonly __externref_table_dealloc: (a: number) => void;
+    readonly __externref_drop_slice: (a: number, b: number) => void;
+    readonly __wbindgen_start: () => void;
+}
+
+export type SyncInitInput = BufferSource | WebAssembly.Module;
+
+/**
+ * Instantiates the given `module`, which can either be bytes or
+ * a precompiled `WebAssembly.Module`.
+ *
+ * @param {{ module: SyncInitInput }} module - Passing `SyncInitInput` directly is deprecated.
+ *
+ * @returns {InitOutput}
+ */
+export function initSync(module: { module: SyncInitInput } | SyncInitInput): InitOutput;
+
+/**
+ * If `module_or_path` is {RequestInfo} or {URL}, makes a request and
+ * for everything else, calls `WebAssembly.instantiate` directly.
+ *
+ * @param {{ module_or_path: InitInput | Promise<InitInput> }} module_or_path - Passing `InitInput` directly is deprecated.
+ *
+ * @returns {Promise<InitOutput>}
+ */
+export default function __wbg_init (module_or_path: { module_or_path: InitInput | Promise<InitInput> } | InitInput | Promise<InitInput>): Promise<InitOutput>;

@@ -1,0 +1,126 @@
+/** How the command is called: help, exit codes, and one line that says what to change. */
+
+import assert from 'node:assert/strict';
+import { spawn } from 'node:child_process';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { file, folder, image, json, PROGRAM, speckle, tiepoint } from './command.js';
+
+const at = folder();
+const picture = image(at, 'speckle.png', 64, 48, speckle);
+
+/** @param {number} code @param {RegExp} line @param {string[]} args */
+function refuses(code, line, ...args) {
+  const ended = tiepoint(...args);
+  assert.equal(ended.code, code, `exit code of tiepoint ${args.join(' ')}: ${ended.stderr}`);
+  assert.equal(ended.stdout, '', 'nothing on stdout');
+  assert.match(ended.stderr, /^tiepoint: [^\n]+\n$/, 'one line on stderr');
+  assert.match(ended.stderr, line);
+}
+
+test('help names every command, and every command tells its options', () => {
+  const { code, stdout } = tiepoint('help');
+  assert.equal(code, 0);
+  for (const name of ['points', 'match', 'interior', 'orient', 'moments', 'sample']) {
+    assert.ok(stdout.includes(`  ${name} `), `${name} is listed`);
+    const help = tiepoint(name, '--help');
+    assert.equal(help.code, 0);
+    assert.match(help.stdout, /--json/);
+    assert.equal(help.stdout, tiepoint('help', name).stdout);
+  }
+  assert.match(tiepoint('match', '--help').stdout, /--search N\n.*\n?.*allowed: odd whole numbers from 1 to 1023; default: 25/s);
+});
+
+test('one version everywhere', () => {
+  const { stdout } = tiepoint('--version');
+  const packageVersion = JSON.parse(readFileSync(new URL('../../pkg/package.json', import.meta.url), 'utf8')).version;
+  const crateVersion = /^version = "(.+)"$/m.exec(readFileSync(new URL('../../Cargo.toml', import.meta.url), 'utf8'))?.[1];
+  assert.deepEqual([stdout.trim(), packageVersion], [crateVersion, crateVersion]);
+});
+
+test('a bad call exits with 2 and names what is allowed', () => {
+  refuses(2, /name a command: points, match/);
+  refuses(2, /no command matsch; did you mean match\?/, 'matsch');
+  refuses(2, /no command xyzzy; allowed: points/, 'xyzzy');
+  refuses(2, /IMAGE is missing: tiepoint points IMAGE/, 'points');
+  refuses(2, /RIGHT is missing/, 'match', picture);
+  refuses(2, /b\.png is one argument too many/, 'points', picture, 'b.png');
+  refuses(2, /no option --treshold; did you mean --threshold\?/, 'points', picture, '--treshold', '40');
+  refuses(2, /no option --frobnicate; see tiepoint points --help/, 'points', picture, '--frobnicate', '40');
+  refuses(2, /--threshold needs a value/, 'points', picture, '--threshold');
+  refuses(2, /--threshold is forty; allowed: a number/, 'points', picture, '--threshold', 'forty');
+  refuses(2, /--threshold is NaN; allowed: a number/, 'points', picture, '--threshold', 'NaN');
+  refuses(2, /--threshold is Infinity; allowed: a number/, 'points', picture, '--threshold=Infinity');
+  refuses(2, /--threshold is empty; allowed: a number/, 'points', picture, '--threshold=');
+  refuses(2, /--threshold is given twice/, 'points', picture, '--threshold', '40', '--threshold', '41');
+  refuses(2, /--json takes no value/, 'points', picture, '--json=yes');
+  refuses(2, /--operator is ground3; allowed: .*did you mean ground/, 'points', picture, '--operator', 'ground3');
+  refuses(2, /--suppress is 4; allowed: odd whole numbers/, 'points', picture, '--suppress', '4');
+  refuses(2, /--fraction is 1.5; allowed/, 'points', picture, '--fraction', '1.5');
+  refuses(2, /--roundness is -1; allowed/, 'points', picture, '--roundness', '-1');
+  refuses(2, /--threshold.*--fraction|--fraction.*--threshold/, 'points', picture, '--threshold', '40', '--fraction', '0.1');
+  refuses(2, /--search is 24; allowed: odd whole numbers from 1 to 1023/, 'match', picture, picture, '--search', '24');
+  refuses(2, /--window is 10; allowed: odd/, 'match', picture, picture, '--window', '10');
+  refuses(2, /--ambiguity is 2; allowed: 0 to 1/, 'match', picture, picture, '--ambiguity', '2');
+  refuses(2, /--offset is 3; allowed: two numbers/, 'match', picture, picture, '--offset', '3');
+  refuses(2, /--left-fiducials needs --right-fiducials/, 'match', picture, picture, '--left-fiducials', 'f.csv');
+  refuses(2, /--left-origin needs --left-fiducials/, 'match', picture, picture, '--left-origin', '1,2');
+  refuses(2, /--at is missing/, 'moments', picture);
+  refuses(2, /--at is -1,3; allowed/, 'moments', picture, '--at', '-1,3');
+  refuses(2, /--brightness is sun; allowed: .*did you mean sum/, 'moments', picture, '--at', '20,20', '--brightness', 'sun');
+  refuses(2, /--model is afine; allowed: affine, similarity/, 'interior', 'f.csv', '--model', 'afine');
+  refuses(2, /--focal-mm is missing/, 'orient', 'o.csv', '--base-mm', '92');
+  refuses(2, /--base-mm is missing/, 'orient', 'o.csv', '--focal-mm', '153');
+  refuses(2, /--focal-mm is 0; allowed: a number above 0/, 'orient', 'o.csv', '--focal-mm', '0', '--base-mm', '92');
+  refuses(2, /--out is missing/, 'sample');
+  refuses(2, /--seed is 1.5; allowed: whole numbers/, 'sample', '--out', at, '--seed', '1.5');
+});
+
+test('bad data exits with 1 and names the file', () => {
+  const missing = join(at, 'missing.png');
+  refuses(1, /cannot read .*missing\.png: there is no such file/, 'points', missing);
+  refuses(1, /cannot read .*: it is a folder/, 'points', at);
+  refuses(1, /notes\.png: this kind of file is not supported; allowed: JPEG/, 'points', file(at, 'notes.png', 'no image at all'));
+  refuses(1, /empty\.png: /, 'points', file(at, 'empty.png', ''));
+  refuses(1, /cut\.png: the image cannot be read/, 'points', file(at, 'cut.png', readFileSync(picture).subarray(0, 400)));
+  refuses(1, /pixel\.png|needs at least/, 'points', image(at, 'pixel.png', 1, 1, () => 7));
+  refuses(1, /camera\.json: /, 'match', picture, picture, '--camera', file(at, 'camera.json', '{"focal_mm": "long"}'));
+  refuses(1, /camera2\.json: .*focal_length/, 'match', picture, picture, '--camera', file(at, 'camera2.json', '{"focal_mm": 153, "focal_length": 1}'));
+  refuses(1, /marks\.csv: /, 'interior', file(at, 'marks.csv', 'col,row,x_mm,y_mm\n1,2,3\n'));
+  refuses(1, /few\.csv: /, 'interior', file(at, 'few.csv', 'col,row,x_mm,y_mm\n1,2,3,4\n'));
+  refuses(1, /obs\.csv: /, 'orient', file(at, 'obs.csv', 'x_left_mm,y_left_mm,x_right_mm,y_right_mm\n1,2,3,NaN\n'), '--focal-mm', '153', '--base-mm', '92');
+  refuses(1, /constant/, 'moments', image(at, 'flat.png', 32, 32, () => 9), '--at', '16,16');
+  refuses(1, /leaves the image/, 'moments', picture, '--at', '2,2');
+});
+
+test('a header that declares too much is refused before it is decoded', () => {
+  const bytes = Buffer.from(readFileSync(picture));
+  bytes.writeUInt32BE(60000, 16);
+  bytes.writeUInt32BE(60000, 20);
+  const huge = file(at, 'huge.png', bytes);
+  refuses(1, /huge\.png: /, 'points', huge);
+});
+
+test('a folder that cannot be written to is named before the work starts', () => {
+  const taken = file(at, 'taken', 'a file');
+  refuses(1, /cannot write to the folder .*taken/, 'match', picture, picture, '--out', taken);
+  refuses(1, /cannot write to the folder .*taken/, 'sample', '--out', join(taken, 'below'));
+  mkdirSync(join(at, 'left.png'), { recursive: true });
+  refuses(1, /cannot write .*left\.png: it is a folder/, 'sample', '--out', at);
+});
+
+test('values may start with a minus sign or follow an equals sign', () => {
+  const { offset_px: offset } = json('match', picture, picture, '--offset', '-3,-4.5');
+  assert.deepEqual(offset, [-3, -4.5]);
+  assert.deepEqual(json('match', picture, picture, '--offset=-3,2').offset_px, [-3, 2]);
+});
+
+test('a reader that stops early is no error, and a pipe gets no progress bar', async () => {
+  const child = spawn(process.execPath, [PROGRAM, 'points', image(at, 'large.png', 600, 600, speckle), '--json', '--suppress', '1']);
+  let errors = '';
+  child.stderr.on('data', (chunk) => { errors += chunk; });
+  child.stdout.once('data', () => child.stdout.destroy());
+  const code = await new Promise((resolve) => { child.on('close', resolve); });
+  assert.deepEqual([code, errors], [0, '']);
+});

@@ -1,0 +1,64 @@
+/** Runs the `tiepoint` command as a user does, and makes the files the tests give it. */
+
+import { spawnSync } from 'node:child_process';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { greyPng } from '../../pkg/command/png.js';
+
+export const PROGRAM = fileURLToPath(new URL('../../pkg/bin/tiepoint.js', import.meta.url));
+
+/**
+ * @typedef {{ code: number | null, stdout: string, stderr: string }} Ended
+ * @param {string[]} args @returns {Ended}
+ */
+export function tiepoint(...args) {
+  const { status, stdout, stderr } = spawnSync(process.execPath, [PROGRAM, ...args], { encoding: 'utf8', maxBuffer: 1 << 28 });
+  return { code: status, stdout, stderr };
+}
+
+/** Runs a call that must succeed and print one JSON object.  @param {string[]} args @returns {any} */
+export function json(...args) {
+  const { code, stdout, stderr } = tiepoint(...args, '--json');
+  if (code !== 0 || stderr !== '') throw new Error(`exit code ${code}: ${stderr}`);
+  return JSON.parse(stdout);
+}
+
+/** A folder that goes when the tests end. */
+export function folder() {
+  const path = mkdtempSync(join(tmpdir(), 'tiepoint-'));
+  after(() => rmSync(path, { recursive: true, force: true }));
+  return path;
+}
+
+/** Writes a file.  @param {string} within @param {string} name @param {string | Uint8Array} content @returns {string} its path */
+export function file(within, name, content) {
+  const path = join(within, name);
+  writeFileSync(path, content);
+  return path;
+}
+
+/**
+ * Writes a grey PNG whose pixel at col, row is `grey(col, row)`.
+ * @param {string} within @param {string} name @param {number} width @param {number} height @param {(col: number, row: number) => number} grey
+ */
+export function image(within, name, width, height, grey) {
+  const pixels = Uint8Array.from({ length: width * height }, (_, i) => grey(i % width, Math.floor(i / width)));
+  return file(within, name, greyPng(width, height, pixels));
+}
+
+/** Grey values without order, the same at every call.  @param {number} col @param {number} row */
+export function speckle(col, row) {
+  let h = (col * 374761393 + row * 668265263) | 0;
+  h = Math.imul(h ^ (h >>> 13), 1274126177);
+  return (h ^ (h >>> 16)) & 0xff;
+}
+
+/** The built-in sample pair on disk.  @returns {{ at: string, call: string[] }} its folder, and the arguments that match it */
+export function samplePair() {
+  const at = folder();
+  const { match } = json('sample', '--out', at);
+  return { at, call: match.slice(1) };
+}

@@ -1,0 +1,100 @@
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { folder, image, json, samplePair, speckle, tiepoint } from './command.js';
+
+const { at, call } = samplePair();
+const truth = JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8')).relative_orientation;
+const result = json(...call);
+
+test('the JSON has the counts, the matches and the orientation', () => {
+  assert.deepEqual(Object.keys(result.counts.left), ['candidates', 'after_roundness', 'after_suppression']);
+  assert.deepEqual(Object.keys(result.counts.right), Object.keys(result.counts.left));
+  const { refused } = result.counts;
+  for (const rule of ['threshold', 'ambiguous', 'many_to_one', 'parallax']) assert.ok(Number.isInteger(refused[rule]), rule);
+  const refusals = Object.values(refused).reduce((sum, n) => sum + Number(n), 0);
+  assert.equal(result.counts.matches + refusals, result.counts.left.after_suppression, 'every left point is matched or refused by one rule');
+  assert.equal(result.matches.length, result.counts.matches);
+  assert.deepEqual([...new Set(result.matches.map((/** @type {number[]} */ m) => m.length))], [5]);
+  assert.ok(result.matches.every((/** @type {number[]} */ m) => (m[4] ?? NaN) < 3), 'every measure is below the threshold');
+});
+
+test('the orientation of the sample is the true one within its precision', () => {
+  const o = result.orientation;
+  assert.deepEqual(o.correlations.map((/** @type {number[]} */ row) => row.length), [5, 5, 5, 5, 5]);
+  assert.equal(o.residuals_mm.length, result.counts.matches);
+  for (const [name, limit] of Object.entries({ omega_deg: 0.05, phi_deg: 0.05, kappa_deg: 0.05, by_mm: 0.1, bz_mm: 0.15 })) {
+    assert.ok(Math.abs(o[name] - truth[name]) < limit, `${name} is ${o[name]}, truth ${truth[name]}`);
+    assert.ok(o.standard_errors[name] > 0);
+  }
+  assert.equal(result.orientation_reason, null);
+});
+
+test('the same call prints the same bytes, and the files hold the same', () => {
+  const out = join(at, 'out');
+  const [first, second] = [tiepoint(...call, '--json', '--out', out), tiepoint(...call, '--json')];
+  assert.equal(first.stdout, second.stdout);
+  assert.equal(readFileSync(join(out, 'result.json'), 'utf8'), first.stdout);
+  const lines = readFileSync(join(out, 'matches.csv'), 'utf8').trim().split('\n');
+  assert.equal(lines.length, result.counts.matches + 1);
+  assert.deepEqual(lines[1]?.split(',').map(Number), result.matches[0]);
+  assert.equal(readFileSync(join(out, 'left-points.csv'), 'utf8').trim().split('\n').length, result.counts.left.after_suppression + 1);
+});
+
+test('Node finds exactly the matches that the native build finds', () => {
+  // The golden file ends with a line of the orientation.
+  const golden = readFileSync(new URL('../golden/sample.csv', import.meta.url), 'utf8').trimEnd().split('\n');
+  const { orientation: o } = json(...call, '--fraction', '0.148', '--out', join(at, 'identity'));
+  assert.equal([o.omega_deg, o.phi_deg, o.kappa_deg, o.by_mm, o.bz_mm].join(), golden.pop());
+  assert.deepEqual(readFileSync(join(at, 'identity', 'matches.csv'), 'utf8').trimEnd().split('\n'), golden);
+});
+
+test('the options reach the matching', () => {
+  const matches = (/** @type {string[]} */ ...options) => json(...call, ...options).counts;
+  assert.ok(matches('--max-measure', '0.5').matches < result.counts.matches);
+  assert.ok(matches('--ambiguity', '0.5').refused.ambiguous > result.counts.refused.ambiguous);
+  assert.notEqual(matches('--denominator', 'floor').matches, result.counts.matches);
+  assert.notEqual(matches('--measure', 'di').matches, result.counts.matches);
+  assert.notEqual(matches('--window', '7').matches, result.counts.matches);
+  assert.notEqual(matches('--search', '9').matches, result.counts.matches);
+  assert.ok(matches('--operator', 'forstner').matches > 0);
+  const far = json(...call, '--offset', '4000,0');
+  assert.deepEqual([far.counts.matches, far.orientation], [0, null]);
+  assert.equal(far.counts.refused.no_candidate + far.counts.refused.no_descriptor, far.counts.left.after_suppression);
+});
+
+test('the base scales by and bz only', () => {
+  const base = call.indexOf('--base-mm') + 1;
+  const doubled = json(...call.map((word, i) => (i === base ? String(2 * Number(word)) : word))).orientation;
+  assert.ok(Math.abs(doubled.by_mm - 2 * result.orientation.by_mm) < 1e-6);
+  assert.ok(Math.abs(doubled.kappa_deg - result.orientation.kappa_deg) < 1e-9);
+});
+
+test('without a focal length the matches stand and the orientation is null with the reason', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const bare = json('match', left, right);
+  assert.equal(bare.counts.matches, result.counts.matches);
+  assert.equal(bare.orientation, null);
+  assert.match(bare.orientation_reason, /focal/i);
+  assert.match(tiepoint('match', left, right).stdout, /no orientation: .*focal/i);
+});
+
+test('images without overlap, identical images and flat images end well', () => {
+  const other = folder();
+  const flat = image(other, 'flat.png', 80, 60, () => 50);
+  const a = image(other, 'a.png', 80, 60, speckle);
+  const b = image(other, 'b.png', 80, 60, (col, row) => speckle(col + 1000, row));
+  assert.equal(json('match', flat, flat).counts.matches, 0);
+  const same = json('match', a, a);
+  assert.ok(same.matches.length > 0 && same.matches.every((/** @type {number[]} */ [xl, yl, xr, yr]) => xl === xr && yl === yr));
+  assert.equal(json('match', a, b, '--offset', '0,0').orientation, null);
+});
+
+test('the table shows both images, every rule and the orientation', () => {
+  const { code, stdout, stderr } = tiepoint(...call);
+  assert.deepEqual([code, stderr], [0, '']);
+  assert.match(stdout, new RegExp(`^candidates +${result.counts.left.candidates} +${result.counts.right.candidates}$`, 'm'));
+  assert.match(stdout, new RegExp(`^refused: many to one +${result.counts.refused.many_to_one}$`, 'm'));
+  assert.match(stdout, /sigma0 [\d.]+ mm = [\d.]+ px/);
+});

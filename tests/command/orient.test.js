@@ -1,0 +1,84 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { file, folder, json, speckle, tiepoint } from './command.js';
+
+const at = folder();
+const FOCAL = 153.38;
+const BASE = 92;
+const TRUTH = { omega_deg: 0.9, phi_deg: -0.4, kappa_deg: 1.2, by_mm: -2.1, bz_mm: 0.7 };
+const NAMES = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']);
+
+/** M = M3(kappa) M2(phi) M1(omega), by its product.  @returns {number[][]} */
+function rotation() {
+  const [o, p, k] = [TRUTH.omega_deg, TRUTH.phi_deg, TRUTH.kappa_deg].map((deg) => (deg * Math.PI) / 180);
+  const [so = 0, co = 0, sp = 0, cp = 0, sk = 0, ck = 0] = [o, p, k].flatMap((a = 0) => [Math.sin(a), Math.cos(a)]);
+  const product = (/** @type {number[][]} */ a, /** @type {number[][]} */ b) =>
+    a.map((row) => [0, 1, 2].map((c) => row.reduce((s, v, i) => s + v * (b[i]?.[c] ?? 0), 0)));
+  const m1 = [[1, 0, 0], [0, co, so], [0, -so, co]];
+  const m2 = [[cp, 0, -sp], [0, 1, 0], [sp, 0, cp]];
+  const m3 = [[ck, sk, 0], [-sk, ck, 0], [0, 0, 1]];
+  return product(m3, product(m2, m1));
+}
+
+/** Photo coordinates of `count` points on relief; `noise(i)` is added to the right y.  @param {number} count @param {(i: number) => number} noise */
+function observations(count, noise = () => 0) {
+  const m = rotation();
+  const lines = Array.from({ length: count }, (_, i) => {
+    const [u, v, w] = [0, 1, 2].map((k) => speckle(i, k) / 255);
+    const depth = FOCAL * (0.9 + 0.2 * (w ?? 0));
+    const [xl, yl] = [100 * (u ?? 0) - 10, 180 * (v ?? 0) - 90];
+    const point = [(xl * depth) / FOCAL - BASE, (yl * depth) / FOCAL - TRUTH.by_mm, -depth - TRUTH.bz_mm];
+    const [px = 0, py = 0, pz = 1] = m.map((row) => row.reduce((s, r, k) => s + r * (point[k] ?? 0), 0));
+    return [xl, yl, (-FOCAL * px) / pz, (-FOCAL * py) / pz + noise(i)].join(',');
+  });
+  return ['x_left_mm,y_left_mm,x_right_mm,y_right_mm', ...lines].join('\n');
+}
+
+const CALL = ['--focal-mm', String(FOCAL), '--base-mm', String(BASE)];
+
+test('exact observations give the orientation back', () => {
+  for (const options of [[], ['--method', 'determinant'], ['--no-robust'], ['--method', 'determinant', '--no-robust']]) {
+    const result = json('orient', file(at, 'exact.csv', observations(40)), ...CALL, ...options);
+    for (const name of NAMES) assert.ok(Math.abs(result[name] - TRUTH[name]) < 1e-7, `${name} ${result[name]} with ${options.join(' ')}`);
+    assert.equal(result.degrees_of_freedom, 35);
+    assert.deepEqual(result.rejected, []);
+  }
+});
+
+test('the JSON has precision, correlations and residuals', () => {
+  const result = json('orient', file(at, 'noisy.csv', observations(40, (i) => (speckle(i, 9) / 255 - 0.5) * 0.02)), ...CALL);
+  assert.ok(result.sigma0_mm > 0.001 && result.sigma0_mm < 0.02, `sigma0 ${result.sigma0_mm}`);
+  assert.deepEqual(Object.keys(result.standard_errors), [...NAMES]);
+  for (const name of NAMES) assert.ok(result.standard_errors[name] > 0 && Math.abs(result[name] - TRUTH[name]) < 5 * result.standard_errors[name], name);
+  assert.deepEqual(result.correlations.map((/** @type {number[]} */ row) => row.length), [5, 5, 5, 5, 5]);
+  for (let i = 0; i < 5; i++) assert.ok(Math.abs(result.correlations[i][i] - 1) < 1e-9);
+  assert.deepEqual(result.residuals_mm.map((/** @type {number[]} */ row) => row.length), Array(40).fill(4));
+  assert.ok(result.iterations >= 1);
+});
+
+test('gross errors are rejected by their indices; plain least squares keeps them', () => {
+  const path = file(at, 'blunders.csv', observations(60, (i) => (i % 10 === 3 ? 4 + i / 10 : (speckle(i, 9) / 255 - 0.5) * 0.01)));
+  const robust = json('orient', path, ...CALL);
+  assert.deepEqual(robust.rejected.filter((/** @type {number} */ i) => i % 10 === 3), [3, 13, 23, 33, 43, 53]);
+  assert.ok(Math.abs(robust.kappa_deg - TRUTH.kappa_deg) < 0.02);
+  const plain = tiepoint('orient', path, ...CALL, '--no-robust', '--json');
+  if (plain.code === 0) assert.deepEqual(JSON.parse(plain.stdout).rejected, []);
+  else assert.match(plain.stderr, /^tiepoint: [^\n]+\n$/);
+});
+
+test('too few observations and points on a line are refused with the reason', () => {
+  const few = tiepoint('orient', file(at, 'few.csv', observations(4)), ...CALL);
+  assert.equal(few.code, 1);
+  assert.match(few.stderr, /4 given; at least 5/);
+  const line = ['x_left_mm,y_left_mm,x_right_mm,y_right_mm', ...Array.from({ length: 20 }, (_, i) => `${i},0,${i - BASE},0`)].join('\n');
+  const degenerate = tiepoint('orient', file(at, 'line.csv', line), ...CALL);
+  assert.equal(degenerate.code, 1, degenerate.stdout);
+  assert.match(degenerate.stderr, /^tiepoint: [^\n]+\n$/);
+});
+
+test('the table shows values with their standard errors', () => {
+  const { code, stdout } = tiepoint('orient', file(at, 'exact.csv', observations(40)), ...CALL);
+  assert.equal(code, 0);
+  assert.match(stdout, /kappa \[deg\] +1\.2000 +0\.0000/);
+  assert.match(stdout, /35 degrees of freedom/);
+});

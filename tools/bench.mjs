@@ -1,0 +1,20 @@
+#!/usr/bin/env node
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- accuracy speed sizes page`. */
+
+/** @type {Record<string, () => Promise<void>>} */
+const PARTS = {
+  accuracy: async () => (await import('./bench/accuracy.mjs')).accuracy(),
+  speed: async () => (await import('./bench/speed.mjs')).speed(),
+  sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
+  page: async () => (await import('./bench/page.mjs')).page(),
+};
+
+const named = process.argv.slice(2);
+const stranger = named.find((part) => !(part in PARTS));
+if (stranger) {
+  console.error(`there is no part ${stranger}; allowed: ${Object.keys(PARTS).join(', ')}`);
+  process.exit(2);
+}
+for (const [name, part] of Object.entries(PARTS)) {
+  if (named.length === 0 || named.includes(name)) await part();
+}

@@ -1,0 +1,44 @@
+#!/usr/bin/env node
+/** `npm run build`: rebuilds pkg/wasm from the crate, then dist/ from the page's sources. */
+
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { parseArgs } from 'node:util';
+import { DIST, PKG_WASM } from './lib/paths.mjs';
+import { ensureBindgen, ensureToolchain } from './lib/rust.mjs';
+import { ensurePackages } from './lib/setup.mjs';
+
+async function wasm() {
+  await ensurePackages();
+  const toolchain = await ensureToolchain();
+  const { buildWasm } = await import('./lib/wasm.mjs');
+  await buildWasm(toolchain, await ensureBindgen(toolchain), PKG_WASM);
+}
+
+async function page() {
+  await ensurePackages();
+  const { buildPage } = await import('./lib/page.mjs');
+  await buildPage(DIST);
+}
+
+/** Builds what a plain checkout would have: pkg/wasm if it is not there, and dist/. */
+export async function buildMissing() {
+  if (!existsSync(join(PKG_WASM, 'tiepoint_bg.wasm'))) await wasm();
+  await page();
+}
+
+async function main() {
+  const { values } = parseArgs({ options: { 'wasm-only': { type: 'boolean' }, 'page-only': { type: 'boolean' } } });
+  const started = performance.now();
+  if (!values['page-only']) await wasm();
+  if (!values['wasm-only']) await page();
+  console.log(`built in ${((performance.now() - started) / 1000).toFixed(1)} s`);
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  main().catch((error) => {
+    console.error(error instanceof Error ? error.message : String(error));
+    process.exitCode = 1;
+  });
+}
