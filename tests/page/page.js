@@ -1,0 +1,87 @@
+/** Opens the built page in Chromium and looks at it as a user does. */
+
+import { mkdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { after, before } from 'node:test';
+import { fileURLToPath } from 'node:url';
+import { chromium } from 'playwright-core';
+import { findChromium } from '../../tools/lib/setup.mjs';
+import { serve } from '../../tools/lib/static-server.mjs';
+
+export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+export const DIST = join(ROOT, 'dist');
+export const SHOTS = join(ROOT, 'target', 'screenshots');
+
+const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+const program = findChromium();
+
+/** Why the tests of the page cannot run; false where they can. */
+export const SKIP = program ? false : `skipped: no Chromium (${process.env.NO_CHROMIUM || 'install it or name it in CHROMIUM'})`;
+
+/** @type {import('playwright-core').Browser} */
+let browser;
+/** @type {Awaited<ReturnType<typeof serve>>} */
+let server;
+
+/** Starts browser and server for the tests of a file; gives the page's address below a folder. */
+export function hosted(prefix = '/') {
+  before(async () => {
+    if (!program) return;
+    mkdirSync(SHOTS, { recursive: true });
+    server = await serve(DIST, { prefix });
+    browser = await chromium.launch({ executablePath: program, args: FLAGS });
+  });
+  after(async () => {
+    await browser?.close();
+    await server?.close();
+  });
+}
+
+/**
+ * A fresh page. `complaints` collects what no page may have: console errors, uncaught errors, requests that leave its origin.
+ * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions }} [how]
+ */
+export async function open({ url = server.url, options = {} } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
+  const page = await context.newPage();
+  /** @type {string[]} */
+  const complaints = [];
+  const origin = url.startsWith('file:') ? 'file:' : new URL(url).origin;
+  page.on('console', (message) => { if (message.type() === 'error') complaints.push(`console: ${message.text()}`); });
+  page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
+  page.on('request', (request) => {
+    if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) complaints.push(`request: ${request.url()}`);
+  });
+  await page.goto(url);
+  return { page, complaints, close: () => context.close() };
+}
+
+/** @param {import('playwright-core').Page} page @param {string} id */
+export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
+
+/** Waits for a run to end; gives the status line.  @param {import('playwright-core').Page} page */
+export async function done(page) {
+  await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 60_000 });
+  return (await part(page, 'status').textContent()) ?? '';
+}
+
+/** The number in a cell.  @param {import('playwright-core').Page} page @param {string} id */
+export async function number(page, id) {
+  return Number(((await part(page, id).textContent()) ?? '').replaceAll(/[^\d.−-]/g, '').replace('−', '-'));
+}
+
+/** Starts the sample and waits for it.  @param {import('playwright-core').Page} page */
+export async function sample(page) {
+  await part(page, 'sample').click();
+  return done(page);
+}
+
+/** What a button saves, as text.  @param {import('playwright-core').Page} page @param {string} id */
+export async function saved(page, id) {
+  const [download] = await Promise.all([page.waitForEvent('download'), part(page, id).click()]);
+  const stream = await download.createReadStream();
+  /** @type {Buffer[]} */
+  const chunks = [];
+  for await (const chunk of stream) chunks.push(/** @type {Buffer} */ (chunk));
+  return Buffer.concat(chunks);
+}

@@ -1,0 +1,93 @@
+/** Every call a worker answers: name to input and output. Both ends are typed by this one table. */
+import type {
+  Camera, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Interior, MatchResult, OffsetField, PhotoInfo,
+  ReducedImage, RelativeOrientation, SamplePair, Settings, WindowReport,
+} from './wasm';
+
+/** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
+export type ImageSource =
+  | { kind: 'file'; file: Blob }
+  | { kind: 'grey'; width: number; height: number; grey: Uint8Array };
+
+/** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
+export interface Overview {
+  bitmap: ImageBitmap;
+  halvings: number;
+}
+
+/** Points and descriptors of both images with the offset between them: what matching starts from. */
+export interface MatchInput {
+  leftPoints: Float64Array;
+  leftDescriptors: Float64Array;
+  rightPoints: Float64Array;
+  rightDescriptors: Float64Array;
+  offset: OffsetField;
+  options: Settings['matching'];
+}
+
+/** What is known of one photo's geometry. */
+export interface PhotoInput {
+  width: number;
+  height: number;
+  camera: Camera;
+  /** The focal length of the pair: the photo is taken to it where its own is another. */
+  pairFocalMm: number;
+  fiducials: Fiducial[];
+  model: FiducialModel;
+  origin: [number, number] | null;
+}
+
+export interface InteriorOutput {
+  interior: Interior;
+  /** Absent without fiducials. */
+  fiducials: FiducialOrientation | null;
+}
+
+export interface Calls {
+  // One image a worker: `open` first, the others refer to the image opened last.
+  open: { input: { source: ImageSource; overviewSide: number }; output: { info: PhotoInfo; overview: Overview } };
+  tile: { input: { level: number; column: number; row: number; side: number }; output: ImageBitmap };
+  reduced: { input: { maxSide: number }; output: ReducedImage };
+  detect: { input: Settings['points']; output: DetectedPoints };
+  describe: {
+    input: { points: Float64Array; window: Settings['window']; measure: Settings['matching']['measure'] };
+    output: Float64Array;
+  };
+  moments: { input: { col: number; row: number; window: Settings['window'] }; output: WindowReport };
+  // The pair.
+  sample: { input: { seed: number }; output: SamplePair };
+  offset: { input: { left: ReducedImage; right: ReducedImage }; output: OffsetField };
+  constantOffset: { input: { dx: number; dy: number }; output: OffsetField };
+  match: { input: MatchInput; output: MatchResult };
+  candidates: { input: MatchInput & { index: number }; output: Float64Array };
+  interior: { input: PhotoInput; output: InteriorOutput };
+  orient: {
+    input: { matches: Float64Array; left: Interior; right: Interior; focalMm: number; options: Settings['orientation'] };
+    output: RelativeOrientation;
+  };
+  // Files.
+  parseFiducials: { input: { text: string }; output: Fiducial[] };
+  parseCamera: { input: { text: string }; output: Camera };
+  matchesCsv: { input: { matches: Float64Array }; output: string };
+}
+
+export type CallName = keyof Calls;
+export type Input<K extends CallName> = Calls[K]['input'];
+export type Output<K extends CallName> = Calls[K]['output'];
+
+/** The first message to a worker. */
+export interface StartMessage {
+  module: WebAssembly.Module;
+}
+
+export type RequestMessage = { [K in CallName]: { id: number; call: K; input: Input<K> } }[CallName];
+
+/** Why a call failed. After `trap` and `memory` the worker must be ended: its wasm memory is no longer to be trusted. */
+export interface WireFailure {
+  kind: 'refused' | 'trap' | 'memory' | 'other';
+  /** The crate's stable code, where it refused. */
+  code: string | null;
+  message: string;
+}
+
+export type ResponseMessage = { id: number; output: Output<CallName> } | { id: number; failure: WireFailure };

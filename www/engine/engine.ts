@@ -1,0 +1,123 @@
+/** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
+import { wantedKeys } from '../state/keys';
+import type { StageDone } from '../state/actions';
+import type { GivenImage, Side, StageName, State } from '../state/state';
+import type { Store } from '../state/store';
+import type { Output } from './calls';
+import { CallError, Cancelled, WorkerClient } from './client';
+import { plainMessage } from './failure';
+import { RUNS } from './runs';
+import type { Workers } from './runs';
+import { STAGES, STAGE_NAMES } from './stages';
+import type { WorkerName } from './stages';
+
+/** Quiet time after a change of settings before work starts, in ms. */
+const DEBOUNCE_MS = 150;
+/** Longest side of the copy that is shown until detail tiles come, in px. */
+const OVERVIEW_SIDE = 2048;
+
+export class Engine implements Workers {
+  private clients: Record<WorkerName, WorkerClient> = {
+    left: new WorkerClient('left image'),
+    right: new WorkerClient('right image'),
+    pair: new WorkerClient('pair'),
+  };
+  /** What each worker has opened last: the image, in which life of the worker, and the answer to come. */
+  private readonly opened = new Map<WorkerClient, { tag: string; answer: Promise<Output<'open'>> }>();
+  private timer: number | undefined;
+
+  constructor(private readonly store: Store) {
+    store.watch((s) => [s.settings, s.camera, s.photos, s.offset, s.fiducialModel] as const, () => { this.later(); });
+    store.watch((s) => [s.images, s.selection, s.paused, s.failures] as const, () => { this.update(); });
+  }
+
+  client(name: WorkerName): WorkerClient {
+    return this.clients[name];
+  }
+
+  /** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
+  open(side: Side, image: GivenImage): Promise<Output<'open'>> {
+    const client = this.clients[side];
+    const tag = lifeTag(client, image.id);
+    const held = this.opened.get(client);
+    if (held?.tag === tag) return held.answer;
+    const answer = client.call('open', { source: image.source, overviewSide: OVERVIEW_SIDE });
+    this.opened.set(client, { tag, answer });
+    answer.catch(() => { if (this.opened.get(client)?.answer === answer) this.opened.delete(client); });
+    return answer;
+  }
+
+  /** The worker of a side; opens the side's image in it where it holds another or none (after a cancel, a trap or a swap). */
+  async withImage(side: Side, state: State): Promise<WorkerClient> {
+    const client = this.clients[side];
+    const image = state.images[side];
+    if (image === null) throw new Error(`there is no ${side} image`);
+    await this.open(side, image);
+    return client;
+  }
+
+  /** Ends all workers and what they do; nothing runs until the user asks or changes something. */
+  cancel(): void {
+    this.stopWorkers();
+    this.store.dispatch({ type: 'cancelled' });
+  }
+
+  /** Exchanges the images; each worker keeps the image it holds. */
+  swap(): void {
+    this.clients = { left: this.clients.right, right: this.clients.left, pair: this.clients.pair };
+    this.store.dispatch({ type: 'swap' });
+  }
+
+  /** Starts every stage whose inputs are current and whose own result is not. */
+  update(): void {
+    window.clearTimeout(this.timer);
+    for (const stage of STAGE_NAMES) {
+      const { state } = this.store;
+      if (state.paused || state.running[stage] !== undefined) continue;
+      const key = wantedKeys(state)[stage];
+      if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
+      if (STAGES[stage].needs.every((input) => current(state, input))) void this.run(stage, key);
+    }
+  }
+
+  private later(): void {
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => { this.update(); }, DEBOUNCE_MS);
+  }
+
+  private stopWorkers(): void {
+    for (const client of Object.values(this.clients)) client.cancel();
+  }
+
+  private async run(stage: StageName, key: string): Promise<void> {
+    this.store.dispatch({ type: 'stageStarted', stage, key });
+    const started = performance.now();
+    const { state } = this.store;
+    try {
+      const value = await RUNS[stage](state, this);
+      // The table of runs gives each stage its own type of value.
+      this.store.dispatch({ type: 'stageDone', stage, result: { key, value, milliseconds: performance.now() - started } } as StageDone);
+    } catch (error) {
+      this.failed(stage, key, error);
+    }
+    this.update();
+  }
+
+  private failed(stage: StageName, key: string, error: unknown): void {
+    if (error instanceof Cancelled) {
+      this.store.dispatch({ type: 'stageStopped', stage });
+      return;
+    }
+    const ended = error instanceof CallError && error.ended;
+    this.store.dispatch({ type: 'stageFailed', stage, failure: { key, ended, message: plainMessage(stage, error) } });
+  }
+}
+
+/** Names an image in one life of a worker. */
+function lifeTag(client: WorkerClient, imageId: number): string {
+  return `${String(client.generation)}:${String(imageId)}`;
+}
+
+function current(state: State, stage: StageName): boolean {
+  return state.results[stage]?.key === wantedKeys(state)[stage];
+}

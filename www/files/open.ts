@@ -1,0 +1,132 @@
+/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
+import { CallError, Cancelled } from '../engine/client';
+import type { Engine } from '../engine/engine';
+
+import type { GivenImage, Side } from '../state/state';
+import type { Store } from '../state/store';
+import { sortFiles } from './sort';
+
+/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
+const MOST_BYTES = 2 ** 30;
+
+let nextId = 1;
+
+export class Files {
+  constructor(private readonly store: Store, private readonly engine: Engine) {}
+
+  /** Takes files of any kind; `side` says where a single one belongs. */
+  async take(files: readonly File[], side: Side | null): Promise<void> {
+    if (files.length === 0) return;
+    this.store.dispatch({ type: 'notice', notice: null });
+    const { images, tables, cameras } = sortFiles(files);
+    if (images.length > 2) {
+      this.problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`);
+      return;
+    }
+    const camera = cameras[0];
+    if (camera !== undefined) await this.takeCamera(camera);
+    for (const [i, table] of tables.entries()) await this.takeFiducials(table, side ?? this.sideOfTable(table, i));
+    if (images.length > 0) await this.takeImages(images, side);
+  }
+
+  /** Renders the built-in sample in a worker and opens it. */
+  async takeSample(): Promise<void> {
+    const seed = this.store.state.catalogue?.sampleSeed;
+    if (seed === undefined) return;
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the sample pair: a simulated flight over a made landscape …' } });
+    try {
+      const sample = await this.engine.client('pair').call('sample', { seed });
+      const given = (side: Side): GivenImage => ({ id: nextId++, name: `sample ${side}`, source: { kind: 'grey', ...sample[side] } });
+      this.store.dispatch({ type: 'sample', left: given('left'), right: given('right'), sample });
+      this.store.dispatch({ type: 'notice', notice: null });
+    } catch (error) {
+      this.failed('The sample pair could not be rendered', error);
+    }
+  }
+
+  private problem(text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
+  }
+
+  private failed(what: string, error: unknown): void {
+    if (error instanceof Cancelled) {
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled. Nothing was changed.' } });
+      return;
+    }
+    this.problem(`${what}: ${error instanceof Error ? error.message : String(error)}. What was open is kept.`);
+  }
+
+  /** Fiducials named "right", or the second of two tables, belong right. */
+  private sideOfTable(table: File, index: number): Side {
+    if (/right/iu.test(table.name)) return 'right';
+    if (/left/iu.test(table.name)) return 'left';
+    return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? 'right' : 'left';
+  }
+
+  private async takeFiducials(file: File, side: Side): Promise<void> {
+    try {
+      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
+      this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${String(fiducials.length)} fiducial marks of the ${side} image from ${file.name}.` } });
+    } catch (error) {
+      this.failed(`${file.name} holds no fiducial marks`, error);
+    }
+  }
+
+  private async takeCamera(file: File): Promise<void> {
+    try {
+      const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
+      this.store.dispatch({ type: 'camera', camera });
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `Camera data from ${file.name}.` } });
+    } catch (error) {
+      this.failed(`${file.name} holds no camera data`, error);
+    }
+  }
+
+  /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
+  private async takeImages(files: readonly File[], side: Side | null): Promise<void> {
+    const tooLarge = files.find((file) => file.size > MOST_BYTES);
+    if (tooLarge !== undefined) {
+      this.problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read. What was open is kept.`);
+      return;
+    }
+    const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
+    const images: Partial<Record<Side, GivenImage>> = {};
+    for (const [i, file] of files.entries()) {
+      const target = sides[i];
+      if (target !== undefined) images[target] = { id: nextId++, name: file.name, source: { kind: 'file', file } };
+    }
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${files.map((file) => file.name).join(' and ')} …` } });
+    await this.check(images);
+  }
+
+  private async check(images: Partial<Record<Side, GivenImage>>): Promise<void> {
+    const entries = Object.entries(images) as [Side, GivenImage][];
+    const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+    const bad = outcomes.findIndex((outcome) => outcome.status === 'rejected');
+    if (bad < 0) {
+      this.store.dispatch({ type: 'images', images });
+      this.store.dispatch({ type: 'notice', notice: null });
+      return;
+    }
+    const name = entries[bad]?.[1].name ?? 'the file';
+    const outcome = outcomes[bad];
+    this.failedImage(name, outcome?.status === 'rejected' ? (outcome.reason as unknown) : null);
+  }
+
+  private failedImage(name: string, error: unknown): void {
+    if (error instanceof CallError && error.ended) {
+      this.problem(`${name} could not be opened: the worker ran out of memory (${error.message}). What was open is kept. Try a smaller image, or close other tabs.`);
+    } else {
+      this.failed(`${name} cannot be opened`, error);
+    }
+  }
+
+  /** Where a single image goes: an empty place, else the active one. */
+  private freeSide(): Side {
+    const { images, activeSide } = this.store.state;
+    if (images.left === null) return 'left';
+    return images.right === null ? 'right' : activeSide;
+  }
+}
+

@@ -1,0 +1,115 @@
+/** The page: makes the parts and wires them together. */
+import './style/base.css';
+import './style/layout.css';
+import './style/panels.css';
+import './style/view.css';
+import { Engine } from './engine/engine';
+import { loadCatalogue } from './engine/wasm';
+import { mountDrop } from './files/drop';
+import { exportEverything, exportMatches, exportPicture } from './files/export';
+import { Files } from './files/open';
+import { mountAnnouncements } from './panel/announce';
+import { mountCamera } from './panel/camera';
+import { mountControls } from './panel/controls';
+import { mountCounts } from './panel/counts';
+import { byId } from './panel/dom';
+import { mountFiducials } from './panel/fiducials';
+import { mountHistograms } from './panel/histograms';
+import { mountOrientation } from './panel/orientation';
+import { mountPanes } from './panel/panes';
+import { mountPoint } from './panel/point';
+import { mountStatus } from './panel/status';
+import { mountTabs, showTab } from './panel/tabs';
+import { mountTheme } from './panel/theme';
+import { mountToolbar } from './panel/toolbar';
+import { shownPair } from './state/select';
+import type { Side } from './state/state';
+import { Store } from './state/store';
+import { Input } from './view/input';
+import { Navigator } from './view/navigate';
+import { View } from './view/view';
+
+const store = new Store();
+const engine = new Engine(store);
+const view = new View(byId('view'), store, engine);
+const navigator = new Navigator(store, view);
+const files = new Files(store, engine);
+
+new Input(view, store, navigator);
+mountTheme(byId('theme'));
+for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
+mountToolbar(byId('toolbar'), store, navigator);
+mountPanes(view, store, { open: (side) => { pick(side); } });
+mountControls(byId('panel-settings'), store);
+mountCamera(byId('panel-camera'), store, () => { pick(null); });
+mountFiducials(byId('panel-camera'), store, (side) => { pick(side); });
+mountCounts(byId('panel-results'), store);
+mountOrientation(byId('panel-results'), store);
+mountHistograms(byId('panel-results'), store);
+mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
+mountAnnouncements(byId('announce'), store);
+mountDrop(view, files);
+mountStatus(store, {
+  cancel: () => { engine.cancel(); },
+  run: () => { store.dispatch({ type: 'resume' }); },
+});
+mountHeader();
+store.watch((s) => [s.selection] as const, ([selection]) => { if (selection !== null) showTab('tab-point'); });
+void start();
+
+/** Opens the file dialog for a side, or for any files. */
+function pick(side: Side | null): void {
+  const input = byId('file-input') as HTMLInputElement;
+  input.dataset['side'] = side ?? '';
+  input.multiple = side === null;
+  input.click();
+}
+
+function mountHeader(): void {
+  const input = byId('file-input') as HTMLInputElement;
+  input.addEventListener('change', () => {
+    const side = input.dataset['side'];
+    void files.take([...(input.files ?? [])], side === 'left' || side === 'right' ? side : null);
+    input.value = '';
+    input.dataset['side'] = '';
+    input.multiple = true;
+  });
+  const on = (id: string, action: () => void | Promise<void>) => {
+    byId(id).addEventListener('click', () => { void attempt(action); });
+  };
+  on('open', () => { pick(null); });
+  for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
+  on('open-first', () => { pick(null); });
+  on('swap', () => { engine.swap(); });
+  on('export-csv', () => exportMatches(store.state, engine));
+  on('export-json', () => { exportEverything(store.state); });
+  on('export-png', () => exportPicture(store.state, view));
+  store.watch((s) => [s.images, s.results, s.catalogue, s.notice] as const, ([images, , catalogue]) => {
+    const both = images.left !== null && images.right !== null;
+    const set = (id: string, disabled: boolean) => { (byId(id) as HTMLButtonElement).disabled = disabled; };
+    set('swap', images.left === null && images.right === null);
+    set('sample', catalogue === null);
+    set('sample-first', catalogue === null);
+    set('export-csv', !both || shownPair(store.state).match === null);
+    set('export-json', !both || store.state.results.pointsLeft === undefined);
+    set('export-png', images.left === null && images.right === null);
+    byId('welcome').hidden = images.left !== null || images.right !== null;
+  });
+}
+
+/** Runs an action of the user's; what goes wrong is said in the status line. */
+async function attempt(action: () => void | Promise<void>): Promise<void> {
+  try {
+    await action();
+  } catch (error) {
+    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${error instanceof Error ? error.message : String(error)}.` } });
+  }
+}
+
+async function start(): Promise<void> {
+  await attempt(async () => {
+    const catalogue = await loadCatalogue();
+    byId('version').textContent = `Tiepoint ${catalogue.version}`;
+    store.dispatch({ type: 'ready', catalogue });
+  });
+}

@@ -1,0 +1,120 @@
+/** The selected point: its window, its moments, its candidates, and the rule that decided. */
+import { leftIndexOf } from '../engine/runs';
+import type { MatchResult } from '../engine/wasm';
+import { isCurrent } from '../state/keys';
+import { GROSS_ERROR, leftCodes, rightCodes, shownPair } from '../state/select';
+import type { ShownPair } from '../state/select';
+import type { Inspection, PointWindow, State } from '../state/state';
+import type { Store } from '../state/store';
+import { styleOf } from '../view/palette';
+import { fill, h, row } from './dom';
+import { count, fixed, significant } from './format';
+import { swatch } from './swatch';
+import { windowPicture } from './window';
+
+const MOST_ROWS = 50;
+
+export function mountPoint(host: HTMLElement, store: Store, select: (side: 'left' | 'right', index: number) => void): void {
+  const body = h('div', { testid: 'point-panel' });
+  host.append(body);
+  store.watch((s) => [s.selection, s.results, s.images, s.settings, s.failures] as const, () => {
+    const { state } = store;
+    body.classList.toggle('is-stale', state.selection !== null && state.results.match !== undefined && !isCurrent(state, 'match'));
+    fill(body, ...content(state, select));
+  });
+}
+
+function content(state: State, select: (side: 'left' | 'right', index: number) => void): HTMLElement[] {
+  const { selection } = state;
+  const shown = shownPair(state);
+  const points = selection === null ? null : shown[selection.side];
+  if (selection === null || points === null || 3 * selection.index >= points.length) {
+    return [h('p', { class: 'note' }, 'Click a point in an image, or press N with the image in focus, to see its window, its moments, its candidates and the rule that decided.')];
+  }
+  const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
+  const parts: HTMLElement[] = [
+    h('h3', {}, `${selection.side === 'left' ? 'Left' : 'Right'} point ${count(selection.index + 1)}`),
+    h('p', { class: 'facts-line', testid: 'point-position' },
+      `x ${fixed(at[0], 1)} px, y ${fixed(at[1], 1)} px, interest value ${significant(at[2] ?? 0)}`),
+  ];
+  if (shown.match === null) return [...parts, h('p', { class: 'note' }, 'Not matched yet.')];
+  parts.push(verdict(state, shown, shown.match));
+  const inspection = state.results.inspection?.value;
+  if (inspection === undefined || !isCurrent(state, 'inspection')) return [...parts, h('p', { class: 'note' }, problemOr(state, 'Looking up the window and the candidates …'))];
+  return [...parts, windows(inspection), ...moments(inspection), ...candidateTable(state, shown.match, inspection, select)];
+}
+
+function problemOr(state: State, text: string): string {
+  return state.failures.inspection?.message ?? text;
+}
+
+/** The rule that decided, with the numbers it compared. */
+export function verdictText(state: State, shown: ShownPair, match: MatchResult): { code: number; text: string } {
+  const { selection, settings } = state;
+  const leftIndex = leftIndexOf(state, match.best, match.rules);
+  if (selection === null || settings === null) return { code: 0, text: '' };
+  if (leftIndex < 0) return { code: 8, text: 'No left point has this point as its best candidate.' };
+  const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? 0;
+  const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? 0);
+  const prefix = selection.side === 'right' && own === 8 ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which was refused. ` : '';
+  return { code, text: prefix + sentence(code, leftIndex, match, settings.matching) };
+}
+
+function sentence(code: number, index: number, match: MatchResult, options: { max_measure: number; ambiguity: number; parallax_tolerance: number }): string {
+  const best = match.measures[2 * index] ?? Infinity;
+  const second = match.measures[2 * index + 1] ?? Infinity;
+  const rule = styleOf(code).sentence;
+  const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';
+  switch (code) {
+    case 0: return `${rule} Its best measure ${fixed(best, 4)} is below ${String(options.max_measure)}, and ${ratio}.`;
+    case 3: return `${rule} Best ${fixed(best, 4)}, allowed below ${String(options.max_measure)}.`;
+    case 4: return `${rule} Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(options.ambiguity)}.`;
+    case 6: return `${rule} Tolerance: ${String(options.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
+    case GROSS_ERROR: return `${rule} Its measure was ${fixed(best, 4)}.`;
+    default: return rule;
+  }
+}
+
+function verdict(state: State, shown: ShownPair, match: MatchResult): HTMLElement {
+  const { code, text } = verdictText(state, shown, match);
+  return h('p', { class: 'verdict', testid: 'point-verdict' }, swatch(code), h('span', {}, text));
+}
+
+function windows({ left, right }: Inspection): HTMLElement {
+  const one = (name: string, window: PointWindow | null) => {
+    const report = window?.report ?? null;
+    const picture = window === null || report === null ? h('p', { class: 'note' }, window?.problem ?? 'No point.') : windowPicture(report, window.col, window.row);
+    return h('figure', {}, picture, h('figcaption', {}, name, report === null ? '' : ` · axis ${fixed(report.axis_angle_deg, 1)}°`));
+  };
+  return h('div', { class: 'windows', testid: 'point-windows' }, one('Left window', left), one('Right window', right));
+}
+
+const MOMENTS = [['mu20', 'µ′₂₀'], ['mu11', 'µ′₁₁'], ['mu02', 'µ′₀₂'], ['mu30', 'µ′₃₀'], ['mu21', 'µ′₂₁'], ['mu12', 'µ′₁₂'], ['mu03', 'µ′₀₃']] as const;
+
+function moments({ left, right }: Inspection): HTMLElement[] {
+  if ((left?.report ?? right?.report ?? null) === null) return [];
+  const value = (number: number | undefined) => h('td', { class: 'number' }, number === undefined ? '–' : significant(number));
+  const head = (text: string) => h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, text), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right')));
+  return [h('div', { class: 'moments' },
+    h('table', { testid: 'point-moments', aria: { label: 'Normalised central moments' } }, head('Moment'),
+      h('tbody', {}, ...MOMENTS.map(([field, name]) => row(name, value(left?.report?.normalized[field]), value(right?.report?.normalized[field]))))),
+    h('table', { testid: 'point-invariants', aria: { label: 'Invariants' } }, head('Invariant'),
+      h('tbody', {}, ...MOMENTS.map((_, i) => row(`I${'₀₁₂₃₄₅₆'.charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
+}
+
+function candidateTable(state: State, match: MatchResult, { candidates }: Inspection, select: (side: 'left' | 'right', index: number) => void): HTMLElement[] {
+  const points = state.results.pointsRight?.value.points;
+  const total = candidates.length / 2;
+  const leftIndex = leftIndexOf(state, match.best, match.rules);
+  if (points === undefined || leftIndex < 0 || total === 0) return [];
+  const rows = Array.from({ length: Math.min(total, MOST_ROWS) }, (_, i) => {
+    const index = candidates[2 * i] ?? 0;
+    const go = h('button', { type: 'button', class: 'link', aria: { label: `Select right point ${String(index + 1)}` } }, count(index + 1));
+    go.addEventListener('click', () => { select('right', index); });
+    const cells = [points[3 * index], points[3 * index + 1]].map((v) => h('td', { class: 'number' }, fixed(v, 1)));
+    return h('tr', { class: index === match.best[leftIndex] ? 'best' : '' }, h('td', {}, String(i + 1)), h('td', {}, go), ...cells, h('td', { class: 'number' }, fixed(candidates[2 * i + 1], 4)));
+  });
+  const heads = ['', 'Right point', 'x px', 'y px', 'Measure'].map((text) => h('th', { scope: 'col' }, text));
+  const caption = `${count(total)} ${total === 1 ? 'candidate' : 'candidates'} of left point ${count(leftIndex + 1)}${total > MOST_ROWS ? `, the best ${String(MOST_ROWS)}` : ''}`;
+  return [h('h4', {}, caption), h('div', { class: 'scroll candidates' }, h('table', { testid: 'point-candidates', aria: { label: caption } }, h('thead', {}, h('tr', {}, ...heads)), h('tbody', {}, ...rows)))];
+}

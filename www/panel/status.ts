@@ -1,0 +1,86 @@
+/** The status line: what runs, how far it is, what went wrong, and what to do. */
+import { STAGES } from '../engine/stages';
+import { anyStale, currentFailure, progress } from '../state/select';
+import type { StageName, State } from '../state/state';
+import type { Store } from '../state/store';
+import { summary } from './counts';
+import { fixed } from './format';
+import { whyNotOriented } from './orientation';
+import { byId } from './dom';
+
+/** A run shorter than this shows no bar: it would only flicker. */
+const PATIENCE_MS = 250;
+
+export interface StatusActions {
+  cancel: () => void;
+  run: () => void;
+}
+
+interface Line {
+  text: string;
+  kind: 'idle' | 'busy' | 'done' | 'problem';
+}
+
+export function mountStatus(store: Store, actions: StatusActions): void {
+  const line = byId('status');
+  const bar = byId('progress') as HTMLProgressElement;
+  const cancel = byId('cancel') as HTMLButtonElement;
+  const run = byId('run') as HTMLButtonElement;
+  cancel.addEventListener('click', actions.cancel);
+  run.addEventListener('click', actions.run);
+  let timer: number | undefined;
+  store.watch((s) => [s] as const, ([state]) => {
+    const busy = isBusy(state);
+    const { wanted, done } = progress(state);
+    bar.max = Math.max(1, wanted);
+    bar.value = done;
+    cancel.disabled = !busy;
+    run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+    show(line, lineOf(state));
+    document.body.classList.toggle('is-pending', anyStale(state));
+    if (!busy) {
+      window.clearTimeout(timer);
+      timer = undefined;
+      bar.classList.remove('is-on');
+    } else {
+      timer ??= window.setTimeout(() => { bar.classList.add('is-on'); }, PATIENCE_MS);
+    }
+  });
+}
+
+export function isBusy(state: State): boolean {
+  return Object.keys(state.running).length > 0 || state.notice?.kind === 'busy';
+}
+
+function show(line: HTMLElement, { text, kind }: Line): void {
+  line.dataset['kind'] = kind;
+  if (line.textContent !== text) line.textContent = text;
+}
+
+function lineOf(state: State): Line {
+  const failure = currentFailure(state);
+  if (state.notice?.kind === 'problem') return { text: state.notice.text, kind: 'problem' };
+  const { running, wanted, done } = progress(state);
+  if (running.length > 0) return { text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join('; ')}`, kind: 'busy' };
+  if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
+  if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
+  if (failure !== null && !isOrientation(failure)) return { text: failure.message, kind: 'problem' };
+  if (state.notice !== null) return { text: state.notice.text, kind: 'idle' };
+  return resting(state, wanted, done);
+}
+
+function resting(state: State, wanted: number, done: number): Line {
+  if (state.catalogue === null) return { text: 'Loading the program …', kind: 'busy' };
+  if (state.images.left === null && state.images.right === null) return { text: 'Ready. Open two overlapping images, or take the sample pair.', kind: 'idle' };
+  if (state.images.left === null || state.images.right === null) {
+    return { text: `One image is open. Open the ${state.images.left === null ? 'left' : 'right'} one.`, kind: 'idle' };
+  }
+  if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
+  const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
+  return { text: `Done: ${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work. ${whyNotOriented(state) ?? ''}`.trimEnd(), kind: 'done' };
+}
+
+/** Matches without an orientation are a result all the same. */
+function isOrientation({ stage, ended }: { stage: StageName; ended: boolean }): boolean {
+  return !ended && (stage === 'interiorLeft' || stage === 'interiorRight' || stage === 'orientation');
+}

@@ -1,0 +1,29 @@
+/** Everything that can happen to the state. */
+import type { Camera, Catalogue, FiducialModel, Settings, SamplePair } from '../engine/wasm';
+import type {
+  Display, GivenImage, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult,
+} from './state';
+
+export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
+
+export type Action =
+  | { type: 'ready'; catalogue: Catalogue }
+  | { type: 'images'; images: Partial<Record<Side, GivenImage>> }
+  | { type: 'sample'; left: GivenImage; right: GivenImage; sample: SamplePair }
+  | { type: 'swap' }
+  | { type: 'settings'; settings: Settings }
+  | { type: 'camera'; camera: Camera | null }
+  | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
+  | { type: 'fiducialModel'; model: FiducialModel }
+  | { type: 'offset'; offset: [number, number] | null }
+  | { type: 'stageStarted'; stage: StageName; key: string }
+  | StageDone
+  | { type: 'stageFailed'; stage: StageName; failure: StageFailure }
+  | { type: 'stageStopped'; stage: StageName }
+  | { type: 'cancelled' }
+  | { type: 'resume' }
+  | { type: 'select'; selection: Selection | null }
+  | { type: 'activeSide'; side: Side }
+  | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
+  | { type: 'display'; display: Partial<Display> }
+  | { type: 'notice'; notice: Notice | null };

@@ -1,0 +1,149 @@
+/** How the state changes. Pure: the same state and action give the same state. */
+import type { Action } from './actions';
+import { INITIAL } from './state';
+import type { Display, PhotoData, Results, Side, State } from './state';
+
+const NO_DATA: PhotoData = { fiducials: [], origin: null };
+
+export function reduce(state: State, action: Action): State {
+  switch (action.type) {
+    case 'ready':
+      return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults };
+    case 'images':
+      return withImages(state, action.images);
+    case 'sample':
+      return withSample(state, action);
+    case 'swap':
+      return swapped(state);
+    case 'settings':
+      return { ...state, settings: action.settings, paused: false };
+    case 'camera':
+      return { ...state, camera: action.camera, paused: false };
+    case 'photo':
+      return { ...state, photos: { ...state.photos, [action.side]: { ...state.photos[action.side], ...action.photo } }, paused: false };
+    case 'fiducialModel':
+      return { ...state, fiducialModel: action.model, paused: false };
+    case 'offset':
+      return { ...state, offset: action.offset, paused: false };
+    case 'select':
+      return { ...state, selection: action.selection, activeSide: action.selection?.side ?? state.activeSide };
+    case 'activeSide':
+      return { ...state, activeSide: action.side };
+    case 'views':
+      return { ...state, views: { ...state.views, ...action.views } };
+    case 'display':
+      return { ...state, display: { ...state.display, ...action.display } satisfies Display };
+    case 'notice':
+      return { ...state, notice: action.notice };
+    default:
+      return withRun(state, action);
+  }
+}
+
+type RunAction = Extract<Action, { type: 'stageStarted' | 'stageDone' | 'stageFailed' | 'stageStopped' | 'cancelled' | 'resume' }>;
+
+/** What the engine reports. */
+function withRun(state: State, action: RunAction): State {
+  switch (action.type) {
+    case 'stageStarted':
+      return { ...state, running: { ...state.running, [action.stage]: action.key } };
+    case 'stageDone':
+      return {
+        ...state,
+        running: without(state.running, action.stage),
+        failures: without(state.failures, action.stage),
+        results: { ...state.results, [action.stage]: action.result },
+        // An index into points that are no more.
+        selection: action.stage === (state.selection?.side === 'left' ? 'pointsLeft' : 'pointsRight') ? null : state.selection,
+      };
+    case 'stageFailed':
+      return {
+        ...state,
+        running: without(state.running, action.stage),
+        failures: { ...state.failures, [action.stage]: action.failure },
+      };
+    case 'stageStopped':
+      return { ...state, running: without(state.running, action.stage) };
+    case 'cancelled':
+      return { ...state, running: {}, paused: true };
+    case 'resume':
+      return { ...state, paused: false, failures: {} };
+  }
+}
+
+function without<T extends object, K extends keyof T>(object: T, key: K): T {
+  if (!(key in object)) return object;
+  const copy = { ...object };
+  delete copy[key];
+  return copy;
+}
+
+/** New images. Data that belonged to the sample goes with the sample; data the user gave stays. */
+function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>): State {
+  const before = state.truth === null ? state : withoutSample(state);
+  return {
+    ...before,
+    images: { ...before.images, ...images },
+    selection: null,
+    paused: false,
+    failures: {},
+    views: { left: null, right: null },
+  };
+}
+
+function withoutSample(state: State): State {
+  return { ...state, settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null), truth: null, camera: null, photos: { left: NO_DATA, right: NO_DATA }, offset: null };
+}
+
+function withBase({ settings }: State, base: number | null): State['settings'] {
+  return settings === null ? null : { ...settings, orientation: { ...settings.orientation, base_mm: base } };
+}
+
+function withSample(state: State, { left, right, sample }: Extract<Action, { type: 'sample' }>): State {
+  const given = withImages({ ...state, truth: null }, { left, right });
+  return {
+    ...given,
+    settings: withBase(given, sample.base_mm),
+    camera: sample.camera,
+    photos: {
+      left: { fiducials: sample.left_fiducials, origin: sample.left_origin },
+      right: { fiducials: sample.right_fiducials, origin: sample.right_origin },
+    },
+    offset: null,
+    truth: {
+      leftId: left.id,
+      rightId: right.id,
+      orientation: sample.truth,
+      rightPosition: sample.right_position,
+      leftWidth: sample.left.width,
+      leftHeight: sample.left.height,
+    },
+  };
+}
+
+/** Left becomes right: images, their data, and the results that belong to one image alone. */
+function swapped(state: State): State {
+  const results: Results = { ...state.results };
+  exchange(results, 'openLeft', 'openRight');
+  exchange(results, 'pointsLeft', 'pointsRight');
+  exchange(results, 'descriptorsLeft', 'descriptorsRight');
+  return {
+    ...state,
+    results,
+    images: { left: state.images.right, right: state.images.left },
+    photos: { left: state.photos.right, right: state.photos.left },
+    offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
+    views: { left: state.views.right, right: state.views.left },
+    selection: null,
+    failures: {},
+    paused: false,
+  };
+}
+
+function exchange<K extends keyof Results>(results: Results, a: K, b: K): void {
+  const kept = results[a];
+  results[a] = results[b];
+  results[b] = kept;
+}
+
+export { INITIAL };

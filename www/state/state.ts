@@ -1,0 +1,161 @@
+/** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
+import type { ImageSource, InteriorOutput, Overview } from '../engine/calls';
+import type {
+  Camera, Catalogue, DetectedPoints, Fiducial, FiducialModel, FiveParameters, MatchResult, OffsetField, Settings, PhotoInfo,
+  RelativeOrientation, WindowReport,
+} from '../engine/wasm';
+
+export type Side = 'left' | 'right';
+export const SIDES: readonly Side[] = ['left', 'right'];
+
+export function otherSide(side: Side): Side {
+  return side === 'left' ? 'right' : 'left';
+}
+
+/** An image the user gave. `id` differs for every image ever given. */
+export interface GivenImage {
+  id: number;
+  name: string;
+  source: ImageSource;
+}
+
+/** What the user says of a photo. */
+export interface PhotoData {
+  fiducials: Fiducial[];
+  /** Where the image's top-left pixel lies in the scan whose fiducials were measured. */
+  origin: [number, number] | null;
+}
+
+/** The known answers of the built-in sample, for the images with these ids. */
+export interface SampleTruth {
+  leftId: number;
+  rightId: number;
+  orientation: FiveParameters;
+  /** x, y in the right image of each left pixel, row by row; NaN where it is not seen there. */
+  rightPosition: Float32Array;
+  leftWidth: number;
+  leftHeight: number;
+}
+
+/** The window of a point, or why it has no moments. `col` and `row` are those of its centre pixel. */
+export interface PointWindow {
+  col: number;
+  row: number;
+  report: WindowReport | null;
+  problem: string | null;
+}
+
+/** What is looked up about the selected point. */
+export interface Inspection {
+  left: PointWindow | null;
+  right: PointWindow | null;
+  /** Stride 2: right index, measure; best first. */
+  candidates: Float64Array;
+}
+
+/** What each stage makes. */
+export interface StageValues {
+  openLeft: { info: PhotoInfo; overview: Overview };
+  openRight: { info: PhotoInfo; overview: Overview };
+  pointsLeft: DetectedPoints;
+  pointsRight: DetectedPoints;
+  descriptorsLeft: Float64Array;
+  descriptorsRight: Float64Array;
+  offset: OffsetField;
+  match: MatchResult;
+  interiorLeft: InteriorOutput;
+  interiorRight: InteriorOutput;
+  orientation: RelativeOrientation;
+  inspection: Inspection;
+}
+
+export type StageName = keyof StageValues;
+
+export interface StageResult<S extends StageName> {
+  key: string;
+  value: StageValues[S];
+  milliseconds: number;
+}
+
+export type Results = { [S in StageName]?: StageResult<S> };
+
+/** Why a stage has no result for a key. */
+export interface StageFailure {
+  key: string;
+  message: string;
+  /** The worker ended: it can be tried again as it is. */
+  ended: boolean;
+}
+
+export interface Selection {
+  side: Side;
+  index: number;
+}
+
+/** Where a pane looks: the image position at its centre and CSS px per image px. */
+export interface PaneView {
+  x: number;
+  y: number;
+  scale: number;
+}
+
+export type PointLayer = 'all' | 'matched' | 'none';
+export type LineLayer = 'all' | 'some' | 'none';
+
+export interface Display {
+  points: PointLayer;
+  lines: LineLayer;
+  /** Enlargement of the residual vectors; 0 hides them. */
+  vectors: number;
+  linked: boolean;
+  magnifier: boolean;
+  /** Codes of `pointCodes` that are hidden. */
+  hidden: readonly number[];
+}
+
+export interface Notice {
+  kind: 'info' | 'busy' | 'problem';
+  text: string;
+}
+
+export interface State {
+  catalogue: Catalogue | null;
+  settings: Settings | null;
+  images: Record<Side, GivenImage | null>;
+  photos: Record<Side, PhotoData>;
+  camera: Camera | null;
+  fiducialModel: FiducialModel;
+  /** Offset given by the user; estimated where null. */
+  offset: [number, number] | null;
+  truth: SampleTruth | null;
+  results: Results;
+  running: Partial<Record<StageName, string>>;
+  failures: Partial<Record<StageName, StageFailure>>;
+  /** Nothing runs until the user asks or changes something. */
+  paused: boolean;
+  selection: Selection | null;
+  activeSide: Side;
+  views: Record<Side, PaneView | null>;
+  display: Display;
+  notice: Notice | null;
+}
+
+export const INITIAL: State = {
+  catalogue: null,
+  settings: null,
+  images: { left: null, right: null },
+  photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
+  camera: null,
+  fiducialModel: 'affine',
+  offset: null,
+  truth: null,
+  results: {},
+  running: {},
+  failures: {},
+  paused: false,
+  selection: null,
+  activeSide: 'left',
+  views: { left: null, right: null },
+  display: { points: 'all', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
+  notice: null,
+};

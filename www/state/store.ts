@@ -1,0 +1,45 @@
+/** Holds the state and tells who asked when a part of it changed. */
+import type { Action } from './actions';
+import { reduce } from './reducer';
+import { INITIAL } from './state';
+import type { State } from './state';
+
+type Listener = (state: State) => void;
+
+export class Store {
+  private current: State = INITIAL;
+  private readonly listeners: Listener[] = [];
+  private dispatching = false;
+  private readonly waiting: Action[] = [];
+
+  get state(): State {
+    return this.current;
+  }
+
+  /** Applies an action, then tells the listeners. An action dispatched by a listener follows after all have been told. */
+  dispatch(action: Action): void {
+    this.waiting.push(action);
+    if (this.dispatching) return;
+    this.dispatching = true;
+    try {
+      for (let next = this.waiting.shift(); next !== undefined; next = this.waiting.shift()) {
+        this.current = reduce(this.current, next);
+        for (const listener of this.listeners) listener(this.current);
+      }
+    } finally {
+      this.dispatching = false;
+    }
+  }
+
+  /** Calls back now and whenever one of the selected values is another than before. */
+  watch<T extends readonly unknown[]>(select: (state: State) => T, callback: (values: T) => void): void {
+    let seen = select(this.current);
+    this.listeners.push((state) => {
+      const values = select(state);
+      if (values.every((value, i) => Object.is(value, seen[i]))) return;
+      seen = values;
+      callback(values);
+    });
+    callback(seen);
+  }
+}

@@ -1,0 +1,77 @@
+/** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
+import type { PaneView, Side } from '../state/state';
+
+export interface Rect {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+}
+
+/** Space between the panes, crossed by the match lines. */
+const GAP = 10;
+
+/** Side by side where the canvas is wide, one above the other where it is high. */
+export function panesOf(width: number, height: number): Record<Side, Rect> {
+  if (width >= 0.85 * height) {
+    const pane = Math.max(1, Math.floor((width - GAP) / 2));
+    return { left: { left: 0, top: 0, width: pane, height }, right: { left: width - pane, top: 0, width: pane, height } };
+  }
+  const pane = Math.max(1, Math.floor((height - GAP) / 2));
+  return { left: { left: 0, top: 0, width, height: pane }, right: { left: 0, top: height - pane, width, height: pane } };
+}
+
+export function contains(rect: Rect, x: number, y: number): boolean {
+  return x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
+}
+
+/** canvas = scale · image + shift. */
+export interface Transform {
+  scale: number;
+  x: number;
+  y: number;
+}
+
+export function transformOf(pane: Rect, view: PaneView): Transform {
+  return {
+    scale: view.scale,
+    x: pane.left + pane.width / 2 - view.scale * view.x,
+    y: pane.top + pane.height / 2 - view.scale * view.y,
+  };
+}
+
+export function toCanvas(t: Transform, x: number, y: number): [number, number] {
+  return [t.scale * x + t.x, t.scale * y + t.y];
+}
+
+export function toImage(t: Transform, x: number, y: number): [number, number] {
+  return [(x - t.x) / t.scale, (y - t.y) / t.scale];
+}
+
+/** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
+export function drawView(t: Transform, clip: Rect): Float64Array {
+  return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
+}
+
+/** The view that shows the whole image. */
+export function fitView(pane: Rect, width: number, height: number): PaneView {
+  return { x: width / 2, y: height / 2, scale: Math.min(pane.width / width, pane.height / height) };
+}
+
+export const MAX_SCALE = 64;
+
+/** The view after zooming by `factor` about a canvas position, within sensible limits. */
+export function zoomed(pane: Rect, view: PaneView, factor: number, x: number, y: number, least: number): PaneView {
+  const scale = Math.min(MAX_SCALE, Math.max(least, view.scale * factor));
+  const [ix, iy] = toImage(transformOf(pane, view), x, y);
+  return {
+    scale,
+    x: ix - (x - pane.left - pane.width / 2) / scale,
+    y: iy - (y - pane.top - pane.height / 2) / scale,
+  };
+}
+
+/** Keeps the centre of the pane on the image. */
+export function clamped(view: PaneView, { width, height }: { width: number; height: number }): PaneView {
+  return { scale: view.scale, x: Math.min(width, Math.max(0, view.x)), y: Math.min(height, Math.max(0, view.y)) };
+}

@@ -1,0 +1,134 @@
+/** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
+import { isCurrent } from '../state/keys';
+import { leftIndexOf } from '../engine/runs';
+import { expectedPosition } from '../state/offset';
+import type { State } from '../state/state';
+import { contains, toCanvas, toImage } from './geometry';
+import type { Rect, Transform } from './geometry';
+import { drawPoints } from './marks';
+import { CANDIDATE, SELECTED } from './palette';
+import { paintPicture } from './picture';
+import type { Pane, Scene } from './scene';
+import type { TileCache } from './tilecache';
+
+/** Side of the magnifier in CSS px, and how much more it enlarges. */
+const LENS_SIDE = 176;
+const LENS_FACTOR = 4;
+const MOST_CANDIDATES_DRAWN = 200;
+
+function pointOf(pane: Pane, index: number): [number, number] | null {
+  const x = pane.points?.[3 * index];
+  const y = pane.points?.[3 * index + 1];
+  return x === undefined || y === undefined ? null : [x, y];
+}
+
+function within(context: CanvasRenderingContext2D, rect: Rect, draw: () => void): void {
+  context.save();
+  context.beginPath();
+  context.rect(rect.left, rect.top, rect.width, rect.height);
+  context.clip();
+  draw();
+  context.restore();
+}
+
+/** A ring with a dark edge, so that it shows on light and dark ground. */
+function ring(context: CanvasRenderingContext2D, pane: Pane, at: [number, number], radius: number, colour: string, width: number): void {
+  const [x, y] = toCanvas(pane.transform, at[0], at[1]);
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.lineWidth = width + 2;
+  context.strokeStyle = 'rgb(0 0 0 / 0.65)';
+  context.stroke();
+  context.lineWidth = width;
+  context.strokeStyle = colour;
+  context.stroke();
+}
+
+function square(context: CanvasRenderingContext2D, pane: Pane, [x, y]: [number, number], side: number, colour: string, dash: number[]): void {
+  const [left, top] = toCanvas(pane.transform, x - side / 2, y - side / 2);
+  context.setLineDash(dash);
+  context.lineWidth = 1.5;
+  context.strokeStyle = colour;
+  context.strokeRect(left, top, side * pane.transform.scale, side * pane.transform.scale);
+  context.setLineDash([]);
+}
+
+/** Draws the selection in both panes: the point, its moment window, its search window with all candidates, its best candidate. */
+export function drawSelection(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
+  const { selection, settings } = state;
+  if (selection === null || settings === null) return;
+  const own = scene.panes[selection.side];
+  const at = pointOf(own, selection.index);
+  if (at === null) return;
+  within(context, own.rect, () => {
+    square(context, own, at, settings.window.side, SELECTED, []);
+    ring(context, own, at, 9, SELECTED, 2.5);
+  });
+  if (scene.match === null) return;
+  const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
+  const leftAt = pointOf(scene.panes.left, leftIndex);
+  if (leftAt === null) return;
+  if (selection.side === 'right') within(context, scene.panes.left.rect, () => { ring(context, scene.panes.left, leftAt, 9, SELECTED, 2); });
+  drawCandidates(context, state, scene, leftAt, scene.match.best[leftIndex] ?? -1);
+}
+
+function drawCandidates(context: CanvasRenderingContext2D, state: State, scene: Scene, leftAt: [number, number], best: number): void {
+  const pane = scene.panes.right;
+  within(context, pane.rect, () => {
+    const field = state.results.offset?.value;
+    if (field !== undefined) square(context, pane, expectedPosition(field, leftAt), state.settings?.matching.search ?? 0, CANDIDATE, [5, 4]);
+    if (isCurrent(state, 'inspection')) {
+      const list = state.results.inspection?.value.candidates ?? new Float64Array();
+      for (let i = 0; i < Math.min(list.length / 2, MOST_CANDIDATES_DRAWN); i++) {
+        const at = pointOf(pane, list[2 * i] ?? -1);
+        if (at !== null) ring(context, pane, at, 4, CANDIDATE, 1.2);
+      }
+    }
+    const bestAt = pointOf(pane, best);
+    if (bestAt !== null) ring(context, pane, bestAt, 9, SELECTED, state.selection?.side === 'right' ? 2.5 : 2);
+  });
+}
+
+/** The magnifier at a canvas position: the image under the pointer, enlarged, with its points. */
+export function drawLens(
+  context: CanvasRenderingContext2D, state: State, scene: Scene, at: [number, number], ratio: number, tiles: TileCache, bounds: Rect,
+): void {
+  const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
+  if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
+  const [x, y] = toImage(pane.transform, at[0], at[1]);
+  const rect = lensRect(at, bounds);
+  const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
+  const transform: Transform = { scale, x: rect.left + rect.width / 2 - scale * x, y: rect.top + rect.height / 2 - scale * y };
+  const picture = pane.picture;
+  within(context, rect, () => {
+    context.fillStyle = '#000000';
+    context.fillRect(rect.left, rect.top, rect.width, rect.height);
+    paintPicture(context, picture, transform, rect, ratio, tiles);
+    drawPoints(context, state, pane, transform, rect);
+    crosshair(context, rect);
+  });
+  context.lineWidth = 2;
+  context.strokeStyle = SELECTED;
+  context.strokeRect(rect.left, rect.top, rect.width, rect.height);
+}
+
+/** Beside the pointer, on the canvas. */
+function lensRect([x, y]: [number, number], bounds: Rect): Rect {
+  const side = Math.min(LENS_SIDE, bounds.width, bounds.height);
+  const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
+  const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
+  return { left: Math.max(1, left), top: Math.max(1, top), width: side, height: side };
+}
+
+function crosshair(context: CanvasRenderingContext2D, rect: Rect): void {
+  const x = rect.left + rect.width / 2;
+  const y = rect.top + rect.height / 2;
+  context.beginPath();
+  for (const [ux, uy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+    context.moveTo(x + 6 * ux, y + 6 * uy);
+    context.lineTo(x + 18 * ux, y + 18 * uy);
+  }
+  context.lineWidth = 1;
+  context.strokeStyle = SELECTED;
+  context.stroke();
+}

@@ -1,0 +1,81 @@
+/** What the view shows, gathered from the state once a drawing. */
+import type { MatchResult, RelativeOrientation } from '../engine/wasm';
+import { residualVectors } from '../state/residuals';
+import { GROSS_ERROR, leftCodes, matchCodes, rightCodes, shownPair } from '../state/select';
+import { SIDES } from '../state/state';
+import type { Display, Side, State } from '../state/state';
+import { wantedKeys } from '../state/keys';
+import { fitView, panesOf, transformOf } from './geometry';
+import type { Rect, Transform } from './geometry';
+import type { Picture } from './picture';
+
+export interface Pane {
+  side: Side;
+  rect: Rect;
+  transform: Transform;
+  picture: Picture | null;
+  points: Float64Array | null;
+  /** One a point; see `palette.ts`. */
+  codes: Uint8Array;
+  vectors: Float64Array | null;
+}
+
+export interface Scene {
+  panes: Record<Side, Pane>;
+  match: MatchResult | null;
+  orientation: RelativeOrientation | null;
+  matchCodes: Uint8Array;
+}
+
+function pictureOf(state: State, side: Side): Picture | null {
+  const stage = side === 'left' ? 'openLeft' : 'openRight';
+  const image = state.images[side];
+  const opened = state.results[stage];
+  if (image === null || opened === undefined || opened.key !== wantedKeys(state)[stage]) return null;
+  const { info, overview } = opened.value;
+  return { imageId: image.id, width: info.width, height: info.height, overview };
+}
+
+/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
+export function sceneOf(state: State, width: number, height: number): Scene {
+  const rects = panesOf(width, height);
+  const shown = shownPair(state);
+  const codes = {
+    left: leftCodes(shown.left, shown.match, shown.orientation),
+    right: rightCodes(shown.right, shown.match, shown.orientation),
+  };
+  const pane = (side: Side): Pane => {
+    const picture = pictureOf(state, side);
+    const view = state.views[side] ?? (picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height));
+    const interior = state.results[side === 'left' ? 'interiorLeft' : 'interiorRight']?.value.interior;
+    const vectors =
+      shown.match !== null && shown.orientation !== null && interior !== undefined
+        ? residualVectors[side](shown.match, shown.orientation, interior)
+        : null;
+    return {
+      side, rect: rects[side], transform: transformOf(rects[side], view), picture,
+      points: picture === null ? null : shown[side], codes: codes[side], vectors,
+    };
+  };
+  return {
+    panes: { left: pane('left'), right: pane('right') },
+    match: shown.match,
+    orientation: shown.orientation,
+    matchCodes: matchCodes(shown.match, shown.orientation),
+  };
+}
+
+/** Codes of points that the layer settings show. */
+export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, code: number): boolean {
+  if (hidden.includes(code)) return false;
+  return points === 'all' || (points === 'matched' && (code === 0 || code === GROSS_ERROR));
+}
+
+/** The pane at a canvas position. */
+export function paneAt(scene: Scene, x: number, y: number): Pane | null {
+  for (const side of SIDES) {
+    const { rect } = scene.panes[side];
+    if (x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height) return scene.panes[side];
+  }
+  return null;
+}
