@@ -4,6 +4,7 @@
  * `npm test -- rust wasm build types command page`.
  */
 
+import { existsSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { cargoCounts, tapCounts } from './lib/counts.mjs';
 import { compareFolders } from './lib/compare.mjs';
@@ -12,7 +13,6 @@ import { must, run } from './lib/process.mjs';
 import { cargo, ensureBindgen, ensureToolchain, WASM_TARGET } from './lib/rust.mjs';
 import { ensureChromium, ensurePackages } from './lib/setup.mjs';
 import { Steps } from './lib/steps.mjs';
-import { existsSync, readdirSync } from 'node:fs';
 
 const GROUPS = ['rust', 'wasm', 'build', 'types', 'command', 'page'];
 
@@ -31,7 +31,7 @@ async function rustChecks(steps, toolchain) {
 
 /** Runs cargo's tests without their chatter; a failure shows all of it.  @param {Toolchain} toolchain @param {string[]} args @param {Record<string, string>} [env] */
 async function cargoTest(toolchain, args, env = {}) {
-  const { code, output } = await run(...cargo(toolchain, ['test', '--locked', ...args]), { env, quiet: true });
+  const { code, output } = await run(...cargo(toolchain, ['test', '--locked', '--no-fail-fast', ...args]), { env, quiet: true });
   console.log(code === 0 ? output.split('\n').filter((line) => /Running|Doc-tests|test result|skipped: /.test(line)).join('\n') : output);
   return cargoCounts(output, code);
 }

@@ -96,6 +96,7 @@ function resultOf(output, settings) {
     orientation_reason: output.orientation_reason,
     offset_px: output.offset.median_px,
     interior: output.interior,
+    pixel_mm: output.pixel_mm,
     settings,
   };
 }
@@ -110,13 +111,6 @@ function write(folder, output, result) {
   ];
 }
 
-/** The side of a left pixel: the root of the area that the interior orientation gives it.  @param {PairOutput['interior']} interior */
-function pixelMm(interior) {
-  if (!interior) return null;
-  const [[a, b], [d, e]] = interior.left.parameters;
-  return Math.sqrt(Math.abs(a * e - b * d));
-}
-
 /** @param {PairOutput} output @returns {string[]} */
 function describe(output) {
   const { matches, ...refused } = output.match.counts;
@@ -126,6 +120,6 @@ function describe(output) {
     table([['matches', matches], ...Object.entries(refused).map(([rule, count]) => [`refused: ${rule.replaceAll('_', ' ')}`, count])]),
     `offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`,
     '',
-    ...(output.orientation ? describeOrientation(output.orientation, pixelMm(output.interior)) : [`no orientation: ${output.orientation_reason}`]),
+    ...(output.orientation ? describeOrientation(output.orientation, output.pixel_mm) : [`no orientation: ${output.orientation_reason}`]),
   ];
 }

@@ -73,7 +73,9 @@ impl Kernel {
     pub fn raw_moments(&self, image: GreyView<'_>, col: usize, row: usize) -> Option<RawMoments> {
         let reach = self.side / 2;
         let (left, top) = (col.checked_sub(reach)?, row.checked_sub(reach)?);
-        if col + reach >= image.width() || row + reach >= image.height() {
+        // Compared without adding to what the caller gave, which may be the largest number there is.
+        let beyond = |place: usize, length: usize| length.checked_sub(reach).is_none_or(|end| place >= end);
+        if beyond(col, image.width()) || beyond(row, image.height()) {
             return None;
         }
         let rows = || self.rows.iter().enumerate().map(|(k, blocks)| (blocks, (top + k) * image.width() + left));
@@ -174,7 +176,7 @@ mod tests {
     fn a_window_that_leaves_the_image_has_none() {
         let image = textured(20, 12);
         let kernel = Kernel::new(11, WindowShape::Square);
-        for (col, row) in [(4, 6), (15, 6), (10, 4), (10, 7)] {
+        for (col, row) in [(4, 6), (15, 6), (10, 4), (10, 7), (usize::MAX, 6), (10, usize::MAX)] {
             assert_eq!(kernel.raw_moments(image.view(), col, row), None);
         }
         assert!(kernel.raw_moments(image.view(), 5, 5).is_some());

@@ -1,6 +1,6 @@
 //! Looking points up by position.
 
-/// Positions sorted into strips one pixel high and some pixels wide.
+/// Positions sorted into strips one pixel high and some pixels wide; larger ones where the positions lie far apart.
 pub(super) struct PositionIndex {
     /// Index of the point, x, y; by row, then strip, then the order they came in.
     entries: Vec<(u32, f64, f64)>,
@@ -9,10 +9,13 @@ pub(super) struct PositionIndex {
     strips: usize,
     top: f64,
     left: f64,
+    /// Width and height of a strip in px.
+    strip: [f64; 2],
 }
 
-/// Width of a strip in px.
-const STRIP: f64 = 16.0;
+/// Width and height of a strip in px, where not more than `MOST_STRIPS` are needed.
+const STRIP: [f64; 2] = [16.0, 1.0];
+const MOST_STRIPS: f64 = 4e6;
 
 impl PositionIndex {
     /// Takes points as index, x, y; positions are finite.
@@ -20,14 +23,18 @@ impl PositionIndex {
         let bounds = points.clone().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, (_, x, y)| {
             [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)]
         });
-        let mut index = Self { entries: Vec::new(), starts: vec![0, 0], strips: 1, top: 0.0, left: 0.0 };
+        let mut index = Self { entries: Vec::new(), starts: vec![0, 0], strips: 1, top: 0.0, left: 0.0, strip: STRIP };
         if bounds[2] < bounds[0] {
             return index;
         }
         (index.left, index.top) = (bounds[0].floor(), bounds[1].floor());
-        index.strips = ((bounds[2] - index.left) / STRIP) as usize + 1;
-        let rows = (bounds[3] - index.top) as usize + 1;
-        let cell = |x: f64, y: f64| (y - index.top) as usize * index.strips + ((x - index.left) / STRIP) as usize;
+        let needed = [(bounds[2] - index.left) / STRIP[0] + 1.0, (bounds[3] - index.top) / STRIP[1] + 1.0];
+        let enlarged = (needed[0] * needed[1] / MOST_STRIPS).max(1.0);
+        index.strip = STRIP.map(|side| side * enlarged);
+        index.strips = ((bounds[2] - index.left) / index.strip[0]) as usize + 1;
+        let rows = ((bounds[3] - index.top) / index.strip[1]) as usize + 1;
+        let cell =
+            |x: f64, y: f64| ((y - index.top) / index.strip[1]) as usize * index.strips + ((x - index.left) / index.strip[0]) as usize;
         let mut starts = vec![0u32; rows * index.strips + 1];
         points.clone().for_each(|(_, x, y)| starts[cell(x, y) + 1] += 1);
         (1..starts.len()).for_each(|k| starts[k] += starts[k - 1]);
@@ -45,9 +52,10 @@ impl PositionIndex {
     /// Gives the points with |x - `x`| and |y - `y`| up to `reach`, row by row.
     pub fn within(&self, x: f64, y: f64, reach: f64, mut visit: impl FnMut(usize)) {
         let rows = (self.starts.len() - 1) / self.strips;
-        let first_row = (y - reach - self.top).floor().max(0.0) as usize;
-        let first_strip = ((x - reach - self.left) / STRIP).floor().max(0.0) as usize;
-        let (last_row, last_strip) = ((y + reach - self.top).floor(), ((x + reach - self.left) / STRIP).floor());
+        let [width, height] = self.strip;
+        let first_row = ((y - reach - self.top) / height).floor().max(0.0) as usize;
+        let first_strip = ((x - reach - self.left) / width).floor().max(0.0) as usize;
+        let (last_row, last_strip) = (((y + reach - self.top) / height).floor(), ((x + reach - self.left) / width).floor());
         if !(last_row >= 0.0 && last_strip >= 0.0) || first_strip >= self.strips {
             return;
         }
@@ -81,6 +89,16 @@ mod tests {
                 points.iter().filter(|p| (p.1 - x).abs() <= reach && (p.2 - y).abs() <= reach).map(|p| p.0).collect();
             assert_eq!(found, expected);
         }
+    }
+
+    #[test]
+    fn positions_far_apart_need_no_large_index() {
+        let index = PositionIndex::new([(0, -1e6, -1e6), (1, 1e6, 1e6), (2, 1e6, 1e6 - 5.0)].into_iter());
+        assert!(index.starts.len() < 10_000_000);
+        let mut found = Vec::new();
+        index.within(1e6, 1e6, 6.0, |k| found.push(k));
+        found.sort_unstable();
+        assert_eq!(found, [1, 2]);
     }
 
     #[test]
