@@ -39,3 +39,8 @@ pub use points::{
 };
 pub use simulate::{Flight, SAMPLE_SEED, Sample, sample_pair, simulate};
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
+
+/// The README's example is compiled and run with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

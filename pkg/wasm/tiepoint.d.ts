@@ -301,7 +301,7 @@ export interface OrientationOptions {
      */
     seed: number;
     /**
-     * Photo base b in mm; absent: the median x-parallax.
+     * Photo base b in mm; absent: the median x-parallax of the accepted observations.
      */
     base_mm: number | null;
 }
@@ -736,12 +736,14 @@ export interface InitOutput {
     readonly sample_seed: () => number;
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly version: () => [number, number];
+    readonly wasm_bindgen__convert__closures_____invoke__hbbe8f98fbf88880a: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;
     readonly __wbindgen_exn_store: (a: number) => void;
     readonly __externref_table_alloc: () => number;
     readonly __wbindgen_externrefs: WebAssembly.Table;
+    readonly __wbindgen_destroy_closure: (a: number, b: number) => void;
     readonly __externref_table_dealloc: (a: number) => void;
     readonly __externref_drop_slice: (a: number, b: number) => void;
     readonly __wbindgen_start: () => void;

@@ -27,7 +27,7 @@ pub struct OrientationOptions {
     pub rejection: f64,
     /// Start of the random numbers.
     pub seed: u32,
-    /// Photo base b in mm; absent: the median x-parallax.
+    /// Photo base b in mm; absent: the median x-parallax of the accepted observations.
     pub base_mm: Option<f64>,
 }
 

@@ -5,6 +5,7 @@ use js_sys::{Float64Array, JSON, Object, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
+use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 
 /// What every call that can fail gives: an `Error` named `TiepointError` with `code` and `usage` on failure.
@@ -33,9 +34,14 @@ pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static st
     merged.map_err(|e| refused(what, &e))
 }
 
-/// The JSON form of a value: null where it has none, as `undefined`.
+/// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
+/// so read as absent, becomes its name and is refused.
 fn parsed(value: &JsValue) -> serde_json::Result<Value> {
-    let text = JSON::stringify(value).ok().and_then(|text| text.as_string());
+    let named = Closure::<dyn Fn(JsValue, JsValue) -> JsValue>::new(|_key, value: JsValue| match value.as_f64() {
+        Some(number) if !number.is_finite() => number.to_string().into(),
+        _ => value,
+    });
+    let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
     serde_json::from_str(text.as_deref().unwrap_or("null"))
 }
 
