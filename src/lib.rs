@@ -14,6 +14,7 @@ mod orientation;
 mod pair;
 mod parameters;
 mod points;
+mod report;
 mod simulate;
 mod tables;
 #[cfg(target_arch = "wasm32")]
@@ -27,17 +28,27 @@ pub use descriptors::{Brightness, Descriptor, Measure, WindowMoments, WindowOpti
 pub use error::Error;
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
-    Candidate, Denominator, Described, Match, MatchCounts, MatchOptions, MatchSet, OffsetField, Rule, Verdict, candidates_of,
-    estimate_offset, estimate_offset_of_reduced, match_points,
+    Candidate, Denominator, Described, EpipolarLines, Expectation, Fit, Match, MatchCounts, MatchImage, MatchOptions, MatchSet,
+    OffsetField, Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, match_images,
+    match_points,
 };
-pub use orientation::{FiveParameters, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, orient_relative};
-pub use pair::{PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_pair, observations, photo_interior};
-pub use parameters::{PARAMETERS, Parameter, ParameterKind};
+pub use orientation::{
+    ErrorEllipse, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics, RelativeOrientation,
+    SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
+};
+pub use pair::{
+    PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
+    orient_matches, photo_interior,
+};
+pub use parameters::{FLIGHT_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, Operator, PointCounts, PointOptions, PointSet, Selection, Ties, detect, forstner, ground1,
     ground2, moravec, suppress_non_maxima,
 };
-pub use simulate::{Flight, SAMPLE_SEED, Sample, sample_pair, simulate};
+pub use report::{Report, ReportImage, ReportTruth};
+pub use simulate::{
+    DenseTruth, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, sample_pair, score_matches, simulate,
+};
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 
 /// The README's example is compiled and run with the tests.

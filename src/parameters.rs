@@ -126,11 +126,25 @@ pub const PARAMETERS: &[Parameter] = &[
         "How grey values become weights: sum and range do not change with gain and offset; unit is grey / 255.",
     ),
     parameter(
-        "matching.measure",
-        "Measure",
+        "matching.strategy",
+        "Strategy",
         "",
-        choice(&["dm", "di"]),
-        "DM compares the seven normalised moments; DI the seven rotation invariants, for rotated images.",
+        choice(&["moments", "invariants", "correlation", "least-squares"]),
+        "Moments and invariants compare interest points of both images; invariants also where these are rotated. Correlation and least squares compare grey values and find a place between pixels.",
+    ),
+    parameter(
+        "matching.refine",
+        "Refinement",
+        "",
+        choice(&["none", "least-squares"]),
+        "Least squares matching moves each right position to a hundredth of a pixel and refuses what does not fit.",
+    ),
+    parameter(
+        "matching.epipolar",
+        "Along epipolar lines",
+        "",
+        ParameterKind::Flag,
+        "Once the pair is oriented, matches again near the epipolar lines, until nothing changes. Needs a camera.",
     ),
     parameter(
         "matching.denominator",
@@ -175,6 +189,34 @@ pub const PARAMETERS: &[Parameter] = &[
         "Least deviation from the neighbours' median y-parallax that is refused; where the neighbours scatter more, 3 times their scatter.",
     ),
     parameter(
+        "matching.template",
+        "Correlation window",
+        "px",
+        odd(5.0, 63.0),
+        "Side of the window whose grey values are compared by correlation and least squares matching.",
+    ),
+    parameter(
+        "matching.min_correlation",
+        "Least correlation",
+        "",
+        real(-1.0, 1.0),
+        "A match by grey values with a lower correlation coefficient is refused.",
+    ),
+    parameter(
+        "matching.left_right",
+        "Left-right check",
+        "",
+        ParameterKind::Flag,
+        "Correlation: the window found must correlate best with the left point it came from.",
+    ),
+    parameter(
+        "matching.max_standard_error",
+        "Largest standard error",
+        "px",
+        real(0.001, 10.0),
+        "Least squares matching: a match whose right position is less precise is refused, as on an edge along which it can slide.",
+    ),
+    parameter(
         "orientation.method",
         "Method",
         "",
@@ -189,11 +231,32 @@ pub const PARAMETERS: &[Parameter] = &[
         "Start from the consensus of minimal samples and reject gross errors. Without it one blunder can carry the solution away.",
     ),
     parameter(
-        "orientation.rejection",
-        "Rejection limit",
+        "orientation.alpha0",
+        "Significance α₀",
         "",
-        real(2.0, 10.0),
-        "Matches whose standardised residual exceeds this are rejected. 3.29 rejects one good match in a thousand (Baarda).",
+        real(0.000001, 0.2),
+        "Data snooping: the share of good matches that is rejected by mistake. 0.001 rejects beyond 3.29 standard errors (Baarda).",
+    ),
+    parameter(
+        "orientation.beta0",
+        "Power β₀",
+        "",
+        real(0.5, 0.999),
+        "The probability with which a blunder of the minimal detectable size is found; it sets that size.",
+    ),
+    parameter(
+        "orientation.weighting",
+        "Robust weights",
+        "",
+        choice(&["none", "huber", "danish"]),
+        "Weighs matches with large residuals down, beside the rejection.",
+    ),
+    parameter(
+        "orientation.sigma0_mm",
+        "σ₀ a priori",
+        "mm",
+        real(0.0000001, 100.0),
+        "Standard error of a photo coordinate that is known beforehand: standard errors and tests use it, and a global test compares it with the residuals. Matches are rejected by it, or by the estimated one where that is larger. Empty: estimated.",
     ),
     parameter(
         "orientation.seed",
@@ -211,6 +274,104 @@ pub const PARAMETERS: &[Parameter] = &[
     ),
 ];
 
+/// The parameters of a simulated flight, in the order in which a panel shows them.
+pub const FLIGHT_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "flight.seed",
+        "Seed",
+        "",
+        integer(0.0, 4294967295.0),
+        "Everything random follows from it: the same seed gives the same pair.",
+    ),
+    parameter("flight.focal_mm", "Principal distance", "mm", real(10.0, 1000.0), "Of the camera."),
+    parameter("flight.principal_x_mm", "Principal point x", "mm", real(-1.0, 1.0), "In the system of the fiducial marks."),
+    parameter("flight.principal_y_mm", "Principal point y", "mm", real(-1.0, 1.0), "In the system of the fiducial marks."),
+    parameter(
+        "flight.distortion",
+        "Radial distortion k₁",
+        "mm⁻²",
+        real(-0.000001, 0.000001),
+        "Corrected coordinates are measured ones times 1 + k₁ r². 0.0000001 moves a corner of the frame by some 0.3 mm.",
+    ),
+    parameter("flight.pixel_mm", "Pixel", "mm", real(0.005, 1.0), "Side of a pixel of the scan."),
+    parameter(
+        "flight.width_px",
+        "Columns",
+        "px",
+        integer(16.0, 4000.0),
+        "Of the patches that are cut from the scans; the overlap limits it.",
+    ),
+    parameter("flight.height_px", "Rows", "px", integer(16.0, 4000.0), "Of the patches; the frame limits it."),
+    parameter("flight.flying_height_m", "Flying height", "m", real(50.0, 5000.0), "Of the left photo above the mean ground."),
+    parameter("flight.base_mm", "Photo base", "mm", real(0.0, 200.0), "Base component b at photo scale; the frame has 230 mm."),
+    parameter("flight.omega_deg", "ω", "°", real(-10.0, 10.0), "Rotation of the right photo about x, against the left one."),
+    parameter("flight.phi_deg", "φ", "°", real(-10.0, 10.0), "Rotation of the right photo about y."),
+    parameter("flight.kappa_deg", "κ", "°", real(-10.0, 10.0), "Rotation of the right photo about z."),
+    parameter("flight.by_mm", "by", "mm", real(-20.0, 20.0), "Base component across the flight, at photo scale."),
+    parameter("flight.bz_mm", "bz", "mm", real(-20.0, 20.0), "Base component upwards, at photo scale."),
+    parameter("flight.left_omega_deg", "Left ω", "°", real(-10.0, 10.0), "Tilt of the left photo against the ground."),
+    parameter("flight.left_phi_deg", "Left φ", "°", real(-10.0, 10.0), "Tilt of the left photo against the ground."),
+    parameter("flight.left_kappa_deg", "Left κ", "°", real(-10.0, 10.0), "Turn of the left photo against the flight line."),
+    parameter("flight.relief_m", "Relief", "m", real(0.0, 500.0), "Range of the terrain's heights, up to a tenth of the flying height."),
+    parameter("flight.buildings", "Buildings", "", integer(0.0, 50000.0), "Fewer stand where there are fewer lots."),
+    parameter("flight.lowest_building_m", "Lowest building", "m", real(2.0, 500.0), "Height of the lowest eaves above ground."),
+    parameter(
+        "flight.highest_building_m",
+        "Highest building",
+        "m",
+        real(2.0, 500.0),
+        "Height of the highest eaves, up to a tenth of the flying height.",
+    ),
+    parameter("flight.trees", "Trees", "", integer(0.0, 50000.0), "A few less stand, since none grows in a house, a street or the river."),
+    parameter(
+        "flight.river_m",
+        "River",
+        "m",
+        real(0.0, 200.0),
+        "Width of a river through the town; its surface looks different in each exposure. 0: none.",
+    ),
+    parameter(
+        "flight.driven_m",
+        "Cars drive",
+        "m",
+        real(0.0, 100.0),
+        "Way that cars in the lanes drive between the exposures. 0: they stand.",
+    ),
+    parameter(
+        "flight.psf_px",
+        "Point spread",
+        "px",
+        real(0.0, 1.0),
+        "Standard deviation of the lens's point spread; the pixel's own square comes on top.",
+    ),
+    parameter(
+        "flight.right_blur_px",
+        "Blur of the right image",
+        "px",
+        real(0.0, 1.0),
+        "Standard deviation of a blur beside the point spread.",
+    ),
+    parameter("flight.noise_grey", "Noise", "grey values", real(0.0, 50.0), "Standard deviation of independent noise in both images."),
+    parameter(
+        "flight.grain_grey",
+        "Film grain",
+        "grey values",
+        real(0.0, 50.0),
+        "Standard deviation of noise that neighbouring pixels share.",
+    ),
+    parameter("flight.grain_px", "Grain size", "px", real(0.3, 5.0), "Standard deviation of the grain's spread."),
+    parameter(
+        "flight.gain",
+        "Gain",
+        "",
+        real(0.1, 10.0),
+        "Grey values of the right image: those of the scene times the gain, plus the offset.",
+    ),
+    parameter("flight.offset_grey", "Offset", "grey values", real(-200.0, 200.0), "Of the right image."),
+    parameter("flight.haze", "Haze", "", real(0.0, 0.9), "Share of the light that is haze of a uniform grey of 190 in both images."),
+    parameter("flight.fiducial_noise_px", "Fiducial noise", "px", real(0.0, 10.0), "Standard deviation of a measured fiducial coordinate."),
+];
+
 /// Finds a parameter by its key.
 pub(crate) fn parameter_of(key: &str) -> &'static Parameter {
     PARAMETERS.iter().find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
@@ -218,15 +379,20 @@ pub(crate) fn parameter_of(key: &str) -> &'static Parameter {
 
 /// Refuses a number outside the range of its parameter.
 pub(crate) fn check(key: &'static str, value: f64) -> Result<(), Error> {
-    let (within, allowed) = match parameter_of(key).kind {
+    check_by(parameter_of(key), value)
+}
+
+/// As [`check`], for a parameter at hand.
+pub(crate) fn check_by(parameter: &'static Parameter, value: f64) -> Result<(), Error> {
+    let (within, allowed) = match parameter.kind {
         ParameterKind::Integer { min, max, odd } => {
             let whole = value.fract() == 0.0 && value >= min && value <= max;
             (whole && (!odd || value % 2.0 == 1.0), format!("{}whole numbers from {min} to {max}", if odd { "odd " } else { "" }))
         }
         ParameterKind::Real { min, max } => (value >= min && value <= max, format!("{min} to {max}")),
-        ParameterKind::Choice { .. } | ParameterKind::Flag => unreachable!("{key} is no number"),
+        ParameterKind::Choice { .. } | ParameterKind::Flag => unreachable!("{} is no number", parameter.key),
     };
-    if within { Ok(()) } else { Err(refuse(key, value, allowed)) }
+    if within { Ok(()) } else { Err(refuse(parameter.key, value, allowed)) }
 }
 
 /// The error of an option outside its range.

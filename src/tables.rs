@@ -21,7 +21,7 @@ pub fn parse_fiducials(csv: &str) -> Result<Vec<Fiducial>, Error> {
 /// [`Error::InvalidInput`], naming the line and the column.
 pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
     let rows = read_table("the table of observations", csv, ["x_left_mm", "y_left_mm", "x_right_mm", "y_right_mm"])?;
-    Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation { left: [xl, yl], right: [xr, yr] }).collect())
+    Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation::new([xl, yl], [xr, yr])).collect())
 }
 
 /// Reads a camera: `{"focal_mm": 153.38, "principal_point_mm": [0, 0], "pixel_mm": 0.01, "radial_distortion": [0, 0, 0]}`, all but the first
@@ -152,7 +152,7 @@ mod tests {
     #[test]
     fn semicolons_separate_where_the_first_line_has_them() {
         let read = parse_observations("x_left_mm;y_left_mm;x_right_mm;y_right_mm\n1;2;-3;4e-1\n;;;\n").unwrap();
-        assert_eq!(read, [Observation { left: [1.0, 2.0], right: [-3.0, 0.4] }]);
+        assert_eq!(read, [Observation::new([1.0, 2.0], [-3.0, 0.4])]);
     }
 
     #[test]

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 13] = [
+const ORDER: [&str; 14] = [
     "error",
     "parameters",
     "math",
@@ -18,6 +18,7 @@ const ORDER: [&str; 13] = [
     "pair",
     "tables",
     "simulate",
+    "report",
     "wasm",
 ];
 

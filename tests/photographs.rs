@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
-    Camera, DecodeLimits, Decoded, Error, Fiducial, FiducialModel, PairImage, PairInput, PairResult, PairSettings, PointOptions,
-    RelativeOrientation, decode, match_pair, orient_fiducials, rotation_from_angles,
+    Camera, DecodeLimits, Decoded, Error, Fiducial, FiducialModel, MatchOptions, PairImage, PairInput, PairResult, PairSettings,
+    PointOptions, RelativeOrientation, Strategy, Weakness, decode, match_pair, orient_fiducials, rotation_from_angles,
 };
 
 fn folder(name: &str) -> Option<PathBuf> {
@@ -81,13 +81,32 @@ fn a_drone_pair_of_12_mp_is_oriented_with_nothing_given() {
 }
 
 #[test]
+fn a_camera_that_only_turned_is_flagged() {
+    let Some(folder) = folder("degenerate_rotation_arches") else { return };
+    let (left, right) = (image(&folder, "JDW_9518.jpg"), image(&folder, "JDW_9519.jpg"));
+    let camera = Camera { focal_mm: 30.0, principal_point_mm: [0.0, 0.0], pixel_mm: Some(0.025), radial_distortion: [0.0; 3] };
+    let input = PairInput { camera: Some(camera), ..PairInput::default() };
+    for strategy in [Strategy::Moments, Strategy::Correlation, Strategy::LeastSquares] {
+        let mut settings = PairSettings::default();
+        settings.matching = MatchOptions { strategy, search: 61, ..settings.matching };
+        let [one, two] = [&left, &right].map(|decoded| PairImage { grey: decoded.grey.view(), exif: None });
+        let result = match_pair(one, two, &input, &settings).unwrap();
+        assert!(result.matching.matches.len() > 300);
+        match result.orientation {
+            Ok(o) => assert!(o.weaknesses.contains(&Weakness::Rotation), "{strategy:?}: {} mm", o.parallax_beside_rotation_mm),
+            Err(reason) => assert!(reason.contains("rotation"), "{reason}"),
+        }
+    }
+}
+
+#[test]
 fn images_of_16_bits_give_points_and_matches() {
     let Some(folder) = folder("tiff16_multispectral_garfield") else { return };
     let (left, right) = (image(&folder, "IMG_161122_163239_0001_GRE.TIF"), image(&folder, "IMG_161122_164150_0091_GRE_deflate.tif"));
     assert_eq!((left.bits_per_sample, right.bits_per_sample), (16, 16));
     let itself = run(&left, &left, &PairInput { offset: Some([0.0, 0.0]), ..PairInput::default() }, PointOptions::default()).unwrap();
     assert!(itself.left.points.len() > 1000);
-    assert!(itself.matching.matches.iter().all(|m| m.left == m.right && m.measure == 0.0));
+    assert!(itself.matching.matches.iter().all(|m| m.right == Some(m.left) && m.measure == 0.0));
     // Without parallax there is nothing to orient, and that is said.
     assert!(itself.orientation.is_err_and(|reason| reason.contains("not determined")));
     // Turned by 27 deg against each other, which is beyond this strategy: it must end well all the same.

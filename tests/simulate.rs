@@ -5,22 +5,24 @@ use tiepoint::{Error, Fiducial, Flight, GreyImage, SAMPLE_SEED, Sample, rotation
 
 /// A small flight over high buildings and hills with strong tilts, whose marks are measured without error.
 fn rough() -> Flight {
-    let mut flight = Flight {
+    Flight {
         width_px: 160,
         height_px: 140,
-        left_tilts_deg: [3.0, -2.0, 5.0],
+        left_omega_deg: 3.0,
+        left_phi_deg: -2.0,
+        left_kappa_deg: 5.0,
         relief_m: 25.0,
-        building_heights_m: [4.0, 40.0],
+        lowest_building_m: 4.0,
+        highest_building_m: 40.0,
         fiducial_noise_px: 0.0,
+        omega_deg: -2.0,
+        phi_deg: 3.0,
+        kappa_deg: -4.0,
+        by_mm: -5.0,
+        bz_mm: 3.0,
         seed: 3,
         ..Flight::default()
-    };
-    flight.orientation.omega_deg = -2.0;
-    flight.orientation.phi_deg = 3.0;
-    flight.orientation.kappa_deg = -4.0;
-    flight.orientation.by_mm = -5.0;
-    flight.orientation.bz_mm = 3.0;
-    flight
+    }
 }
 
 /// A photo's geometry as the sample tells it.
@@ -107,7 +109,7 @@ fn level_ground_is_seen_where_central_projection_puts_it() {
     let sample = simulate(&flight).unwrap();
     let ([left, right], focal) = (Geometry::both(&sample), sample.camera.focal_mm);
     // Model system: left photo's axes, mm at photo scale. The ground is a plane, at the focal length below the left centre.
-    let up = rotation(flight.left_tilts_deg) * Vector3::z();
+    let up = rotation([flight.left_omega_deg, flight.left_phi_deg, flight.left_kappa_deg]) * Vector3::z();
     let (width, height) = (flight.width_px as f64, flight.height_px as f64);
     let mut seen = 0;
     for (index, truth) in sample.right_position.iter().enumerate() {
@@ -130,7 +132,15 @@ fn level_ground_is_seen_where_central_projection_puts_it() {
 #[test]
 fn the_higher_the_buildings_the_more_is_hidden() {
     let share = |buildings, highest| {
-        let flight = Flight { buildings, building_heights_m: [3.0, highest], trees: 0, width_px: 200, height_px: 200, ..Flight::default() };
+        let flight = Flight {
+            buildings,
+            lowest_building_m: 3.0,
+            highest_building_m: highest,
+            trees: 0,
+            width_px: 200,
+            height_px: 200,
+            ..Flight::default()
+        };
         hidden(&simulate(&flight).unwrap()) as f64 / 40_000.0
     };
     let (none, low, high) = (share(0, 3.0), share(1300, 10.0), share(1300, 40.0));
@@ -139,8 +149,7 @@ fn the_higher_the_buildings_the_more_is_hidden() {
 
 #[test]
 fn from_the_same_place_nothing_hides_anything() {
-    let mut flight = Flight { base_mm: 0.0, ..rough() };
-    (flight.orientation.by_mm, flight.orientation.bz_mm) = (0.0, 0.0);
+    let flight = Flight { base_mm: 0.0, by_mm: 0.0, bz_mm: 0.0, ..rough() };
     let sample = simulate(&flight).unwrap();
     let ([left, right], focal) = (Geometry::both(&sample), sample.camera.focal_mm);
     for (index, truth) in sample.right_position.iter().enumerate() {
@@ -285,20 +294,20 @@ type Spoil = fn(&mut Flight, f64);
 fn what_is_out_of_range_is_refused_by_name() {
     let spoils: [(&str, f64, Spoil); 21] = [
         ("flight.focal_mm", 9.0, |flight, bad| flight.focal_mm = bad),
-        ("flight.principal_point_mm", 2.0, |flight, bad| flight.principal_point_mm[1] = bad),
+        ("flight.principal_y_mm", 2.0, |flight, bad| flight.principal_y_mm = bad),
         ("flight.pixel_mm", 0.0, |flight, bad| flight.pixel_mm = bad),
         ("flight.flying_height_m", -830.0, |flight, bad| flight.flying_height_m = bad),
         ("flight.base_mm", 201.0, |flight, bad| flight.base_mm = bad),
-        ("flight.orientation.omega_deg", 11.0, |flight, bad| flight.orientation.omega_deg = bad),
-        ("flight.orientation.phi_deg", -11.0, |flight, bad| flight.orientation.phi_deg = bad),
-        ("flight.orientation.kappa_deg", 180.0, |flight, bad| flight.orientation.kappa_deg = bad),
-        ("flight.orientation.by_mm", 21.0, |flight, bad| flight.orientation.by_mm = bad),
-        ("flight.orientation.bz_mm", -21.0, |flight, bad| flight.orientation.bz_mm = bad),
-        ("flight.left_tilts_deg", 11.0, |flight, bad| flight.left_tilts_deg[2] = bad),
+        ("flight.omega_deg", 11.0, |flight, bad| flight.omega_deg = bad),
+        ("flight.phi_deg", -11.0, |flight, bad| flight.phi_deg = bad),
+        ("flight.kappa_deg", 180.0, |flight, bad| flight.kappa_deg = bad),
+        ("flight.by_mm", 21.0, |flight, bad| flight.by_mm = bad),
+        ("flight.bz_mm", -21.0, |flight, bad| flight.bz_mm = bad),
+        ("flight.left_kappa_deg", 11.0, |flight, bad| flight.left_kappa_deg = bad),
         ("flight.relief_m", 84.0, |flight, bad| flight.relief_m = bad),
-        ("flight.building_heights_m[0]", 1.0, |flight, bad| flight.building_heights_m[0] = bad),
-        ("flight.building_heights_m[1]", 3.0, |flight, bad| flight.building_heights_m[1] = bad),
-        ("flight.building_heights_m[1]", 84.0, |flight, bad| flight.building_heights_m[1] = bad),
+        ("flight.lowest_building_m", 1.0, |flight, bad| flight.lowest_building_m = bad),
+        ("flight.highest_building_m", 3.0, |flight, bad| flight.highest_building_m = bad),
+        ("flight.highest_building_m", 84.0, |flight, bad| flight.highest_building_m = bad),
         ("flight.psf_px", -0.1, |flight, bad| flight.psf_px = bad),
         ("flight.noise_grey", 51.0, |flight, bad| flight.noise_grey = bad),
         ("flight.gain", 0.0, |flight, bad| flight.gain = bad),
@@ -330,7 +339,15 @@ fn what_cannot_be_flown_is_refused_by_name() {
     refused(&Flight { trees: 50_001, ..rough() }, "flight.trees");
     refused(&Flight { flying_height_m: 5000.0, ..Flight::default() }, "flight.flying_height_m");
     refused(
-        &Flight { focal_mm: 15.0, height_px: 880, flying_height_m: 60.0, relief_m: 1.0, building_heights_m: [2.0, 3.0], ..rough() },
+        &Flight {
+            focal_mm: 15.0,
+            height_px: 880,
+            flying_height_m: 60.0,
+            relief_m: 1.0,
+            lowest_building_m: 2.0,
+            highest_building_m: 3.0,
+            ..rough()
+        },
         "flight.focal_mm",
     );
 }
@@ -343,11 +360,98 @@ fn the_ends_of_the_ranges_can_be_flown() {
         Flight { buildings: 0, trees: 0, relief_m: 0.0, ..small() },
         Flight { buildings: 50_000, trees: 50_000, ..small() },
         Flight { noise_grey: 50.0, gain: 10.0, offset_grey: -200.0, psf_px: 1.0, fiducial_noise_px: 10.0, ..small() },
-        Flight { psf_px: 0.0, left_tilts_deg: [10.0, -10.0, 10.0], relief_m: 83.0, building_heights_m: [2.0, 83.0], ..small() },
+        Flight {
+            psf_px: 0.0,
+            left_omega_deg: 10.0,
+            left_phi_deg: -10.0,
+            left_kappa_deg: 10.0,
+            relief_m: 83.0,
+            lowest_building_m: 2.0,
+            highest_building_m: 83.0,
+            ..small()
+        },
         Flight { base_mm: 200.0, focal_mm: 1000.0, ..small() },
         Flight { flying_height_m: 5000.0, pixel_mm: 0.01, seed: u32::MAX, ..small() },
     ] {
         let sample = simulate(&flight).unwrap_or_else(|error| panic!("{flight:?}: {error}"));
         assert_eq!(sample.right_position.len(), flight.width_px * flight.height_px);
     }
+}
+
+#[test]
+fn distortion_is_that_of_the_camera() {
+    let plain = Flight { fiducial_noise_px: 0.0, ..rough() };
+    let bent = Flight { distortion: 3e-7, ..plain.clone() };
+    let [plain, bent] = [plain, bent].map(|flight| simulate(&flight).unwrap());
+    assert_ne!(plain.left, bent.left);
+    let ([left, right], focal) = (Geometry::both(&bent), bent.camera.focal_mm);
+    let ideal = |ray: Vector3<f64>| {
+        let factor = 1.0 + 3e-7 * (ray.x * ray.x + ray.y * ray.y);
+        Vector3::new(ray.x * factor, ray.y * factor, ray.z)
+    };
+    let volume = |col: usize, row: usize, [x, y]: [f64; 2], corrected: bool, dy: f64| {
+        let rays = [left.direction(col as f64 + 0.5, row as f64 + 0.5, focal), right.direction(x, y + dy, focal)];
+        let [a, b] = rays.map(|ray| if corrected { ideal(ray) } else { ray });
+        base_mm(&bent).dot(&a.cross(&(right_rotation(&bent).transpose() * b)))
+    };
+    let parallax = |corrected: bool| {
+        let px = |(col, row, seen)| {
+            let per_px = volume(col, row, seen, corrected, 0.5) - volume(col, row, seen, corrected, -0.5);
+            (volume(col, row, seen, corrected, 0.0) / per_px).abs()
+        };
+        pairs(&bent).map(px).fold(0.0, f64::max)
+    };
+    assert!(parallax(true) < 1e-3 && parallax(false) > 0.05, "y-parallax {} px corrected, {} px not", parallax(true), parallax(false));
+    assert_eq!(bent.camera.radial_distortion, [3e-7, 0.0, 0.0]);
+}
+
+#[test]
+fn moving_cars_are_at_other_places_and_in_no_truth() {
+    let still =
+        Flight { noise_grey: 0.0, trees: 0, buildings: 0, base_mm: 0.0, by_mm: 0.0, bz_mm: 0.0, gain: 1.0, offset_grey: 0.0, ..rough() };
+    let [still, moved] = [0.0, 9.0].map(|driven_m| simulate(&Flight { driven_m, ..still.clone() }).unwrap());
+    assert_eq!(still.left, moved.left, "the first exposure knows nothing of the way");
+    assert_ne!(still.right, moved.right);
+    let covered = hidden(&moved) - hidden(&still);
+    assert!((50..3000).contains(&covered), "{covered} px under cars");
+    // Where the truth stands, the right image shows the same as if no car had moved.
+    let (mut same, mut all) = (0, 0);
+    for (_, _, [x, y]) in pairs(&moved).filter(|(_, _, [x, y])| *x > 2.0 && *y > 2.0 && *x < 157.0 && *y < 137.0) {
+        same += usize::from((grey(&still.right, x, y) - grey(&moved.right, x, y)).abs() < 12.0);
+        all += 1;
+    }
+    assert!(same as f64 > 0.99 * all as f64, "{same} of {all}");
+}
+
+#[test]
+fn water_looks_different_in_each_exposure() {
+    let dry =
+        Flight { noise_grey: 0.0, trees: 0, buildings: 0, base_mm: 0.0, by_mm: 0.0, bz_mm: 0.0, gain: 1.0, offset_grey: 0.0, ..rough() };
+    let differing = |river_m| {
+        let sample = simulate(&Flight { river_m, ..dry.clone() }).unwrap();
+        let inner = pairs(&sample).filter(|(_, _, [x, y])| *x > 2.0 && *y > 2.0 && *x < 157.0 && *y < 137.0);
+        let differs = |(col, row, [x, y]): (usize, usize, [f64; 2])| {
+            (f64::from(sample.left.view().at(col, row)) - grey(&sample.right, x, y)).abs() > 8.0
+        };
+        let (mut count, mut all) = (0, 0);
+        inner.for_each(|pair| {
+            count += usize::from(differs(pair));
+            all += 1;
+        });
+        count as f64 / all as f64
+    };
+    let (without, with) = (differing(0.0), differing(60.0));
+    assert!(with > without + 0.03, "{without} of the pixels differ without, {with} with a river");
+}
+
+#[test]
+fn haze_takes_contrast_and_gives_brightness() {
+    let spread = |haze| {
+        let sample = simulate(&Flight { haze, noise_grey: 0.0, ..rough() }).unwrap();
+        let data: Vec<f64> = sample.left.data().iter().map(|v| f64::from(*v)).collect();
+        let mean = data.iter().sum::<f64>() / data.len() as f64;
+        (mean, (data.iter().map(|v| (v - mean) * (v - mean)).sum::<f64>() / data.len() as f64).sqrt())
+    };
+    let ((clear_mean, clear), (hazy_mean, hazy)) = (spread(0.0), spread(0.5));
+    assert!((hazy / clear - 0.5).abs() < 0.03 && hazy_mean > clear_mean, "contrast {clear} became {hazy}");
 }

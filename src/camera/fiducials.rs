@@ -44,6 +44,9 @@ pub struct FiducialOrientation {
     pub degrees_of_freedom: usize,
     /// Standard errors of `parameters`; absent without redundancy.
     pub standard_errors: Option<[[f64; 3]; 2]>,
+    /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent without redundancy and for a
+    /// similarity, whose rows are not independent.
+    pub covariance: Option<[[f64; 3]; 3]>,
 }
 
 impl FiducialModel {
@@ -83,8 +86,12 @@ pub fn orient_fiducials(fiducials: &[Fiducial], model: FiducialModel) -> Result<
     let degrees_of_freedom = 2 * fiducials.len() - unknowns;
     let sum: f64 = residuals_mm.iter().map(|[x, y]| x * x + y * y).sum();
     let sigma0_mm = (degrees_of_freedom > 0).then(|| (sum / degrees_of_freedom as f64).sqrt());
-    let standard_errors = sigma0_mm.map(|sigma| centred.standard_errors(&solution.cofactors, sigma));
-    Ok(FiducialOrientation { model, parameters, residuals_mm, sigma0_mm, degrees_of_freedom, standard_errors })
+    let cofactors = centred.cofactors(&solution.cofactors);
+    let of_row = |sigma: f64| [0, 1, 2].map(|k| sigma * cofactors[k][k].sqrt());
+    // In a similarity the second row has the same two coefficients, whose cofactors are equal.
+    let standard_errors = sigma0_mm.map(|sigma| [of_row(sigma); 2]);
+    let covariance = sigma0_mm.filter(|_| model == FiducialModel::Affine).map(|sigma| cofactors.map(|row| row.map(|q| sigma * sigma * q)));
+    Ok(FiducialOrientation { model, parameters, residuals_mm, sigma0_mm, degrees_of_freedom, standard_errors, covariance })
 }
 
 /// A mark relative to the centroids; the centring keeps the normal equations well conditioned and splits off the shifts.
@@ -164,12 +171,12 @@ impl Centred {
         [[a, b, x - a * col - b * row], [d, e, y - d * col - e * row]]
     }
 
-    fn standard_errors(&self, [aa, ab, bb]: &[f64; 3], sigma: f64) -> [[f64; 3]; 2] {
+    /// Cofactors of the two coefficients and the shift of a row, the shift being that of uncentred coordinates.
+    fn cofactors(&self, [aa, ab, bb]: &[f64; 3]) -> [[f64; 3]; 3] {
         let [col, row, ..] = self.centre;
-        let shift = 1.0 / self.marks.len() as f64 + aa * col * col + 2.0 * ab * col * row + bb * row * row;
-        let of_x = [sigma * aa.sqrt(), sigma * bb.sqrt(), sigma * shift.sqrt()];
-        // In a similarity the second row has the same two coefficients, whose cofactors are equal.
-        [of_x, of_x]
+        let (at, bt) = (-aa * col - ab * row, -ab * col - bb * row);
+        let tt = 1.0 / self.marks.len() as f64 + aa * col * col + 2.0 * ab * col * row + bb * row * row;
+        [[*aa, *ab, at], [*ab, *bb, bt], [at, bt, tt]]
     }
 }
 

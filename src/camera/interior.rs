@@ -3,6 +3,7 @@
 use super::{ExifCamera, FiducialOrientation};
 use crate::Error;
 use crate::parameters::refuse;
+use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
 /// The constants of a camera.
@@ -68,6 +69,9 @@ pub struct Interior {
     pub principal_point_mm: [f64; 2],
     /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
     pub radial_distortion: [f64; 3],
+    /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
+    #[serde(default)]
+    pub covariance: Option<[[f64; 3]; 3]>,
 }
 
 impl Interior {
@@ -84,7 +88,8 @@ impl Interior {
             return Err(refuse("origin", format!("{origin:?}"), "two numbers of px from -10000000 to 10000000"));
         }
         let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
-        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion })
+        let covariance = marks.covariance.map(|covariance| moved_to(&covariance, origin));
+        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion, covariance })
     }
 
     /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
@@ -97,7 +102,8 @@ impl Interior {
         let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
-        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion })
+        let (principal_point_mm, radial_distortion) = (camera.principal_point_mm, camera.radial_distortion);
+        Ok(Self { parameters, principal_point_mm, radial_distortion, covariance: None })
     }
 
     /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times
@@ -125,6 +131,7 @@ impl Interior {
             parameters: self.parameters.map(|row| row.map(|v| v * factor)),
             principal_point_mm: self.principal_point_mm.map(|v| v * factor),
             radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
+            covariance: self.covariance.map(|rows| rows.map(|row| row.map(|v| v * f2))),
         }
     }
 
@@ -133,6 +140,13 @@ impl Interior {
         let [[a, b, _], [d, e, _]] = self.parameters;
         (a * e - b * d).abs().sqrt()
     }
+}
+
+/// The covariance of a, b and t + a·origin₀ + b·origin₁ from that of a, b and t.
+fn moved_to(covariance: &[[f64; 3]; 3], [col, row]: [f64; 2]) -> [[f64; 3]; 3] {
+    let jacobian = Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, col, row, 1.0);
+    let moved = jacobian * Matrix3::from_fn(|i, j| covariance[i][j]) * jacobian.transpose();
+    std::array::from_fn(|i| std::array::from_fn(|j| moved[(i, j)]))
 }
 
 #[cfg(test)]
@@ -160,6 +174,7 @@ mod tests {
             model: FiducialModel::Affine,
             parameters,
             residuals_mm: vec![],
+            covariance: None,
             sigma0_mm: None,
             degrees_of_freedom: 0,
             standard_errors: None,

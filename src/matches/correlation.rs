@@ -1,5 +1,6 @@
 //! Normalised cross-correlation of grey values.
 
+use super::surface::of_parabola;
 use crate::GreyView;
 
 /// Sums over the pixels that two windows share, exact in whole numbers.
@@ -105,8 +106,8 @@ impl<'a> Patch<'a> {
             }
         }
         let (c, dx, dy) = best.filter(|(_, dx, dy)| dx.abs() < reach && dy.abs() < reach)?;
-        let x = dx as f64 + vertex(coefficient(dx - 1, dy)?, c, coefficient(dx + 1, dy)?);
-        let y = dy as f64 + vertex(coefficient(dx, dy - 1)?, c, coefficient(dx, dy + 1)?);
+        let x = dx as f64 + of_parabola([coefficient(dx - 1, dy)?, c, coefficient(dx + 1, dy)?]);
+        let y = dy as f64 + of_parabola([coefficient(dx, dy - 1)?, c, coefficient(dx, dy + 1)?]);
         Some(([shift[0] as f64 + x, shift[1] as f64 + y], c))
     }
 
@@ -122,12 +123,6 @@ impl<'a> Patch<'a> {
         }
         sums.coefficient()
     }
-}
-
-/// Where the parabola through three equidistant values has its maximum, from the middle one, -0.5..0.5.
-fn vertex(before: f64, middle: f64, after: f64) -> f64 {
-    let curvature = before - 2.0 * middle + after;
-    if curvature < 0.0 { (0.5 * (before - after) / curvature).clamp(-0.5, 0.5) } else { 0.0 }
 }
 
 #[cfg(test)]

@@ -1,16 +1,33 @@
 //! From described points to matches: expected offset, search window, dissimilarity, rules of consistency.
 
+mod area;
+mod coarse_to_fine;
 mod correlation;
+mod cross_correlation;
 mod index;
+mod lanes;
+mod least_squares;
 mod neighbours;
 mod offset;
 mod options;
 mod parallax;
+mod products;
+mod refine;
+mod region;
+mod rules;
 mod search;
+mod spline;
+mod strategy;
+mod surface;
+#[cfg(test)]
+mod texture;
+mod window_model;
 
 pub use offset::{OffsetField, estimate_offset, estimate_offset_of_reduced};
-pub use options::{Denominator, MatchOptions};
+pub use options::{Denominator, MatchOptions, Refinement, Strategy};
+pub use region::{EpipolarLines, Expectation};
 pub use search::{Candidate, Described, candidates_of, match_points};
+pub use strategy::{MatchImage, match_images};
 
 use serde::{Deserialize, Serialize};
 
@@ -23,38 +40,100 @@ pub enum Rule {
     Matched,
     /// Its window leaves the image or is constant: it has no descriptor.
     NoDescriptor,
-    /// No right point with a descriptor lies in its search window.
+    /// No right point with a descriptor lies in its search window, or that window leaves the right image.
     NoCandidate,
-    /// The best measure is not below the largest one allowed.
+    /// The best measure is not below the largest one allowed, or the correlation not above the least one.
     Threshold,
     /// The second best candidate is too nearly as good as the best.
     Ambiguous,
     /// Another left point matches the same right point better.
     ManyToOne,
-    /// Its y-parallax deviates from that of the nearest matches.
+    /// Its y-parallax deviates from that of the nearest matches, or from its epipolar line.
     Parallax,
+    /// The best correlation lies on the border of the search window: the true one may lie beyond it.
+    Border,
+    /// The right window correlates better with another place in the left image.
+    LeftRight,
+    /// Least squares matching did not settle, or ran away from where it started.
+    NotConverged,
+    /// The standard error of the right position exceeds the largest one allowed.
+    Imprecise,
+}
+
+impl Rule {
+    /// All rules; the place of a rule here is its code.
+    pub const ALL: [Self; 11] = [
+        Self::Matched,
+        Self::NoDescriptor,
+        Self::NoCandidate,
+        Self::Threshold,
+        Self::Ambiguous,
+        Self::ManyToOne,
+        Self::Parallax,
+        Self::Border,
+        Self::LeftRight,
+        Self::NotConverged,
+        Self::Imprecise,
+    ];
 }
 
 /// What became of a left point, and why.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Verdict {
     pub rule: Rule,
-    /// Index of the best right point; absent where there was no candidate.
+    /// Index of the best right point; absent where there was no candidate, or where the place found is no interest point.
     pub best: Option<usize>,
-    /// The best measure; infinite where there was no candidate.
+    /// The best place in the right image in px; absent where there was none.
+    pub position: Option<[f64; 2]>,
+    /// The best measure: a dissimilarity of moments, or 1 minus the correlation coefficient. Infinite where there was no candidate.
     pub measure: f64,
     /// The second best measure; infinite where there was no second candidate.
     pub second: f64,
+    /// What least squares matching found; absent where none took place.
+    pub fit: Option<Fit>,
 }
 
-/// A pair of points that passed all rules.
+impl Verdict {
+    /// The verdict on a point before anything is known of it.
+    fn none(rule: Rule) -> Self {
+        Self { rule, best: None, position: None, measure: f64::INFINITY, second: f64::INFINITY, fit: None }
+    }
+
+    /// The right position of a verdict that stands.
+    fn matched(&self) -> Option<[f64; 2]> {
+        self.position.filter(|_| self.rule == Rule::Matched)
+    }
+}
+
+/// The precision of a least squares match.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    /// Correlation coefficient of the two windows after the fit, -1..1.
+    pub correlation: f64,
+    /// Covariance `[xx, xy, yy]` of the right position in px².
+    pub covariance: [f64; 3],
+    pub iterations: usize,
+}
+
+impl Fit {
+    /// The standard error in the worst direction, in px.
+    pub fn standard_error_px(&self) -> f64 {
+        let [xx, xy, yy] = self.covariance;
+        (0.5 * (xx + yy) + (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt()).sqrt()
+    }
+}
+
+/// A pair of places that passed all rules.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Match {
     /// Index of the left point.
     pub left: usize,
-    /// Index of the right point.
-    pub right: usize,
+    /// Index of the right point; absent where the place found is no interest point.
+    pub right: Option<usize>,
+    pub left_px: [f64; 2],
+    pub right_px: [f64; 2],
     pub measure: f64,
+    pub fit: Option<Fit>,
 }
 
 /// How many left points each rule refused.
@@ -68,6 +147,10 @@ pub struct MatchCounts {
     pub ambiguous: usize,
     pub many_to_one: usize,
     pub parallax: usize,
+    pub border: usize,
+    pub left_right: usize,
+    pub not_converged: usize,
+    pub imprecise: usize,
 }
 
 /// The outcome of matching two sets of points.

@@ -4,6 +4,42 @@ use crate::parameters::check;
 use crate::{Error, Measure};
 use serde::{Deserialize, Serialize};
 
+/// How the right point of a left one is found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Strategy {
+    /// The right interest point of the least dissimilarity of normalised moments (DM, eq. 16).
+    Moments,
+    /// The same with the seven invariants (DI, eq. 15).
+    Invariants,
+    /// The place of the highest normalised cross-correlation in the search window, to a fraction of a pixel.
+    Correlation,
+    /// Least squares matching from coarse to fine.
+    LeastSquares,
+}
+
+impl Strategy {
+    /// What the strategy compares interest points by; absent where it compares grey values.
+    pub fn measure(self) -> Option<Measure> {
+        match self {
+            Self::Moments => Some(Measure::Dm),
+            Self::Invariants => Some(Measure::Di),
+            Self::Correlation | Self::LeastSquares => None,
+        }
+    }
+}
+
+/// What is done to the matches of any strategy.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Refinement {
+    None,
+    /// Each right position is moved to where least squares matching finds it.
+    LeastSquares,
+}
+
 /// What the difference of two moments is divided by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
@@ -15,12 +51,15 @@ pub enum Denominator {
     Floor,
 }
 
-/// Options of [`match_points`](crate::match_points).
+/// Options of the matching.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct MatchOptions {
-    pub measure: Measure,
+    pub strategy: Strategy,
+    pub refine: Refinement,
+    /// Once the pair is oriented, matches again along the epipolar lines, until nothing changes.
+    pub epipolar: bool,
     pub denominator: Denominator,
     /// Side of the search window in px, odd.
     pub search: usize,
@@ -32,18 +71,32 @@ pub struct MatchOptions {
     pub parallax_neighbours: usize,
     /// Least deviation of the y-parallax that is refused, in px.
     pub parallax_tolerance: f64,
+    /// Side of the window whose grey values are compared by correlation and least squares matching, in px, odd.
+    pub template: usize,
+    /// Least correlation coefficient of a match by grey values, -1..1.
+    pub min_correlation: f64,
+    /// Refuses a correlated match whose right window correlates better with another place in the left image.
+    pub left_right: bool,
+    /// Largest standard error of a right position found by least squares matching, in px.
+    pub max_standard_error: f64,
 }
 
 impl Default for MatchOptions {
     fn default() -> Self {
         Self {
-            measure: Measure::Dm,
+            strategy: Strategy::Moments,
+            refine: Refinement::None,
+            epipolar: false,
             denominator: Denominator::Maxabs,
             search: 25,
             max_measure: 3.0,
             ambiguity: 0.9,
             parallax_neighbours: 12,
             parallax_tolerance: 1.0,
+            template: 13,
+            min_correlation: 0.7,
+            left_right: true,
+            max_standard_error: 0.2,
         }
     }
 }
@@ -55,6 +108,9 @@ impl MatchOptions {
         check("matching.max_measure", self.max_measure)?;
         check("matching.ambiguity", self.ambiguity)?;
         check("matching.parallax_neighbours", self.parallax_neighbours as f64)?;
-        check("matching.parallax_tolerance", self.parallax_tolerance)
+        check("matching.parallax_tolerance", self.parallax_tolerance)?;
+        check("matching.template", self.template as f64)?;
+        check("matching.min_correlation", self.min_correlation)?;
+        check("matching.max_standard_error", self.max_standard_error)
     }
 }

@@ -1,7 +1,6 @@
 //! The rule of y-parallax: neighbouring matches have nearly the same.
 
 use super::neighbours::Neighbours;
-use super::search::matched;
 use super::{MatchOptions, OffsetField, Rule, Verdict};
 use crate::InterestPoint;
 use crate::math::median;
@@ -20,21 +19,15 @@ const SIGMA_OF_MAD: f64 = 1.4826;
 ///
 /// # Source
 /// Zahran 2007, section 4, made definite.
-pub(super) fn refuse_by_parallax(
-    left: &[InterestPoint],
-    right: &[InterestPoint],
-    offset: &OffsetField,
-    verdicts: &mut [Verdict],
-    options: &MatchOptions,
-) {
+pub(super) fn refuse_by_parallax(left: &[InterestPoint], offset: &OffsetField, verdicts: &mut [Verdict], options: &MatchOptions) {
     let number = options.parallax_neighbours;
     if number == 0 {
         return;
     }
     let (points, pairs): (Vec<usize>, Vec<_>) =
-        verdicts.iter().enumerate().filter_map(|(k, v)| matched(v).map(|r| (k, (left[k], right[r])))).unzip();
+        verdicts.iter().enumerate().filter_map(|(k, v)| v.matched().map(|right| (k, (left[k], right)))).unzip();
     let positions: Vec<[f64; 2]> = pairs.iter().map(|(l, _)| [l.x, l.y]).collect();
-    let parallax: Vec<f64> = pairs.iter().map(|(l, r)| r.y - l.y - offset.at(l.x, l.y)[1]).collect();
+    let parallax: Vec<f64> = pairs.iter().map(|(l, [_, y])| y - l.y - offset.at(l.x, l.y)[1]).collect();
     let neighbours = Neighbours::new(&positions);
     let mut nearest: Vec<Vec<usize>> = vec![Vec::new(); points.len()];
     let mut stands = vec![true; points.len()];
@@ -70,16 +63,17 @@ fn deviates(index: usize, nearest: &[usize], parallax: &[f64], tolerance: f64) -
 mod tests {
     use super::*;
 
-    fn grid(parallax: impl Fn(usize) -> f64) -> (Vec<InterestPoint>, Vec<InterestPoint>, Vec<Verdict>) {
+    fn grid(parallax: impl Fn(usize) -> f64) -> (Vec<InterestPoint>, Vec<Verdict>) {
         let left: Vec<_> = (0..100).map(|k| InterestPoint { x: (k % 10) as f64 * 20.0, y: (k / 10) as f64 * 20.0, value: 1.0 }).collect();
-        let right = left.iter().enumerate().map(|(k, p)| InterestPoint { y: p.y + parallax(k), ..*p }).collect();
-        let verdicts = (0..100).map(|k| Verdict { rule: Rule::Matched, best: Some(k), measure: 1.0, second: 2.0 }).collect();
-        (left, right, verdicts)
+        let position = |(k, p): (usize, &InterestPoint)| [p.x, p.y + parallax(k)];
+        let verdict = |at| Verdict { position: Some(at), measure: 1.0, ..Verdict::none(Rule::Matched) };
+        let verdicts = left.iter().enumerate().map(position).map(verdict).collect();
+        (left, verdicts)
     }
 
     fn refused(parallax: impl Fn(usize) -> f64, options: &MatchOptions) -> Vec<usize> {
-        let (left, right, mut verdicts) = grid(parallax);
-        refuse_by_parallax(&left, &right, &OffsetField::constant(0.0, 0.0), &mut verdicts, options);
+        let (left, mut verdicts) = grid(parallax);
+        refuse_by_parallax(&left, &OffsetField::constant(0.0, 0.0), &mut verdicts, options);
         (0..100).filter(|k| verdicts[*k].rule == Rule::Parallax).collect()
     }
 
@@ -108,9 +102,9 @@ mod tests {
 
     #[test]
     fn a_single_match_has_no_neighbours_and_stays() {
-        let (left, right, mut verdicts) = grid(|_| 3.0);
+        let (left, mut verdicts) = grid(|_| 3.0);
         verdicts.iter_mut().skip(1).for_each(|v| v.rule = Rule::Threshold);
-        refuse_by_parallax(&left, &right, &OffsetField::constant(0.0, 0.0), &mut verdicts, &MatchOptions::default());
+        refuse_by_parallax(&left, &OffsetField::constant(0.0, 0.0), &mut verdicts, &MatchOptions::default());
         assert_eq!(verdicts[0].rule, Rule::Matched);
     }
 }

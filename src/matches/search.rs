@@ -1,8 +1,8 @@
 //! The best candidate of each point in its search window, and the rules it must pass.
 
 use super::index::PositionIndex;
-use super::parallax::refuse_by_parallax;
-use super::{Denominator, Match, MatchCounts, MatchOptions, MatchSet, OffsetField, Rule, Verdict};
+use super::rules::judge;
+use super::{Denominator, Expectation, MatchOptions, MatchSet, Rule, Verdict};
 use crate::{Descriptor, Error, InterestPoint};
 
 /// A right point in the search window of a left one.
@@ -29,29 +29,30 @@ pub type Described<'a> = (&'a [InterestPoint], &'a [Option<Descriptor>]);
 ///
 /// # Source
 /// Zahran 2007, section 4 and eqs. 15, 16, with max(|p|, |q|) for the printed denominator, which fails for signed moments.
-pub fn match_points(left: Described<'_>, right: Described<'_>, offset: &OffsetField, options: &MatchOptions) -> Result<MatchSet, Error> {
-    let search = Search::new(left, right, offset, options)?;
-    let mut verdicts: Vec<Verdict> = (0..left.0.len()).map(|k| search.best_of(k)).collect();
-    refuse_many_to_one(&mut verdicts, right.0.len());
-    refuse_by_parallax(left.0, right.0, offset, &mut verdicts, options);
-    let matches =
-        (verdicts.iter().enumerate()).filter_map(|(left, v)| matched(v).map(|right| Match { left, right, measure: v.measure })).collect();
-    let counts = count(&verdicts);
-    Ok(MatchSet { matches, verdicts, counts })
+pub fn match_points<'a>(
+    left: Described<'a>,
+    right: Described<'a>,
+    expected: impl Into<Expectation<'a>>,
+    options: &MatchOptions,
+) -> Result<MatchSet, Error> {
+    let expected = expected.into();
+    let search = Search::new(left, right, expected, options)?;
+    let verdicts = (0..left.0.len()).map(|k| search.best_of(k)).collect();
+    Ok(judge(left.0, verdicts, expected.offset, options))
 }
 
 /// All candidates of one left point, the best first; of equal measures the lower index.
 ///
 /// # Errors
 /// As [`match_points`]; [`Error::InvalidInput`] where `index` is not that of a left point.
-pub fn candidates_of(
+pub fn candidates_of<'a>(
     index: usize,
-    left: Described<'_>,
-    right: Described<'_>,
-    offset: &OffsetField,
+    left: Described<'a>,
+    right: Described<'a>,
+    expected: impl Into<Expectation<'a>>,
     options: &MatchOptions,
 ) -> Result<Vec<Candidate>, Error> {
-    let search = Search::new(left, right, offset, options)?;
+    let search = Search::new(left, right, expected.into(), options)?;
     if index >= left.0.len() {
         return Err(Error::InvalidInput {
             what: "index of a left point",
@@ -71,17 +72,17 @@ type Padded = [f64; 8];
 /// What stands ready to look candidates up.
 struct Search<'a> {
     left: &'a [InterestPoint],
+    right: &'a [InterestPoint],
     left_descriptors: Vec<Option<Padded>>,
     right_descriptors: Vec<Padded>,
     right_index: PositionIndex,
-    offset: &'a OffsetField,
+    expected: Expectation<'a>,
     least_denominators: Padded,
-    reach: f64,
     options: &'a MatchOptions,
 }
 
 impl<'a> Search<'a> {
-    fn new(left: Described<'a>, right: Described<'a>, offset: &'a OffsetField, options: &'a MatchOptions) -> Result<Self, Error> {
+    fn new(left: Described<'a>, right: Described<'a>, expected: Expectation<'a>, options: &'a MatchOptions) -> Result<Self, Error> {
         options.check()?;
         check_described("left points", left)?;
         check_described("right points", right)?;
@@ -92,13 +93,13 @@ impl<'a> Search<'a> {
         let described = right.0.iter().enumerate().filter(|(k, _)| right.1[*k].is_some());
         Ok(Self {
             left: left.0,
+            right: right.0,
             left_descriptors: left.1.iter().map(|d| d.as_ref().map(padded)).collect(),
             right_descriptors: right.1.iter().map(|d| d.as_ref().map_or([0.0; 8], padded)).collect(),
             right_index: PositionIndex::new(described.map(|(k, p)| (k, p.x, p.y))),
-            offset,
+            expected,
             // Where both moments are 0 their term is 0 / MIN_POSITIVE = 0.
             least_denominators: padded(&floor).map(|f| f.max(f64::MIN_POSITIVE)),
-            reach: (options.search / 2) as f64,
             options,
         })
     }
@@ -106,18 +107,20 @@ impl<'a> Search<'a> {
     fn for_each_candidate(&self, left: usize, mut visit: impl FnMut(usize, f64)) {
         let Some(descriptor) = &self.left_descriptors[left] else { return };
         let point = self.left[left];
-        let [dx, dy] = self.offset.at(point.x, point.y);
-        self.right_index.within(point.x + dx, point.y + dy, self.reach, |right| {
-            visit(right, dissimilarity(descriptor, &self.right_descriptors[right], &self.least_denominators));
+        let region = self.expected.region(point.x, point.y, self.options.search / 2);
+        self.right_index.within(region.centre[0], region.centre[1], region.reach as f64, |right| {
+            if region.allows(self.right[right].x, self.right[right].y) {
+                visit(right, dissimilarity(descriptor, &self.right_descriptors[right], &self.least_denominators));
+            }
         });
     }
 
     /// The verdict before the rules that look at other matches.
     fn best_of(&self, left: usize) -> Verdict {
-        let mut verdict = Verdict { rule: Rule::NoCandidate, best: None, measure: f64::INFINITY, second: f64::INFINITY };
         if self.left_descriptors[left].is_none() {
-            return Verdict { rule: Rule::NoDescriptor, ..verdict };
+            return Verdict::none(Rule::NoDescriptor);
         }
+        let mut verdict = Verdict::none(Rule::NoCandidate);
         self.for_each_candidate(left, |right, measure| {
             // Of equal measures the lower index wins, in whatever order they are visited.
             if measure < verdict.measure || (measure == verdict.measure && verdict.best.is_some_and(|best| right < best)) {
@@ -126,7 +129,8 @@ impl<'a> Search<'a> {
                 verdict.second = measure;
             }
         });
-        if verdict.best.is_some() {
+        if let Some(best) = verdict.best {
+            verdict.position = Some([self.right[best].x, self.right[best].y]);
             verdict.rule = if verdict.measure.partial_cmp(&self.options.max_measure) != Some(std::cmp::Ordering::Less) {
                 Rule::Threshold
             } else if verdict.measure > self.options.ambiguity * verdict.second {
@@ -146,42 +150,6 @@ fn dissimilarity(p: &Padded, q: &Padded, least: &Padded) -> f64 {
     ((t[0] + t[2]) + (t[4] + t[6])) + ((t[1] + t[3]) + (t[5] + t[7]))
 }
 
-/// Of the left points that won the same right point, only the best keeps it.
-fn refuse_many_to_one(verdicts: &mut [Verdict], right_points: usize) {
-    let mut keeper: Vec<Option<usize>> = vec![None; right_points];
-    for left in 0..verdicts.len() {
-        let Some(right) = matched(&verdicts[left]) else { continue };
-        let loser = match keeper[right] {
-            Some(first) if verdicts[first].measure <= verdicts[left].measure => Some(left),
-            previous => {
-                keeper[right] = Some(left);
-                previous
-            }
-        };
-        if let Some(loser) = loser {
-            verdicts[loser].rule = Rule::ManyToOne;
-        }
-    }
-}
-
-/// The right point of a verdict that stands.
-pub(super) fn matched(verdict: &Verdict) -> Option<usize> {
-    verdict.best.filter(|_| verdict.rule == Rule::Matched)
-}
-
-fn count(verdicts: &[Verdict]) -> MatchCounts {
-    let of = |rule| verdicts.iter().filter(|v| v.rule == rule).count();
-    MatchCounts {
-        matches: of(Rule::Matched),
-        no_descriptor: of(Rule::NoDescriptor),
-        no_candidate: of(Rule::NoCandidate),
-        threshold: of(Rule::Threshold),
-        ambiguous: of(Rule::Ambiguous),
-        many_to_one: of(Rule::ManyToOne),
-        parallax: of(Rule::Parallax),
-    }
-}
-
 fn padded(descriptor: &Descriptor) -> Padded {
     std::array::from_fn(|k| descriptor.get(k).copied().unwrap_or(0.0))
 }
@@ -199,7 +167,12 @@ fn check_described(what: &'static str, (points, descriptors): Described<'_>) -> 
         let got = format!("{} points with {} descriptors", points.len(), descriptors.len());
         return Err(Error::InvalidInput { what, got, allowed: "as many descriptors as points".into() });
     }
-    // A position beyond this is no pixel, and the index must not allocate for it.
+    check_positions(what, points)
+}
+
+/// Refuses positions that are no numbers, or far from any image.
+pub(super) fn check_positions(what: &'static str, points: &[InterestPoint]) -> Result<(), Error> {
+    // A position beyond this is no pixel, and an index must not allocate for it.
     let far = |v: f64| !(-1e6..=1e6).contains(&v);
     if let Some(point) = points.iter().find(|p| far(p.x) || far(p.y)) {
         let got = format!("a position of ({}, {})", point.x, point.y);
@@ -211,6 +184,7 @@ fn check_described(what: &'static str, (points, descriptors): Described<'_>) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::OffsetField;
 
     fn point(x: f64, y: f64) -> InterestPoint {
         InterestPoint { x, y, value: 1.0 }

@@ -1,9 +1,11 @@
-//! What nalgebra lacks: real roots of polynomials, order statistics, seeded random numbers.
+//! What nalgebra lacks: quantiles, real roots of polynomials, order statistics, seeded random numbers.
 
+mod distribution;
 mod polynomial;
 mod random;
 mod statistics;
 
+pub(crate) use distribution::{chi_square_quantile, normal_density, normal_probability, normal_quantile};
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{mad_within, median, smallest};

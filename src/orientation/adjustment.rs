@@ -2,7 +2,7 @@
 
 use super::coplanarity::{Pose, Ray};
 use super::normals::{Matrix5, Normals};
-use super::refusal::{check_parallax, diverged, undetermined};
+use super::refusal::{check_condition, check_parallax, diverged, undetermined};
 use crate::Error;
 
 /// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
@@ -11,7 +11,7 @@ pub(super) struct Adjusted {
     pub pose: Pose,
     /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
     pub cofactors: Matrix5,
-    /// Standard error of a photo coordinate; 0 without redundancy.
+    /// Standard error of a photo coordinate of weight 1; 0 without redundancy.
     pub sigma: f64,
     pub iterations: usize,
     /// Size of the last step relative to [`step_tolerance`].
@@ -46,41 +46,44 @@ pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknown
     if length > LONGEST_STEP { pose.moved(&(step * (LONGEST_STEP / length))) } else { pose.moved(step) }
 }
 
-/// Adjusts the pose to `rays` by least squares of the corrections of their coordinates, linearised at the adjusted coordinates until the
+/// Adjusts the pose to `rays` of these weights by least squares of the corrections of their coordinates, linearised at the adjusted coordinates until the
 /// steps vanish.
 ///
 /// `bounds` tells for each pose whether it is still believable; plain iteration from a poor start may run away.
 ///
 /// # Errors
-/// [`Error::Degenerate`] where the normal equations are singular; [`Error::NotConverged`].
+/// [`Error::Degenerate`] where the normal equations are singular, and where it does not settle because the unknowns can hardly be told
+/// apart; [`Error::NotConverged`].
 ///
 /// # Source
 /// Mikhail & Ackermann 1976, Observations and Least Squares, on conditions with unknowns; Lenzmann & Lenzmann 2004 on linearising at the
 /// adjusted observations.
-pub(super) fn adjust(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
+pub(super) fn adjust(rays: &[Ray], weights: &[f64], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
     let mut adjusted = rays.to_vec();
-    let (mut last_step, mut last_sigma) = (f64::INFINITY, 0.0);
+    let (mut last_step, mut last_sigma, mut last_cofactors) = (f64::INFINITY, 0.0, Matrix5::identity());
     for iteration in 1..=MAX_ITERATIONS {
         let tangents = pose.tangents();
         let mut normals = Normals::new();
         let lines: Vec<_> = rays.iter().zip(&adjusted).map(|(observed, at)| pose.linearise(&tangents, observed, at)).collect();
-        for line in lines.iter().flatten() {
-            normals.add(&line.by_unknowns, line.misclosure, 1.0);
+        for (line, weight) in lines.iter().zip(weights) {
+            if let Some(line) = line {
+                normals.add(&line.by_unknowns, line.misclosure, *weight);
+            }
         }
         let solution = normals.solve().map_err(undetermined)?;
         let mut square_sum = 0.0;
-        for ((line, observed), at) in lines.iter().zip(rays).zip(&mut adjusted) {
+        for (((line, observed), at), weight) in lines.iter().zip(rays).zip(&mut adjusted).zip(weights) {
             if let Some(line) = line {
                 let distance = line.misclosure + line.by_unknowns.dot(&solution.step);
-                square_sum += distance * distance;
+                square_sum += weight * distance * distance;
                 *at = line.adjusted(observed, distance);
             }
         }
         let sigma = if redundancy > 0 { (square_sum / redundancy as f64).sqrt() } else { 0.0 };
         pose = move_within_bounds(&pose, &solution.step);
-        last_sigma = sigma;
+        (last_sigma, last_cofactors) = (sigma, solution.cofactors);
         last_step = solution.size / step_tolerance(sigma);
         bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
         if last_step < 1.0 {
@@ -89,5 +92,6 @@ pub(super) fn adjust(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result
     }
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
+    check_condition(&last_cofactors)?;
     Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
 }

@@ -146,6 +146,15 @@ impl Pose {
         (along_left > 0.0 && along_right > 0.0) || square <= least_angle * least_angle * left.norm_squared() * right_in_model.norm_squared()
     }
 
+    /// Depth of the point where the rays meet, along the left optical axis in units of the base: positive in front. `None` for parallel rays.
+    pub fn depth(&self, ray: &Ray) -> Option<f64> {
+        let (left, right) = directions(ray);
+        let right_in_model = self.rotation.tr_mul(&right);
+        let normal = left.cross(&right_in_model);
+        let depth = normal.dot(&self.base.cross(&right_in_model)) / normal.norm_squared();
+        depth.is_finite().then_some(depth)
+    }
+
     /// Angle in radians between the two rays of a point.
     pub fn parallactic_angle(&self, ray: &Ray) -> f64 {
         let (left, right) = directions(ray);

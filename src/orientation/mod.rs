@@ -11,8 +11,13 @@ mod precision;
 mod refusal;
 mod rejection;
 mod relative;
+mod reliability;
 mod result;
+mod shared;
+mod weakness;
+mod weighting;
 
-pub use options::{OrientationMethod, OrientationOptions};
-pub use relative::orient_relative;
-pub use result::{FiveParameters, Observation, RelativeOrientation};
+pub use options::{OrientationMethod, OrientationOptions, Weighting};
+pub use relative::{orient_relative, orient_relative_with};
+pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};
+pub use shared::SharedErrors;

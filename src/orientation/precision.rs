@@ -56,7 +56,7 @@ pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
 }
 
 /// Derivatives of ω φ κ by bz by the small turns and shifts.
-fn derivatives(pose: &Pose, base_mm: f64) -> Matrix5 {
+pub(super) fn derivatives(pose: &Pose, base_mm: f64) -> Matrix5 {
     let [omega, ..] = angles_from_rotation(&pose.rotation);
     let (sin, cos) = (libm::sin(omega), libm::cos(omega));
     // The axes about which ω, φ and κ turn, in model space: e₁, M₁ᵀe₂, Mᵀe₃.

@@ -2,7 +2,9 @@
 
 use super::adjustment::Adjusted;
 use super::coplanarity::{Pose, Ray};
+use super::normals::{Matrix5, correlations};
 use super::result::Observation;
+use super::weakness::{LARGEST_CONDITION, condition};
 use crate::Error;
 use crate::math::median;
 use crate::parameters::refuse;
@@ -29,6 +31,10 @@ pub(super) fn check_input(observations: &[Observation], focal_mm: f64) -> Result
     }
     let largest = LARGEST_COORDINATE * focal_mm;
     for (index, observation) in observations.iter().enumerate() {
+        if !(observation.weight >= 1e-12 && observation.weight <= 1e12) {
+            let got = format!("{} for observation {index} (counted from 0)", observation.weight);
+            return Err(Error::InvalidInput { what: "weight", got, allowed: "1e-12 to 1e12".into() });
+        }
         let coordinates = observation.left.iter().chain(&observation.right);
         if let Some(wrong) = coordinates.into_iter().find(|v| !(v.abs() <= largest)) {
             let got = format!("{wrong} mm in observation {index} (counted from 0)");
@@ -85,6 +91,18 @@ pub(super) fn check_parallax(pose: &Pose, sigma: f64, rays: &[Ray]) -> Result<()
         "after a rotation the median parallax is {:.1} standard errors of a photo coordinate (above {LEAST_PARALLAX} is needed): the photos \
          differ by a rotation alone, so there is no base",
         parallax / noise
+    );
+    Err(Error::Degenerate { what: WHAT, reason })
+}
+
+/// Refuses unknowns that can hardly be told apart.
+pub(super) fn check_condition(cofactors: &Matrix5) -> Result<(), Error> {
+    let condition = condition(&correlations(cofactors));
+    if condition <= LARGEST_CONDITION {
+        return Ok(());
+    }
+    let reason = format!(
+        "the unknowns can hardly be told apart (condition figure {condition:.1e}, up to {LARGEST_CONDITION:.0e} is sound), as over a critical          cylinder or without a base"
     );
     Err(Error::Degenerate { what: WHAT, reason })
 }

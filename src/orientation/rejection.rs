@@ -6,6 +6,21 @@ use super::coplanarity::{Linearised, Pose, Ray};
 use crate::Error;
 use crate::math::{mad_within, median, smallest};
 
+/// Observations with their weights.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Weighted<'a> {
+    pub rays: &'a [Ray],
+    pub weights: &'a [f64],
+}
+
+impl Weighted<'_> {
+    /// The rays and weights of those that are kept.
+    pub fn kept(&self, accepted: &[bool]) -> (Vec<Ray>, Vec<f64>) {
+        let all = self.rays.iter().zip(self.weights).zip(accepted);
+        all.filter(|(_, kept)| **kept).map(|((ray, weight), _)| (*ray, *weight)).unzip()
+    }
+}
+
 /// An adjustment free of gross errors.
 #[derive(Debug, Clone)]
 pub(super) struct Clean {
@@ -27,29 +42,30 @@ const LEAST_SCALE: f64 = 1e-11;
 /// Adjusts, rejects what exceeds `limit` standardised residuals, and adjusts again until nothing changes.
 ///
 /// A standardised residual is v / (σ √q_vv); an observation has one condition, so that its four coordinates have the same. For a rejected
-/// one, q_vv is that of a new observation. σ is taken from the median of the accepted ones, so that gross errors do not hide behind the σ
-/// that they raise.
+/// one, q_vv is that of a new observation. Rays that meet behind a camera are rejected whatever their residual. σ is taken from the median
+/// of the accepted ones, so that gross errors do not hide behind the σ that they raise; or it is `known_sigma` (0: not known) where that
+/// is larger. One that is too small would reject what is good: the global test tells of it.
 ///
 /// # Errors
 /// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain.
-pub(super) fn adjust_without_gross_errors(rays: &[Ray], start: &Consensus, limit: f64) -> Result<Clean, Error> {
+pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consensus, limit: f64, known_sigma: f64) -> Result<Clean, Error> {
     let scale_factor = 1.0 / mad_within(limit);
-    let mut accepted = first_acceptance(rays, start, limit, scale_factor);
+    let mut accepted = first_acceptance(observed, start, limit, scale_factor);
     let mut pose = start.pose;
     for round in 0..MAX_ROUNDS {
-        let kept: Vec<Ray> = rays.iter().zip(&accepted).filter(|(_, kept)| **kept).map(|(ray, _)| *ray).collect();
+        let (kept, weights) = observed.kept(&accepted);
         if kept.len() < 5 {
             return Err(Error::TooFew { what: "observations that agree on a relative orientation", got: kept.len(), needed: 5 });
         }
-        let adjusted = adjust(&kept, pose, |_| Ok(()))?;
+        let adjusted = adjust(&kept, &weights, pose, |_| Ok(()))?;
         pose = adjusted.pose;
-        let standardised = standardised_residuals(rays, &accepted, &adjusted);
+        let standardised = standardised_residuals(observed, &accepted, &adjusted);
         let mut of_accepted: Vec<f64> = standardised.iter().zip(&accepted).filter(|(_, kept)| **kept).map(|(t, _)| *t).collect();
         let redundancy = kept.len() - 5;
         let from_median = median(&mut of_accepted).unwrap_or(0.0) * scale_factor;
         // A median of a few residuals may be far too small by chance, more easily than their σ.
         let scale = if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median };
-        let threshold = student_limit(limit, redundancy) * scale.max(LEAST_SCALE);
+        let threshold = (student_limit(limit, redundancy) * scale.max(LEAST_SCALE)).max(limit * known_sigma);
         let next: Vec<bool> = standardised.iter().zip(&accepted).map(|(t, was)| *t <= threshold && (*was || round < FREE_ROUNDS)).collect();
         if redundancy == 0 || next == accepted {
             return Ok(Clean { adjusted, accepted });
@@ -60,8 +76,10 @@ pub(super) fn adjust_without_gross_errors(rays: &[Ray], start: &Consensus, limit
 }
 
 /// What lies within the limit of the start's own scale, that scale made consistent first; never fewer than the consensus stands on.
-fn first_acceptance(rays: &[Ray], start: &Consensus, limit: f64, scale_factor: f64) -> Vec<bool> {
-    let distances: Vec<f64> = rays.iter().map(|ray| start.pose.project(ray).1.abs()).collect();
+fn first_acceptance(observed: Weighted<'_>, start: &Consensus, limit: f64, scale_factor: f64) -> Vec<bool> {
+    let rays = observed.rays;
+    let distances: Vec<f64> =
+        rays.iter().zip(observed.weights).map(|(ray, weight)| start.pose.project(ray).1.abs() * weight.sqrt()).collect();
     let mut scale = start.scale;
     for _ in 0..10 {
         let mut within: Vec<f64> = distances.iter().copied().filter(|d| *d <= limit * scale).collect();
@@ -79,29 +97,29 @@ fn first_acceptance(rays: &[Ray], start: &Consensus, limit: f64, scale_factor: f
 ///
 /// # Source
 /// Wallace 1959, Bounds on normal approximations to Student's and the chi-square distributions, inverted.
-fn student_limit(limit: f64, redundancy: usize) -> f64 {
+pub(super) fn student_limit(limit: f64, redundancy: usize) -> f64 {
     let freedom = redundancy.max(1) as f64;
     let stretched = limit * (8.0 * freedom + 3.0) / (8.0 * freedom + 1.0);
     (freedom * libm::expm1(stretched * stretched / freedom)).sqrt()
 }
 
 /// |v| / √q_vv of every observation, in units of the focal length.
-fn standardised_residuals(rays: &[Ray], accepted: &[bool], adjusted: &Adjusted) -> Vec<f64> {
+fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted) -> Vec<f64> {
     let tangents = adjusted.pose.tangents();
-    let standardise = |(ray, accepted): (&Ray, &bool)| {
+    let standardise = |((ray, weight), accepted): ((&Ray, &f64), &bool)| {
         let (at, distance) = adjusted.pose.project(ray);
         let Some(line) = adjusted.pose.linearise(&tangents, ray, &at) else {
             return 0.0;
         };
         let of_unknowns = share_of_unknowns(&line, adjusted);
-        let cofactor = if *accepted { 1.0 - of_unknowns } else { 1.0 + of_unknowns };
+        let cofactor = if *accepted { 1.0 / weight - of_unknowns } else { 1.0 / weight + of_unknowns };
         // An observation without redundancy has no residual to judge.
-        if cofactor > 1e-6 { distance.abs() / cofactor.sqrt() } else { 0.0 }
+        if cofactor * weight > 1e-6 { distance.abs() / cofactor.sqrt() } else { 0.0 }
     };
-    rays.iter().zip(accepted).map(standardise).collect()
+    observed.rays.iter().zip(observed.weights).zip(accepted).map(standardise).collect()
 }
 
-fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {
+pub(super) fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {
     line.by_unknowns.dot(&(adjusted.cofactors * line.by_unknowns))
 }
 

@@ -4,12 +4,18 @@ use super::adjustment::{Adjusted, adjust};
 use super::consensus::{consensus, median_parallax};
 use super::coplanarity::{Pose, Ray};
 use super::determinant::adjust_determinants;
-use super::normals::correlations;
+use super::normals::{Matrix5, correlations};
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
 use super::refusal::{check_geometry, check_input, check_result, near_vertical};
-use super::rejection::{Clean, adjust_without_gross_errors, corrections};
+use super::rejection::{Clean, Weighted, adjust_without_gross_errors, corrections};
+use super::reliability::Judgement;
+use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
+use super::shared::{SharedErrors, covariance_of};
+use super::weakness::{condition, parallax_beside_rotation, plane_misfit, spread, weaknesses};
+use super::weighting::reweight;
 use super::{Observation, OrientationMethod, OrientationOptions, RelativeOrientation};
 use crate::Error;
+use crate::math::{chi_square_quantile, normal_density, normal_probability};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -21,8 +27,9 @@ use crate::Error;
 /// square of their gradients. Degrees of freedom: accepted observations - 5.
 ///
 /// With `robust` the start is the consensus of minimal samples, for any rotation of the photo, and observations whose standardised residual
-/// exceeds `rejection` are left out; in the determinant form too these are judged by the rigorous residuals. Without it, all observations
-/// are adjusted from the vertical pair.
+/// is beyond what `alpha0` allows, or whose rays meet behind a camera, are left out; in the determinant form too these are judged by the
+/// rigorous residuals. Without it, all observations are adjusted from the vertical pair. The estimated σ₀ allows for what the rejection
+/// has cut off its distribution.
 ///
 /// `base_mm` gives the length of b, its sign is that of the geometry: positive where the right photo lies to the right. Absent, it is the
 /// median x-parallax of the accepted observations, or the length of their median parallax where the x-parallax is below a hundredth of it.
@@ -31,44 +38,86 @@ use crate::Error;
 /// fit; the one nearer to the vertical pair is given.
 ///
 /// # Errors
-/// [`Error::InvalidOption`]; [`Error::InvalidInput`] for coordinates that are no numbers or absurd; [`Error::TooFew`] below five different
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] for coordinates or weights that are no numbers or absurd; [`Error::TooFew`] below five different
 /// observations; [`Error::Degenerate`] for points on a line, photos without parallax or rotated only, a base along y or z;
 /// [`Error::NotConverged`] where the iteration runs away or does not settle.
 ///
 /// # Source
 /// Kraus 2007, Photogrammetry, 2nd ed. (relative orientation); Nistér 2004 (minimal samples).
 pub fn orient_relative(observations: &[Observation], focal_mm: f64, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
+    orient_relative_with(observations, &[], focal_mm, options)
+}
+
+/// As [`orient_relative`], with errors that all observations share: these do not show in the residuals, but in
+/// [`RelativeOrientation::total_standard_errors`].
+///
+/// # Errors
+/// As [`orient_relative`]; [`Error::InvalidInput`] where a shared error is not given for each observation.
+pub fn orient_relative_with(
+    observations: &[Observation],
+    shared: &[SharedErrors],
+    focal_mm: f64,
+    options: &OrientationOptions,
+) -> Result<RelativeOrientation, Error> {
+    check_shared(shared, observations.len())?;
     options.check()?;
     check_input(observations, focal_mm)?;
     let rays: Vec<Ray> = observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]].map(|v| v / focal_mm)).collect();
+    let weights: Vec<f64> = observations.iter().map(|o| o.weight).collect();
     check_geometry(&rays)?;
-    let Clean { mut adjusted, accepted } = if options.robust { robust(&rays, options)? } else { plain(&rays, options)? };
-    let kept: Vec<Ray> = rays.iter().zip(&accepted).filter(|(_, kept)| **kept).map(|(ray, _)| *ray).collect();
+    let observed = Weighted { rays: &rays, weights: &weights };
+    let Clean { mut adjusted, accepted } = if options.robust { robust(observed, focal_mm, options)? } else { plain(observed, options)? };
+    let (kept, kept_weights) = observed.kept(&accepted);
     face_the_points(&mut adjusted, &kept);
     check_result(&adjusted, &kept)?;
     check_describable(&adjusted.pose)?;
-    let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
-    Ok(describe(&adjusted, &rays, &accepted, base_mm, focal_mm, options.method))
-}
-
-fn robust(rays: &[Ray], options: &OrientationOptions) -> Result<Clean, Error> {
-    let start = consensus(rays, options.seed);
-    let clean = adjust_without_gross_errors(rays, &start, options.rejection)?;
-    if options.method == OrientationMethod::Rigorous {
-        return Ok(clean);
-    }
-    let kept: Vec<Ray> = rays.iter().zip(&clean.accepted).filter(|(_, kept)| **kept).map(|(ray, _)| *ray).collect();
-    let adjusted = adjust_determinants(&kept, clean.adjusted.pose, |_| Ok(()))?;
-    Ok(Clean { adjusted, accepted: clean.accepted })
-}
-
-fn plain(rays: &[Ray], options: &OrientationOptions) -> Result<Clean, Error> {
-    let start = Pose::vertical(median_parallax(rays));
-    let adjusted = match options.method {
-        OrientationMethod::Rigorous => adjust(rays, start, near_vertical)?,
-        OrientationMethod::Determinant => adjust_determinants(rays, start, near_vertical)?,
+    let (adjusted, factors) = match options.method {
+        OrientationMethod::Rigorous => reweight(&kept, &kept_weights, adjusted, options.weighting)?,
+        OrientationMethod::Determinant => (adjusted, vec![1.0; kept.len()]),
     };
-    Ok(Clean { adjusted, accepted: vec![true; rays.len()] })
+    let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
+    let by_shared = covariance_of(shared, &adjusted, (&kept, &kept_weights, &accepted), base_mm, focal_mm);
+    let by_shared = (!shared.is_empty()).then_some(by_shared);
+    let outcome = Outcome { adjusted, accepted, factors, by_shared, base_mm, focal_mm };
+    Ok(outcome.describe(observed, &kept, options))
+}
+
+fn check_shared(shared: &[SharedErrors], observations: usize) -> Result<(), Error> {
+    match shared.iter().find(|group| group.effects.len() != observations) {
+        None => Ok(()),
+        Some(group) => {
+            let got = format!("effects on {} of {observations} observations", group.effects.len());
+            Err(Error::InvalidInput { what: "shared errors", got, allowed: "one effect for each observation".into() })
+        }
+    }
+}
+
+fn robust(observed: Weighted<'_>, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
+    let known_sigma = options.sigma0_mm.unwrap_or(0.0) / focal_mm;
+    let start = consensus(observed.rays, options.seed);
+    let mut clean = adjust_without_gross_errors(observed, &start, options.limit(), known_sigma)?;
+    if options.method == OrientationMethod::Determinant {
+        clean.adjusted = adjust_determinants(&observed.kept(&clean.accepted).0, clean.adjusted.pose, |_| Ok(()))?;
+    }
+    // Where the known σ set the threshold, it cut the residuals further out.
+    let cut = options.limit() * (known_sigma / clean.adjusted.sigma.max(f64::MIN_POSITIVE)).max(1.0);
+    clean.adjusted.sigma /= spread_within(cut);
+    Ok(clean)
+}
+
+fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
+    let start = Pose::vertical(median_parallax(observed.rays));
+    let adjusted = match options.method {
+        OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, near_vertical)?,
+        OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
+    };
+    Ok(Clean { adjusted, accepted: vec![true; observed.rays.len()] })
+}
+
+/// The standard deviation of a standard normal variable that was cut at ± `limit`.
+fn spread_within(limit: f64) -> f64 {
+    let inside = 2.0 * normal_probability(limit) - 1.0;
+    (1.0 - 2.0 * limit * normal_density(limit) / inside).sqrt()
 }
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
@@ -87,28 +136,73 @@ fn default_base(rays: &[Ray]) -> f64 {
     if x.abs() >= 0.01 * length { x.abs() } else { length }
 }
 
-fn describe(
-    adjusted: &Adjusted,
-    rays: &[Ray],
-    accepted: &[bool],
+/// An accepted orientation, before it is described.
+struct Outcome {
+    adjusted: Adjusted,
+    accepted: Vec<bool>,
+    /// What robust weighting made of the weights of the accepted observations.
+    factors: Vec<f64>,
+    /// Covariance of ω φ κ by bz by errors that all observations share.
+    by_shared: Option<Matrix5>,
     base_mm: f64,
     focal_mm: f64,
-    method: OrientationMethod,
-) -> RelativeOrientation {
-    let cofactors = propagated(&adjusted.pose, base_mm, &adjusted.cofactors);
-    let degrees_of_freedom = accepted.iter().filter(|kept| **kept).count() - 5;
-    RelativeOrientation {
-        parameters: parameters(&adjusted.pose, base_mm),
-        base_mm,
-        focal_mm,
-        method,
-        standard_errors: (degrees_of_freedom > 0).then(|| standard_errors(&cofactors, adjusted.sigma)),
-        sigma0_mm: (degrees_of_freedom > 0).then_some(adjusted.sigma * focal_mm),
-        degrees_of_freedom,
-        iterations: adjusted.iterations,
-        last_step: adjusted.last_step,
-        correlations: correlations(&cofactors),
-        residuals_mm: corrections(rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
-        rejected: accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
+}
+
+impl Outcome {
+    fn describe(&self, observed: Weighted<'_>, kept: &[Ray], options: &OrientationOptions) -> RelativeOrientation {
+        let (adjusted, focal_mm) = (&self.adjusted, self.focal_mm);
+        let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.cofactors);
+        let correlations = correlations(&propagated);
+        let degrees_of_freedom = kept.len() - 5;
+        let estimated = (degrees_of_freedom > 0).then_some(adjusted.sigma);
+        let sigma = options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm).or(estimated);
+        // With what the interior orientations add, where that is known.
+        let covariance = sigma.map(|sigma| propagated * (sigma * sigma) + self.by_shared.unwrap_or_else(Matrix5::zeros));
+        let (condition, spread) = (condition(&correlations), spread(kept));
+        let plane_misfit = plane_misfit(kept, adjusted.sigma);
+        let beside_rotation = parallax_beside_rotation(kept);
+        let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
+        RelativeOrientation {
+            parameters: parameters(&adjusted.pose, self.base_mm),
+            base_mm: self.base_mm,
+            focal_mm,
+            method: options.method,
+            standard_errors: sigma.map(|sigma| standard_errors(&propagated, sigma)),
+            total_standard_errors: covariance.filter(|_| self.by_shared.is_some()).map(|covariance| standard_errors(&covariance, 1.0)),
+            sigma0_mm: estimated.map(|sigma| sigma * focal_mm),
+            sigma0_a_priori_mm: options.sigma0_mm,
+            global_test: estimated.zip(options.sigma0_mm).map(|(sigma, known)| global_test(sigma * focal_mm / known, degrees_of_freedom)),
+            degrees_of_freedom,
+            iterations: adjusted.iterations,
+            last_step: adjusted.last_step,
+            cofactors,
+            correlations,
+            condition,
+            plane_misfit,
+            spread,
+            parallax_beside_rotation_mm: beside_rotation * focal_mm,
+            weaknesses: weaknesses(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
+            base_ellipse_mm: covariance.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
+            residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
+            points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),
+            rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
+        }
     }
+
+    fn points(&self, observed: Weighted<'_>, sigma: f64, propagated: &Matrix5, noncentrality: f64) -> Vec<Option<PointStatistics>> {
+        let Self { adjusted, base_mm, focal_mm, .. } = self;
+        let judgement = Judgement { adjusted, sigma, propagated, base_mm: *base_mm, focal_mm: *focal_mm, noncentrality };
+        let mut factors = self.factors.iter();
+        let mut factor = |accepted: bool| if accepted { *factors.next().unwrap_or(&1.0) } else { 0.0 };
+        let all = observed.rays.iter().zip(observed.weights).zip(&self.accepted);
+        all.map(|((ray, weight), accepted)| judgement.of(ray, *weight, factor(*accepted))).collect()
+    }
+}
+
+/// The two-sided test of σ₀ by σ₀ a priori at 5 %.
+fn global_test(ratio: f64, degrees_of_freedom: usize) -> GlobalTest {
+    let freedom = degrees_of_freedom as f64;
+    let (lower, upper) = (chi_square_quantile(0.025, freedom), chi_square_quantile(0.975, freedom));
+    let statistic = freedom * ratio * ratio;
+    GlobalTest { statistic, lower, upper, passed: statistic >= lower && statistic <= upper }
 }

@@ -1,5 +1,6 @@
 //! What relative orientation takes and gives.
 
+use super::OrientationMethod;
 use serde::{Deserialize, Serialize};
 
 /// Photo coordinates of one point in both photos, in mm, x to the right, y up, origin at the principal point.
@@ -7,6 +8,15 @@ use serde::{Deserialize, Serialize};
 pub struct Observation {
     pub left: [f64; 2],
     pub right: [f64; 2],
+    /// Above 0; the variance of each of its coordinates is σ₀² / weight.
+    pub weight: f64,
+}
+
+impl Observation {
+    /// An observation of weight 1.
+    pub fn new(left: [f64; 2], right: [f64; 2]) -> Self {
+        Self { left, right, weight: 1.0 }
+    }
 }
 
 /// One number for each of the five unknowns.
@@ -20,6 +30,76 @@ pub struct FiveParameters {
     pub bz_mm: f64,
 }
 
+/// What the adjustment says of one observation, accepted or rejected. Absent where its rays run along the base.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointStatistics {
+    /// Residual y-parallax in mm: how far the right point lies from the epipolar line of the left point, to the left of which it is
+    /// positive.
+    pub parallax_mm: f64,
+    /// r, 0..1: the share of an error that shows in the residual. For a rejected one that of a new observation.
+    pub redundancy: f64,
+    /// Residual divided by its standard error (Baarda's w).
+    pub w: f64,
+    /// The smallest displacement of the right point across its epipolar line, in mm, that data snooping finds with the probability β₀.
+    pub detectable_mm: f64,
+    /// External reliability: the largest change of an unknown, in its standard errors, by an undetected blunder of that size.
+    pub influence: f64,
+    /// Weight with which it took part: its own times that of the robust weighting, 0 where it was rejected.
+    pub weight: f64,
+    /// Place X, Y, Z in the left photo's system in mm, at photo scale (the base being b, by, bz); absent for parallel rays.
+    pub model_mm: Option<[f64; 3]>,
+}
+
+/// The test whether σ₀ agrees with the one that was known before.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct GlobalTest {
+    /// Degrees of freedom times σ₀² / σ₀² a priori: follows χ².
+    pub statistic: f64,
+    /// Between these it lies in 95 of 100 adjustments.
+    pub lower: f64,
+    pub upper: f64,
+    pub passed: bool,
+}
+
+/// The standard error ellipse of two unknowns.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ErrorEllipse {
+    pub semi_major: f64,
+    pub semi_minor: f64,
+    /// Of the long axis, from the first unknown's axis towards that of the second, -90 to 90.
+    pub bearing_deg: f64,
+}
+
+impl ErrorEllipse {
+    /// From the variances of two unknowns and their covariance.
+    pub fn new(first: f64, covariance: f64, second: f64) -> Self {
+        let (middle, half) = (0.5 * (first + second), 0.5 * (first - second));
+        let root = (half * half + covariance * covariance).sqrt();
+        Self {
+            semi_major: (middle + root).max(0.0).sqrt(),
+            semi_minor: (middle - root).max(0.0).sqrt(),
+            bearing_deg: (0.5 * libm::atan2(covariance, half)).to_degrees(),
+        }
+    }
+}
+
+/// What makes an orientation weak although it could be computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Weakness {
+    /// All points lie in a plane within what the observations can tell: a second pose fits nearly as well.
+    Plane,
+    /// The points cover a small part of the photos.
+    Clustered,
+    /// The photos hardly differ but by a rotation: the base is too short to be told from noise and distortion.
+    Rotation,
+    /// The unknowns can hardly be told apart, as over a critical cylinder.
+    IllConditioned,
+}
+
 /// The dependent relative orientation of the right photo, with its precision.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -29,19 +109,59 @@ pub struct RelativeOrientation {
     /// The base component b that was fixed.
     pub base_mm: f64,
     pub focal_mm: f64,
-    pub method: super::OrientationMethod,
-    /// Absent without redundancy.
+    pub method: OrientationMethod,
+    /// With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
     pub standard_errors: Option<FiveParameters>,
-    /// Standard error of one photo coordinate in mm (a y-parallax has √2 of it); absent without redundancy.
+    /// The same with what the errors of the interior orientations add; absent where these are not known.
+    pub total_standard_errors: Option<FiveParameters>,
+    /// Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
+    /// rejection has cut their distribution; absent without redundancy.
     pub sigma0_mm: Option<f64>,
+    /// The σ₀ that was known before.
+    pub sigma0_a_priori_mm: Option<f64>,
+    /// Present with σ₀ a priori and redundancy.
+    pub global_test: Option<GlobalTest>,
     pub degrees_of_freedom: usize,
     pub iterations: usize,
     /// Size of the last step relative to a millionth of the standard errors, or to rounding where these are smaller: below 1 it has converged.
     pub last_step: f64,
+    /// Cofactors of ω φ κ (radians), by bz (mm) for σ₀ = 1 mm: variances are σ₀² times the diagonal.
+    pub cofactors: [[f64; 5]; 5],
     /// Of ω φ κ by bz, from the inverse of the normal equations.
     pub correlations: [[f64; 5]; 5],
+    /// Largest by smallest eigenvalue of the matrix of correlations: 1 for independent unknowns.
+    pub condition: f64,
+    /// How far the points deviate from the best projective map of a plane, in standard errors of a coordinate: about 1 over a plane. Absent
+    /// with fewer than ten points.
+    pub plane_misfit: Option<f64>,
+    /// The spread of the points in the left photo: root mean square distance from their middle, in focal lengths.
+    pub spread: f64,
+    /// Median parallax that the best rotation leaves, in mm: what of the photos' difference only a base explains.
+    pub parallax_beside_rotation_mm: f64,
+    pub weaknesses: Vec<Weakness>,
+    /// Standard error ellipse of by and bz in mm, with what the interior orientations add where that is known.
+    pub base_ellipse_mm: Option<ErrorEllipse>,
     /// Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
     pub residuals_mm: Vec<[f64; 4]>,
+    /// One for each observation.
+    #[serde(skip)]
+    pub points: Vec<Option<PointStatistics>>,
     /// Indices of the observations that were left out as gross errors.
     pub rejected: Vec<usize>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_ellipse_has_its_axes_along_the_eigenvectors() {
+        let ellipse = ErrorEllipse::new(4.0, 0.0, 1.0);
+        assert_eq!((ellipse.semi_major, ellipse.semi_minor, ellipse.bearing_deg), (2.0, 1.0, 0.0));
+        // Axes of 3 and 1, the long one at 30°.
+        let (sin, cos) = (0.5, 0.75_f64.sqrt());
+        let ellipse = ErrorEllipse::new(9.0 * cos * cos + sin * sin, 8.0 * sin * cos, 9.0 * sin * sin + cos * cos);
+        assert!((ellipse.semi_major - 3.0).abs() < 1e-12 && (ellipse.semi_minor - 1.0).abs() < 1e-12);
+        assert!((ellipse.bearing_deg - 30.0).abs() < 1e-12);
+    }
 }

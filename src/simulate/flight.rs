@@ -2,48 +2,47 @@
 
 use crate::Error;
 use crate::orientation::FiveParameters;
-use crate::parameters::refuse;
+use crate::parameters::{FLIGHT_PARAMETERS, check_by, refuse};
+use serde::{Deserialize, Serialize};
 
-/// Parameters of a simulated pair. The default is the paper's geometry over a town.
-#[derive(Debug, Clone, PartialEq)]
+/// Parameters of a simulated pair; [`FLIGHT_PARAMETERS`] tells their units and ranges. The default is the paper's geometry over a town.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Flight {
-    /// Focal length in mm, 10..1000.
     pub focal_mm: f64,
-    /// `[x, y]` of the principal point in the system of the fiducial marks in mm, -1..1.
-    pub principal_point_mm: [f64; 2],
-    /// Side of a pixel of the scan in mm, 0.005..1.
+    pub principal_x_mm: f64,
+    pub principal_y_mm: f64,
+    pub distortion: f64,
     pub pixel_mm: f64,
-    /// Height of the left perspective centre above the mean ground in m, 50..5000.
     pub flying_height_m: f64,
-    /// Base component b at photo scale in mm, 0..200.
     pub base_mm: f64,
-    /// Columns of the patches that are cut from the two scans, 16..4000; the overlap limits it.
     pub width_px: usize,
-    /// Rows of the patches, 16..4000; the frame limits it.
     pub height_px: usize,
-    /// The right photo's dependent relative orientation: angles within 10 degrees, by and bz within 20 mm.
-    pub orientation: FiveParameters,
-    /// ω φ κ of the left photo against the ground in degrees, within 10.
-    pub left_tilts_deg: [f64; 3],
-    /// Range of the terrain's heights in m, 0..0.1 of the flying height.
+    pub omega_deg: f64,
+    pub phi_deg: f64,
+    pub kappa_deg: f64,
+    pub by_mm: f64,
+    pub bz_mm: f64,
+    pub left_omega_deg: f64,
+    pub left_phi_deg: f64,
+    pub left_kappa_deg: f64,
     pub relief_m: f64,
-    /// Number of buildings, 0..50 000; fewer stand where there are fewer lots.
     pub buildings: usize,
-    /// Lowest and highest building in m (eaves above ground), 2..0.1 of the flying height.
-    pub building_heights_m: [f64; 2],
-    /// Number of trees, 0..50 000; a few less stand, since none grows in a house or on a street.
+    pub lowest_building_m: f64,
+    pub highest_building_m: f64,
     pub trees: usize,
-    /// Standard deviation of the lens's point spread in px, 0..1; the pixel's own square comes on top.
+    pub river_m: f64,
+    pub driven_m: f64,
     pub psf_px: f64,
-    /// Standard deviation of the noise of both images in grey values, 0..50.
+    pub right_blur_px: f64,
     pub noise_grey: f64,
-    /// Grey values of the right image: scene times gain plus offset; gain 0.1..10.
+    pub grain_grey: f64,
+    pub grain_px: f64,
     pub gain: f64,
-    /// Offset of the right image in grey values, -200..200.
     pub offset_grey: f64,
-    /// Standard deviation of a measured fiducial coordinate in px, 0..10.
+    pub haze: f64,
     pub fiducial_noise_px: f64,
-    /// Everything random follows from it.
     pub seed: u32,
 }
 
@@ -51,24 +50,97 @@ impl Default for Flight {
     fn default() -> Self {
         Self {
             focal_mm: 153.38,
-            principal_point_mm: [0.004, -0.007],
+            principal_x_mm: 0.004,
+            principal_y_mm: -0.007,
+            distortion: 0.0,
             pixel_mm: 0.254,
             flying_height_m: 830.0,
             base_mm: 92.0,
             width_px: 450,
             height_px: 700,
-            orientation: FiveParameters { omega_deg: 0.3, phi_deg: -0.2, kappa_deg: 0.15, by_mm: 1.2, bz_mm: -0.4 },
-            left_tilts_deg: [0.2, -0.15, 0.4],
+            omega_deg: 0.3,
+            phi_deg: -0.2,
+            kappa_deg: 0.15,
+            by_mm: 1.2,
+            bz_mm: -0.4,
+            left_omega_deg: 0.2,
+            left_phi_deg: -0.15,
+            left_kappa_deg: 0.4,
             relief_m: 8.0,
             buildings: 1300,
-            building_heights_m: [3.5, 15.0],
+            lowest_building_m: 3.5,
+            highest_building_m: 15.0,
             trees: 1400,
+            river_m: 0.0,
+            driven_m: 0.0,
             psf_px: 0.45,
+            right_blur_px: 0.0,
             noise_grey: 1.5,
+            grain_grey: 0.0,
+            grain_px: 1.0,
             gain: 1.03,
             offset_grey: 2.0,
+            haze: 0.0,
             fiducial_noise_px: 0.12,
             seed: super::SAMPLE_SEED,
+        }
+    }
+}
+
+/// Flights that are ready made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum Preset {
+    /// The built-in sample: the paper's geometry, small angles.
+    Sample,
+    /// The angles of the paper's Table 3, higher relief and buildings, more noise.
+    Paper,
+    /// Turned, high relief and buildings, strong noise, blur.
+    Hard,
+    /// The paper's angles with film grain, haze, a river and moving cars.
+    Lively,
+}
+
+impl Preset {
+    /// All of them.
+    pub const ALL: [Self; 4] = [Self::Sample, Self::Paper, Self::Hard, Self::Lively];
+
+    /// The flight.
+    pub fn flight(self) -> Flight {
+        let sample = Flight::default();
+        match self {
+            Self::Sample => sample,
+            Self::Paper => Flight {
+                omega_deg: 0.9137,
+                phi_deg: 0.0187,
+                kappa_deg: 0.3708,
+                by_mm: -2.2811,
+                bz_mm: 0.0605,
+                relief_m: 10.0,
+                highest_building_m: 18.0,
+                noise_grey: 3.0,
+                gain: 0.92,
+                seed: 2,
+                ..sample
+            },
+            Self::Hard => Flight {
+                omega_deg: -0.6,
+                phi_deg: 0.4,
+                kappa_deg: 2.2,
+                by_mm: -1.5,
+                bz_mm: 0.8,
+                relief_m: 20.0,
+                highest_building_m: 28.0,
+                noise_grey: 6.0,
+                right_blur_px: 0.4,
+                gain: 0.78,
+                seed: 3,
+                ..sample
+            },
+            Self::Lively => {
+                Flight { river_m: 30.0, driven_m: 12.0, noise_grey: 2.0, grain_grey: 3.0, haze: 0.15, seed: 4, ..Self::Paper.flight() }
+            }
         }
     }
 }
@@ -76,53 +148,41 @@ impl Default for Flight {
 /// Side of the photo's square frame in mm: the aerial film format.
 pub(super) const FRAME_MM: f64 = 230.0;
 
+/// The lens's point spread and a blur may together be this wide, in px: more is not gathered.
+const WIDEST_PSF_PX: f64 = 1.0;
+
 impl Flight {
+    /// The right photo's dependent relative orientation.
+    pub fn orientation(&self) -> FiveParameters {
+        let Self { omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, .. } = *self;
+        FiveParameters { omega_deg, phi_deg, kappa_deg, by_mm, bz_mm }
+    }
+
     /// Metres on the ground for a millimetre in the photo.
     pub(super) fn scale_m_per_mm(&self) -> f64 {
         self.flying_height_m / self.focal_mm
     }
 
-    /// Refuses values outside their ranges.
+    /// Standard deviation of the right image's point spread in px.
+    pub(super) fn right_psf_px(&self) -> f64 {
+        (self.psf_px * self.psf_px + self.right_blur_px * self.right_blur_px).sqrt()
+    }
+
+    /// Refuses values outside their ranges, and flights that cannot be flown.
     pub(super) fn check(&self) -> Result<(), Error> {
-        within("flight.focal_mm", self.focal_mm, 10.0, 1000.0)?;
-        each("flight.principal_point_mm", &self.principal_point_mm, -1.0, 1.0)?;
-        within("flight.pixel_mm", self.pixel_mm, 0.005, 1.0)?;
-        within("flight.flying_height_m", self.flying_height_m, 50.0, 5000.0)?;
-        within("flight.base_mm", self.base_mm, 0.0, 200.0)?;
-        self.check_orientation()?;
-        each("flight.left_tilts_deg", &self.left_tilts_deg, -10.0, 10.0)?;
-        self.check_scene()?;
-        self.check_images()?;
+        let values = serde_json::to_value(self).unwrap_or_default();
+        for parameter in FLIGHT_PARAMETERS {
+            let field = parameter.key.trim_start_matches("flight.");
+            // A number that is none has no JSON form.
+            check_by(parameter, values[field].as_f64().unwrap_or(f64::NAN))?;
+        }
+        let tenth = 0.1 * self.flying_height_m;
+        within("flight.relief_m", self.relief_m, 0.0, tenth)?;
+        within("flight.lowest_building_m", self.lowest_building_m, 2.0, tenth)?;
+        within("flight.highest_building_m", self.highest_building_m, self.lowest_building_m, tenth)?;
+        let blur = (WIDEST_PSF_PX * WIDEST_PSF_PX - self.psf_px * self.psf_px).max(0.0).sqrt();
+        within("flight.right_blur_px", self.right_blur_px, 0.0, blur)?;
         self.check_patch()
-    }
-
-    pub(super) fn angles_deg(&self) -> [f64; 3] {
-        [self.orientation.omega_deg, self.orientation.phi_deg, self.orientation.kappa_deg]
-    }
-
-    fn check_orientation(&self) -> Result<(), Error> {
-        within("flight.orientation.omega_deg", self.orientation.omega_deg, -10.0, 10.0)?;
-        within("flight.orientation.phi_deg", self.orientation.phi_deg, -10.0, 10.0)?;
-        within("flight.orientation.kappa_deg", self.orientation.kappa_deg, -10.0, 10.0)?;
-        within("flight.orientation.by_mm", self.orientation.by_mm, -20.0, 20.0)?;
-        within("flight.orientation.bz_mm", self.orientation.bz_mm, -20.0, 20.0)
-    }
-
-    fn check_scene(&self) -> Result<(), Error> {
-        within("flight.relief_m", self.relief_m, 0.0, 0.1 * self.flying_height_m)?;
-        within("flight.buildings", self.buildings as f64, 0.0, 50_000.0)?;
-        within("flight.trees", self.trees as f64, 0.0, 50_000.0)?;
-        let [lowest, highest] = self.building_heights_m;
-        within("flight.building_heights_m[0]", lowest, 2.0, 0.1 * self.flying_height_m)?;
-        within("flight.building_heights_m[1]", highest, lowest, 0.1 * self.flying_height_m)
-    }
-
-    fn check_images(&self) -> Result<(), Error> {
-        within("flight.psf_px", self.psf_px, 0.0, 1.0)?;
-        within("flight.noise_grey", self.noise_grey, 0.0, 50.0)?;
-        within("flight.gain", self.gain, 0.1, 10.0)?;
-        within("flight.offset_grey", self.offset_grey, -200.0, 200.0)?;
-        within("flight.fiducial_noise_px", self.fiducial_noise_px, 0.0, 10.0)
     }
 
     /// The patches must fit into the overlap, and the ground they show must be of a size that can be built.
@@ -145,11 +205,25 @@ impl Flight {
 /// The longest side of ground that is built, in m.
 const LONGEST_GROUND_M: f64 = 5000.0;
 
-/// Refuses a value outside `low..=high`; a NaN is outside.
+/// Refuses a value outside `low..=high`.
 fn within(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {
     if value >= low && value <= high { Ok(()) } else { Err(refuse(field, value, format!("{low} to {high}"))) }
 }
 
-fn each(field: &'static str, values: &[f64], low: f64, high: f64) -> Result<(), Error> {
-    values.iter().try_for_each(|&value| within(field, value, low, high))
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_field_is_described_once_and_the_presets_can_be_flown() {
+        let values = serde_json::to_value(Flight::default()).unwrap();
+        let mut described: Vec<&str> = FLIGHT_PARAMETERS.iter().map(|p| p.key.trim_start_matches("flight.")).collect();
+        described.sort_unstable();
+        let mut fields: Vec<&str> = values.as_object().unwrap().keys().map(String::as_str).collect();
+        fields.sort_unstable();
+        assert_eq!(described, fields);
+        for preset in Preset::ALL {
+            preset.flight().check().unwrap();
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! A simulated flight: two overlapping photographs of a made scene, of which everything is known.
 //!
-//! Data flow: [`Flight`] → `scene` (relief, streets, buildings, trees, paint) → `photo` (central projection and scan) → `view`
-//! (which surface a pixel sees) → `render` (samples, point spread) → `sensor` (gain, offset, noise) → [`Sample`].
+//! Data flow: [`Flight`] → `scene` (relief, streets, river, buildings, trees, paint) → `photo` (central projection and scan) → `view`
+//! (which surface a pixel sees) → `render` (samples, point spread) → `sensor` (haze, gain, offset, grain, noise) → [`Sample`].
 //!
 //! Ground coordinates are metres, x to the right in the left photo (along the base, but for the left photo's tilts), y up in
 //! it, z up; the left photo's perspective centre is above the origin. The same flight gives the same bytes on every machine.
@@ -14,9 +14,11 @@ mod random;
 mod render;
 mod sample;
 mod scene;
+mod score;
 mod sensor;
 mod truth;
 mod view;
 
-pub use flight::Flight;
+pub use flight::{Flight, Preset};
 pub use sample::{SAMPLE_SEED, Sample, sample_pair, simulate};
+pub use score::{DenseTruth, MatchScore, RIGHT_WITHIN_PX, Rightness, score_matches};

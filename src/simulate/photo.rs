@@ -25,6 +25,8 @@ pub(super) struct Photo {
     pub(super) photo_from_ground: Matrix3<f64>,
     pub(super) focal_mm: f64,
     pub(super) principal_point_mm: [f64; 2],
+    /// k₁ in mm⁻².
+    pub(super) distortion: f64,
     pub(super) scan: Scan,
     /// Column and row of the scan's pixel that is the patch's top-left one.
     pub(super) origin_px: [f64; 2],
@@ -36,11 +38,12 @@ impl Photo {
         let seen = self.photo_from_ground * (point - self.centre);
         let scale = -self.focal_mm / seen.z;
         let [x0, y0] = self.principal_point_mm;
-        let [col, row] = self.scan.to_px(Vector2::new(x0 + scale * seen.x, y0 + scale * seen.y));
+        let mm = distorted(Vector2::new(scale * seen.x, scale * seen.y), self.distortion);
+        let [col, row] = self.scan.to_px(Vector2::new(x0 + mm.x, y0 + mm.y));
         [col - self.origin_px[0], row - self.origin_px[1]]
     }
 
-    /// The rays of all pixel positions: the direction is linear in column and row.
+    /// The rays of all pixel positions: but for distortion the direction is linear in column and row.
     pub(super) fn rays(&self) -> RayField {
         let to_mm = |col, row| self.scan.to_mm([col + self.origin_px[0], row + self.origin_px[1]]);
         let direction = |mm: Vector2<f64>| {
@@ -48,8 +51,27 @@ impl Photo {
             self.photo_from_ground.transpose() * Vector3::new(mm.x - x0, mm.y - y0, -self.focal_mm) / self.focal_mm
         };
         let corner = direction(to_mm(0.0, 0.0));
-        RayField { centre: self.centre, corner, per_col: direction(to_mm(1.0, 0.0)) - corner, per_row: direction(to_mm(0.0, 1.0)) - corner }
+        RayField {
+            centre: self.centre,
+            corner,
+            per_col: direction(to_mm(1.0, 0.0)) - corner,
+            per_row: direction(to_mm(0.0, 1.0)) - corner,
+            axis: -self.photo_from_ground.row(2).transpose(),
+            distortion: self.distortion * self.focal_mm * self.focal_mm,
+        }
     }
+}
+
+/// Where a lens puts what belongs at ideal photo coordinates in mm: measured ones times 1 + k₁ r² are the ideal ones.
+fn distorted(ideal: Vector2<f64>, k1: f64) -> Vector2<f64> {
+    let mut measured = ideal;
+    if k1 != 0.0 {
+        // Each round gains two digits at the strongest distortion that is allowed.
+        for _ in 0..12 {
+            measured = ideal / (1.0 + k1 * measured.norm_squared());
+        }
+    }
+    measured
 }
 
 /// The rays of a photo's patch.
@@ -59,12 +81,21 @@ pub(super) struct RayField {
     corner: Vector3<f64>,
     per_col: Vector3<f64>,
     per_row: Vector3<f64>,
+    /// The optical axis.
+    axis: Vector3<f64>,
+    /// k₁ for coordinates in focal lengths.
+    distortion: f64,
 }
 
 impl RayField {
     /// The ray of a position in px of the patch.
     pub(super) fn ray(&self, x: f64, y: f64) -> Ray {
-        Ray { origin: self.centre, direction: self.corner + self.per_col * x + self.per_row * y }
+        let mut direction = self.corner + self.per_col * x + self.per_row * y;
+        if self.distortion != 0.0 {
+            let across = direction - self.axis;
+            direction = self.axis + across * (1.0 + self.distortion * across.norm_squared());
+        }
+        Ray { origin: self.centre, direction }
     }
 }
 
@@ -129,8 +160,8 @@ const MARKS_MM: [[f64; 2]; 8] = [
 
 /// The two photos of a flight, with patches that show the same ground.
 pub(super) fn photos(flight: &Flight, scans: [Scan; 2], cut_px: [f64; 2]) -> [Photo; 2] {
-    let ground_from_model = rotation(flight.left_tilts_deg).transpose();
-    let base_mm = Vector3::new(flight.base_mm, flight.orientation.by_mm, flight.orientation.bz_mm);
+    let ground_from_model = rotation([flight.left_omega_deg, flight.left_phi_deg, flight.left_kappa_deg]).transpose();
+    let base_mm = Vector3::new(flight.base_mm, flight.by_mm, flight.bz_mm);
     let left_centre = Vector3::new(0.0, 0.0, flight.flying_height_m);
     let right_centre = left_centre + ground_from_model * base_mm * flight.scale_m_per_mm();
     let [left_scan, right_scan] = scans;
@@ -138,12 +169,14 @@ pub(super) fn photos(flight: &Flight, scans: [Scan; 2], cut_px: [f64; 2]) -> [Ph
         centre,
         photo_from_ground,
         focal_mm: flight.focal_mm,
-        principal_point_mm: flight.principal_point_mm,
+        principal_point_mm: [flight.principal_x_mm, flight.principal_y_mm],
+        distortion: flight.distortion,
         scan,
         origin_px: [0.0, 0.0],
     };
     let mut left = photo(left_centre, ground_from_model.transpose(), left_scan);
-    let mut right = photo(right_centre, rotation(flight.angles_deg()) * ground_from_model.transpose(), right_scan);
+    let mut right =
+        photo(right_centre, rotation([flight.omega_deg, flight.phi_deg, flight.kappa_deg]) * ground_from_model.transpose(), right_scan);
     cut(flight, &mut left, &mut right, cut_px);
     [left, right]
 }
@@ -151,7 +184,7 @@ pub(super) fn photos(flight: &Flight, scans: [Scan; 2], cut_px: [f64; 2]) -> [Ph
 /// Cuts the left patch from the middle of the overlap and the right one where it shows the same mean ground, `cut_px` aside.
 fn cut(flight: &Flight, left: &mut Photo, right: &mut Photo, cut_px: [f64; 2]) {
     let half = [0.5 * flight.width_px as f64, 0.5 * flight.height_px as f64];
-    let [x0, y0] = flight.principal_point_mm;
+    let [x0, y0] = [flight.principal_x_mm, flight.principal_y_mm];
     let middle = left.scan.to_px(Vector2::new(x0 + 0.5 * flight.base_mm, y0));
     left.origin_px = [0, 1].map(|axis| (middle[axis] - half[axis]).round());
     let ray = left.rays().ray(half[0], half[1]);

@@ -17,6 +17,9 @@ pub(super) enum Stream {
     Cut,
     LeftNoise,
     RightNoise,
+    LeftGrain,
+    RightGrain,
+    River,
 }
 
 /// A stream of random numbers.

@@ -5,7 +5,7 @@ use super::flight::Flight;
 use super::photo::{Photo, Scan, photos};
 use super::random::{Random, Stream};
 use super::render::render;
-use super::scene::Scene;
+use super::scene::{Exposure, Scene};
 use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
@@ -35,7 +35,7 @@ pub struct Sample {
     /// The true dependent relative orientation of the right photo.
     pub truth: FiveParameters,
     /// For each left pixel, row by row, the `[x, y]` in px of the right patch at which what its centre shows is seen; NaN where
-    /// that is hidden or outside. The centre of the patch's top-left pixel is (0.5, 0.5).
+    /// that is hidden or outside, or covered by a moving car in either image. The centre of the patch's top-left pixel is (0.5, 0.5).
     pub right_position: Vec<[f32; 2]>,
 }
 
@@ -56,22 +56,26 @@ pub fn sample_pair(seed: u32) -> Result<Sample, Error> {
 pub fn simulate(flight: &Flight) -> Result<Sample, Error> {
     let Stage { scene, photos, mut scan_random } = Stage::new(flight)?;
     let (width, height) = (flight.width_px, flight.height_px);
-    let [left_view, right_view] = photos.each_ref().map(|photo| View::new(&scene, photo, width, height));
-    let take = |view: &View<'_>, gain, offset_grey, noise| {
-        let sensor = Sensor { gain, offset_grey, noise_grey: flight.noise_grey };
-        sensor.record(&render(view, width, height, flight.psf_px), width, height, &mut Random::new(flight.seed, noise))
+    let [left_photo, right_photo] = &photos;
+    let left_view = View::new(&scene, left_photo, Exposure::First, width, height);
+    let right_view = View::new(&scene, right_photo, Exposure::Second, width, height);
+    let take = |view: &View<'_>, psf_px, gain, offset_grey, [noise, grain]: [Stream; 2]| {
+        let Flight { noise_grey, grain_grey, grain_px, haze, .. } = *flight;
+        let sensor = Sensor { gain, offset_grey, noise_grey, grain_grey, grain_px, haze };
+        let random = [noise, grain].map(|stream| Random::new(flight.seed, stream));
+        sensor.record(&render(view, width, height, psf_px), width, height, random)
     };
     let [left, right] = &photos;
     Ok(Sample {
-        left: take(&left_view, 1.0, 0.0, Stream::LeftNoise)?,
-        right: take(&right_view, flight.gain, flight.offset_grey, Stream::RightNoise)?,
+        left: take(&left_view, flight.psf_px, 1.0, 0.0, [Stream::LeftNoise, Stream::LeftGrain])?,
+        right: take(&right_view, flight.right_psf_px(), flight.gain, flight.offset_grey, [Stream::RightNoise, Stream::RightGrain])?,
         camera: camera(flight),
         left_fiducials: left.scan.measure(flight.fiducial_noise_px, &mut scan_random[0]),
         right_fiducials: right.scan.measure(flight.fiducial_noise_px, &mut scan_random[1]),
         left_origin: left.origin_px,
         right_origin: right.origin_px,
         base_mm: flight.base_mm,
-        truth: flight.orientation,
+        truth: flight.orientation(),
         right_position: right_positions(&left_view, &right_view, width, height),
     })
 }
@@ -103,7 +107,12 @@ fn cut_px(random: &mut Random) -> [f64; 2] {
 
 /// Pixels come from the fiducial marks, so that the camera names none.
 fn camera(flight: &Flight) -> Camera {
-    Camera { focal_mm: flight.focal_mm, principal_point_mm: flight.principal_point_mm, pixel_mm: None, radial_distortion: [0.0; 3] }
+    Camera {
+        focal_mm: flight.focal_mm,
+        principal_point_mm: [flight.principal_x_mm, flight.principal_y_mm],
+        pixel_mm: None,
+        radial_distortion: [flight.distortion, 0.0, 0.0],
+    }
 }
 
 /// The flattest ray that is allowed, as height over length.
@@ -125,6 +134,6 @@ fn ground_area(flight: &Flight, photos: [&Photo; 2]) -> Result<Rectangle, Error>
             area = [area[0].min(foot.x), area[1].min(foot.y), area[2].max(foot.x), area[3].max(foot.y)];
         }
     }
-    let around = 15.0 + 2.5 * flight.building_heights_m[1];
+    let around = 15.0 + 2.5 * flight.highest_building_m;
     Ok([area[0] - around, area[1] - around, area[2] + around, area[3] + around])
 }

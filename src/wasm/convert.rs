@@ -82,7 +82,7 @@ pub fn object<const N: usize>(fields: [(&str, JsValue); N]) -> JsValue {
     object.into()
 }
 
-fn set(object: &impl AsRef<JsValue>, name: &str, value: &JsValue) {
+pub fn set(object: &impl AsRef<JsValue>, name: &str, value: &JsValue) {
     Reflect::set(object.as_ref(), &name.into(), value).expect("a plain object takes fields");
 }
 

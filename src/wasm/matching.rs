@@ -1,10 +1,12 @@
 //! Offsets and matches between two sets of points.
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, thrown};
+use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
-    Descriptor, Error, GreyImage, InterestPoint, MatchOptions, MatchSet, OffsetField, PairInput, PairResult, PairSettings, PointSet,
-    Reduced, Rule, candidates_of, estimate_offset_of_reduced, match_pair as match_images, match_points as match_described,
+    Descriptor, Error, Fit, GreyImage, InterestPoint, Match, MatchImage, MatchOptions, MatchSet, OffsetField, PairInput, PairInterior,
+    PairResult, PairSettings, Reduced, Rule, candidates_of, estimate_offset_of_reduced, match_in_rounds, match_pair as match_images,
+    match_points as match_described,
 };
 use js_sys::{Int32Array, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -17,12 +19,16 @@ export interface MatchResult {
     counts: MatchCounts;
     /** x and y of the left point, x and y of the right point in px, measure; stride 5. */
     matches: Float64Array;
-    /** Index of the left and of the right point of each match; stride 2. */
+    /** Index of the left and of the right point of each match, 4294967295 where the place found is no interest point; stride 2. */
     indices: Uint32Array;
+    /** What least squares matching found: correlation, covariance xx, xy, yy of the right position in px², iterations; stride 5. NaN where none took place. */
+    fits: Float64Array;
     /** For each left point the rule that decided: an index into `rule_names()`. */
     rules: Uint8Array;
-    /** For each left point the index of its best right point, -1 without a candidate. */
+    /** For each left point the index of its best right point, -1 without one. */
     best: Int32Array;
+    /** For each left point the best place in the right image in px, NaN without one; stride 2. */
+    places: Float64Array;
     /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
     measures: Float64Array;
 }
@@ -42,14 +48,10 @@ export interface PairOutput {
 }
 "#;
 
-/// The rules, in the order of the codes in `MatchResult.rules`.
-const RULES: [Rule; 7] =
-    [Rule::Matched, Rule::NoDescriptor, Rule::NoCandidate, Rule::Threshold, Rule::Ambiguous, Rule::ManyToOne, Rule::Parallax];
-
 /// The names of the rules, in the order of their codes.
 #[wasm_bindgen(unchecked_return_type = "Rule[]")]
 pub fn rule_names() -> JsValue {
-    pack(&RULES)
+    pack(&Rule::ALL)
 }
 
 /// Estimates the offsets between two images from `Photo.reduced(1024)` of each.
@@ -82,7 +84,36 @@ pub fn match_points(
     let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
     let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
     let set = match_described(left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
-    Ok(pack_matches(&set, &left.points, &right.points))
+    Ok(pack_matches(&set))
+}
+
+/// Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+///
+/// With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
+/// changes.
+#[wasm_bindgen(unchecked_return_type = "MatchResult")]
+#[allow(clippy::too_many_arguments)]
+pub fn match_photos(
+    left: &Photo,
+    right: &Photo,
+    left_points: &[f64],
+    left_descriptors: &[f64],
+    right_points: &[f64],
+    right_descriptors: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+) -> JsResult<JsValue> {
+    let described = [Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?];
+    let (offset, interior) = (read_offset(offset)?, read::<Option<PairInterior>>("interior", interior)?);
+    let settings = read_options::<PairSettings>("settings", settings)?;
+    let images = [(left, &described[0]), (right, &described[1])].map(|(photo, Described { points, descriptors })| MatchImage {
+        grey: photo.view(),
+        points,
+        descriptors,
+    });
+    let set = match_in_rounds(images, &offset, interior.as_ref(), &settings).map_err(thrown)?;
+    Ok(pack_matches(&set))
 }
 
 /// The candidates of one left point, the best first: index of the right point and measure, stride 2.
@@ -115,36 +146,35 @@ pub fn match_pair(
 }
 
 fn pack_pair(result: &PairResult) -> JsValue {
-    let points = |set: &PointSet| set.points.clone();
     object([
         ("left", pack_points(&result.left)),
         ("right", pack_points(&result.right)),
         ("offset", pack(&result.offset)),
-        ("match", pack_matches(&result.matching, &points(&result.left), &points(&result.right))),
+        ("match", pack_matches(&result.matching)),
         ("interior", pack(&result.interior)),
         ("pixel_mm", pack(&result.interior.as_ref().map(|i| i.left.pixel_mm()))),
-        ("orientation", pack(&result.orientation.as_ref().ok())),
+        ("orientation", result.orientation.as_ref().map_or(JsValue::NULL, pack_orientation)),
         ("orientation_reason", pack(&result.orientation.as_ref().err())),
     ])
 }
 
-fn pack_matches(set: &MatchSet, left: &[InterestPoint], right: &[InterestPoint]) -> JsValue {
-    let code = |rule: Rule| RULES.iter().position(|r| *r == rule).expect("RULES holds every rule") as u8;
+fn pack_matches(set: &MatchSet) -> JsValue {
+    let code = |rule: Rule| Rule::ALL.iter().position(|r| *r == rule).expect("all rules are there") as u8;
     let rules: Vec<u8> = set.verdicts.iter().map(|v| code(v.rule)).collect();
     let best: Vec<i32> = set.verdicts.iter().map(|v| v.best.map_or(-1, |best| best as i32)).collect();
-    let indices: Vec<u32> = set.matches.iter().flat_map(|m| [m.left as u32, m.right as u32]).collect();
+    let indices: Vec<u32> = set.matches.iter().flat_map(|m| [m.left as u32, m.right.map_or(u32::MAX, |right| right as u32)]).collect();
+    let fit = |m: &Match| {
+        m.fit
+            .map_or([f64::NAN; 5], |Fit { correlation, covariance: [xx, xy, yy], iterations }| [correlation, xx, xy, yy, iterations as f64])
+    };
     object([
         ("counts", pack(&set.counts)),
-        (
-            "matches",
-            numbers(set.matches.iter().flat_map(|m| {
-                let (l, r) = (left[m.left], right[m.right]);
-                [l.x, l.y, r.x, r.y, m.measure]
-            })),
-        ),
+        ("matches", numbers(set.matches.iter().flat_map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1], m.measure]))),
         ("indices", Uint32Array::from(&indices[..]).into()),
+        ("fits", numbers(set.matches.iter().flat_map(fit))),
         ("rules", Uint8Array::from(&rules[..]).into()),
         ("best", Int32Array::from(&best[..]).into()),
+        ("places", numbers(set.verdicts.iter().flat_map(|v| v.position.unwrap_or([f64::NAN; 2])))),
         ("measures", numbers(set.verdicts.iter().flat_map(|v| [v.measure, v.second]))),
     ])
 }

@@ -8,5 +8,6 @@ mod draw;
 mod matching;
 mod orientation;
 mod photo;
-mod sample;
+mod report;
+mod simulate;
 mod tables;

@@ -1,13 +1,25 @@
 //! Interior and relative orientation.
 
-use super::convert::{JsResult, pack, read, read_options, rows, thrown};
+use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
 use crate::{
-    Camera, Fiducial, FiducialModel, Interior, Observation, OrientationOptions, PhotoInput, observations as photo_observations,
-    orient_fiducials as orient_marks, orient_relative as orient_pair, photo_interior,
+    Camera, Error, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
+    PointStatistics, RelativeOrientation, observations as photo_observations, orient_fiducials as orient_marks,
+    orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
 use serde::{Deserialize, Serialize};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+export interface RelativeOrientation {
+    /**
+     * For each observation: residual y-parallax in mm, redundancy number, standardised residual w, minimal detectable displacement of the
+     * right point across its epipolar line in mm, external reliability, weight (0 where rejected), model X, Y, Z in mm; stride 9. NaN where absent.
+     */
+    points: Float64Array;
+}
+"#;
 
 /// An image as interior orientation needs it: its size, and what is known of its fiducials.
 #[derive(Serialize, Deserialize, tsify::Tsify)]
@@ -64,15 +76,66 @@ pub fn observations(
     Ok(photo_observations(&positions, &left, &right).iter().flat_map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect())
 }
 
-/// Relative orientation of observations x, y left, x, y right in mm (stride 4).
+/// Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
+/// of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+#[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
+pub fn orient_matches(
+    matches: &[f64],
+    fits: &[f64],
+    #[wasm_bindgen(unchecked_param_type = "PairInterior")] interior: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
+) -> JsResult<JsValue> {
+    let (interior, options): (PairInterior, OrientationOptions) = (read("interior", interior)?, read_options("orientation", options)?);
+    let (rows, fits) = (rows::<5>("matches", matches)?, rows::<5>("fits", fits)?);
+    if !fits.is_empty() && fits.len() != rows.len() {
+        let got = format!("{} fits for {} matches", fits.len(), rows.len());
+        return Err(thrown(Error::InvalidInput { what: "fits", got, allowed: "one for each match, or none".into() }));
+    }
+    let fit = |[correlation, xx, xy, yy, iterations]: &[f64; 5]| {
+        correlation.is_finite().then_some(Fit { correlation: *correlation, covariance: [*xx, *xy, *yy], iterations: *iterations as usize })
+    };
+    let one = |(k, [xl, yl, xr, yr, measure]): (usize, &[f64; 5])| Match {
+        left: k,
+        right: None,
+        left_px: [*xl, *yl],
+        right_px: [*xr, *yr],
+        measure: *measure,
+        fit: fits.get(k).and_then(fit),
+    };
+    let matches: Vec<Match> = rows.iter().enumerate().map(one).collect();
+    orient_by_matches(&matches, &interior, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+}
+
+/// Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
 #[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
 pub fn orient_relative(
     observations: &[f64],
     focal_mm: f64,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
+    weights: Option<Vec<f64>>,
 ) -> JsResult<JsValue> {
     let options: OrientationOptions = read_options("orientation", options)?;
     let rows = rows::<4>("observations", observations)?;
-    let observed: Vec<Observation> = rows.iter().map(|[xl, yl, xr, yr]| Observation { left: [*xl, *yl], right: [*xr, *yr] }).collect();
-    orient_pair(&observed, focal_mm, &options).map(|o| pack(&o)).map_err(thrown)
+    if let Some(weights) = weights.as_ref().filter(|weights| weights.len() != rows.len()) {
+        let got = format!("{} weights for {} observations", weights.len(), rows.len());
+        return Err(thrown(Error::InvalidInput { what: "weights", got, allowed: "one weight for each observation".into() }));
+    }
+    let weight = |k: usize| weights.as_ref().map_or(1.0, |weights| weights[k]);
+    let observed =
+        rows.iter().enumerate().map(|(k, [xl, yl, xr, yr])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) });
+    orient_pair(&observed.collect::<Vec<_>>(), focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+}
+
+/// The orientation, with the statistics of its points as one flat array.
+pub(super) fn pack_orientation(orientation: &RelativeOrientation) -> JsValue {
+    let packed = pack(orientation);
+    let row = |point: &Option<PointStatistics>| match point {
+        None => [f64::NAN; 9],
+        Some(p) => {
+            let [x, y, z] = p.model_mm.unwrap_or([f64::NAN; 3]);
+            [p.parallax_mm, p.redundancy, p.w, p.detectable_mm, p.influence, p.weight, x, y, z]
+        }
+    };
+    set(&packed, "points", &numbers(orientation.points.iter().flat_map(row)));
+    packed
 }

@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, thrown};
 use crate::{
-    DecodeLimits, Error, ExifCamera, GreyImage, Measure, PairImage, PointOptions, PointSet, Reduced, WindowOptions, decode, describe,
-    detect, reduce_to, window_moments,
+    DecodeLimits, Error, ExifCamera, GreyImage, GreyView, PairImage, PointOptions, PointSet, Reduced, ReportImage, Strategy, WindowOptions,
+    decode, describe, detect, reduce_to, window_moments,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -97,14 +97,16 @@ impl Photo {
         detect(self.grey.view(), &options).map(|set| pack_points(&set)).map_err(thrown)
     }
 
-    /// Describes points (stride 3) by seven numbers each; NaN where a window leaves the image or is constant.
+    /// Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
+    /// Empty for the strategies that compare grey values.
     pub fn describe(
         &self,
         point_list: &[f64],
         #[wasm_bindgen(unchecked_param_type = "Given<WindowOptions>")] window: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Measure")] measure: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Strategy")] strategy: &JsValue,
     ) -> JsResult<Vec<f64>> {
-        let (window, measure): (WindowOptions, Measure) = (read_options("window", window)?, read("measure", measure)?);
+        let (window, strategy): (WindowOptions, Strategy) = (read_options("window", window)?, read("strategy", strategy)?);
+        let Some(measure) = strategy.measure() else { return Ok(Vec::new()) };
         let described = describe(self.grey.view(), &points("points", point_list)?, &window, measure).map_err(thrown)?;
         Ok(described.into_iter().flat_map(|d| d.unwrap_or([f64::NAN; 7])).collect())
     }
@@ -125,6 +127,15 @@ impl Photo {
 impl Photo {
     pub(super) fn pair_image(&self) -> PairImage<'_> {
         PairImage { grey: self.grey.view(), exif: self.camera.as_ref() }
+    }
+
+    /// A copy with a name, for a report.
+    pub(super) fn named(&self, name: String) -> ReportImage {
+        ReportImage { name, grey: self.grey.clone(), exif: self.camera.clone() }
+    }
+
+    pub(super) fn view(&self) -> GreyView<'_> {
+        self.grey.view()
     }
 
     fn report(&self, col: usize, row: usize, options: &WindowOptions) -> Result<JsValue, Error> {

@@ -59,8 +59,14 @@ fn options_outside_their_ranges_are_named() {
         other => panic!("{other:?}"),
     };
     let default = OrientationOptions::default;
-    for rejection in [1.9, 11.0, f64::NAN] {
-        assert_eq!(refused(OrientationOptions { rejection, ..default() }, FOCAL_MM), "orientation.rejection");
+    for wrong in [0.0, 0.3, 1.0, f64::NAN] {
+        assert_eq!(refused(OrientationOptions { alpha0: wrong, ..default() }, FOCAL_MM), "orientation.alpha0");
+    }
+    for wrong in [0.4, 1.0, f64::NAN] {
+        assert_eq!(refused(OrientationOptions { beta0: wrong, ..default() }, FOCAL_MM), "orientation.beta0");
+    }
+    for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(refused(OrientationOptions { sigma0_mm: Some(wrong), ..default() }, FOCAL_MM), "orientation.sigma0_mm");
     }
     for base_mm in [f64::NAN, f64::INFINITY, 1e7, 0.0] {
         assert_eq!(refused(OrientationOptions { base_mm: Some(base_mm), ..default() }, FOCAL_MM), "orientation.base_mm");
@@ -75,7 +81,7 @@ fn observations_without_any_geometry_never_panic_and_never_look_precise() {
     for seed in 0..20 {
         let mut dice = Dice::new(seed);
         let mut place = || [dice.uniform(-100.0, 100.0), dice.uniform(-100.0, 100.0)];
-        let observations: Vec<_> = (0..100).map(|_| Observation { left: place(), right: place() }).collect();
+        let observations: Vec<_> = (0..100).map(|_| Observation::new(place(), place())).collect();
         if let Ok(found) = orient_relative(&observations, FOCAL_MM, &OrientationOptions::default()) {
             assert!(found.sigma0_mm.unwrap() > 1.0, "seed {seed}: σ0 {:?}, {} rejected", found.sigma0_mm, found.rejected.len());
         }

@@ -53,7 +53,7 @@ impl Pair {
             let seen = m * from_right;
             let right = [-FOCAL_MM * seen.x / seen.z, -FOCAL_MM * seen.y / seen.z];
             if seen.z < 0.0 && right.iter().all(|v| v.abs() < 115.0) {
-                return Observation { left: [x, y], right };
+                return Observation::new([x, y], right);
             }
         }
     }

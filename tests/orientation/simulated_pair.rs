@@ -57,10 +57,10 @@ fn observations(folder: &Path, truth: &serde_json::Value, sigma_px: f64) -> Vec<
         .filter(|(_, row_col)| within(row_col))
         .map(|(index, row_col)| {
             let (col, row) = ((index % WIDTH) as f64 + 0.5, (index / WIDTH) as f64 + 0.5);
-            Observation {
-                left: left.photo_mm(col + noise(), row + noise()),
-                right: right.photo_mm(row_col[1] + 0.5 + noise(), row_col[0] + 0.5 + noise()),
-            }
+            Observation::new(
+                left.photo_mm(col + noise(), row + noise()),
+                right.photo_mm(row_col[1] + 0.5 + noise(), row_col[0] + 0.5 + noise()),
+            )
         })
         .collect()
 }

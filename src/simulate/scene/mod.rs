@@ -6,6 +6,7 @@ mod building;
 mod facade;
 mod ground;
 mod planting;
+mod river;
 mod solid;
 mod streets;
 mod sun;
@@ -19,6 +20,7 @@ use super::random::{Random, Stream};
 use blocks::Blocks;
 use nalgebra::Vector3;
 use planting::Site;
+use river::River;
 pub(super) use solid::Box3;
 use solid::Solid;
 use streets::Streets;
@@ -31,9 +33,19 @@ pub(super) struct Scene {
     terrain: Terrain,
     streets: Streets,
     blocks: Blocks,
+    river: Option<River>,
+    /// Way in m that cars in the lanes have driven by the second exposure.
+    driven_m: f64,
     solids: Vec<Solid>,
     sun: Sun,
     floor_m: f64,
+}
+
+/// When a photo is taken: between the two, cars drive and water moves.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Exposure {
+    First,
+    Second,
 }
 
 /// Where a ray meets the scene.
@@ -58,10 +70,11 @@ impl Scene {
         let terrain = Terrain::new(area, flight.relief_m, &mut stream(Stream::Relief));
         let streets = Streets::new(area, &mut stream(Stream::Streets));
         let blocks = Blocks::new(&streets, &mut stream(Stream::Blocks));
-        let solids = planting::solids(&Site { area, terrain: &terrain, streets: &streets, blocks: &blocks }, flight);
+        let river = (flight.river_m > 0.0).then(|| River::new(area, flight.river_m, &mut stream(Stream::River)));
+        let solids = planting::solids(&Site { area, terrain: &terrain, streets: &streets, blocks: &blocks, river: river.as_ref() }, flight);
         let floor_m = -0.5 * flight.relief_m;
         let sun = Sun::new(area, floor_m, &solids);
-        Self { terrain, streets, blocks, solids, sun, floor_m }
+        Self { terrain, streets, blocks, river, driven_m: flight.driven_m, solids, sun, floor_m }
     }
 
     /// The boxes around the solids, in the order of their indices.
@@ -86,11 +99,25 @@ impl Scene {
         Hit { point: ray.at(t), surface }
     }
 
+    /// Whether the ground at a hit lies under a moving car in either exposure.
+    pub(super) fn is_unsteady(&self, hit: &Hit) -> bool {
+        let on_ground = matches!(hit.surface, Surface::Ground(_)) && self.driven_m > 0.0;
+        on_ground && !self.is_water(hit) && ground::is_under_moving_car(&self.streets, hit.point.x, hit.point.y, [0.0, self.driven_m])
+    }
+
+    fn is_water(&self, hit: &Hit) -> bool {
+        self.river.as_ref().is_some_and(|river| river.holds(hit.point.x, hit.point.y))
+    }
+
     /// The light that comes from a point, as a grey value of an ideal camera.
-    pub(super) fn grey(&self, hit: &Hit) -> f64 {
+    pub(super) fn grey(&self, hit: &Hit, exposure: Exposure) -> f64 {
         let point = hit.point;
         let (tone, normal, own) = match hit.surface {
-            Surface::Ground(normal) => (ground::tone(&self.streets, &self.blocks, point.x, point.y), normal, None),
+            Surface::Ground(normal) if self.is_water(hit) => (river::tone(point.x, point.y, exposure), normal, None),
+            Surface::Ground(normal) => {
+                let driven_m = if exposure == Exposure::Second { self.driven_m } else { 0.0 };
+                (ground::tone(&self.streets, &self.blocks, point.x, point.y, driven_m), normal, None)
+            }
             Surface::Solid(index, face) => {
                 let (tone, normal) = self.solids[index as usize].look(face, point);
                 (tone, normal, Some(index))
@@ -117,7 +144,7 @@ mod tests {
     use super::*;
 
     fn scene() -> Scene {
-        let flight = Flight { building_heights_m: [4.0, 40.0], relief_m: 20.0, ..Flight::default() };
+        let flight = Flight { lowest_building_m: 4.0, highest_building_m: 40.0, relief_m: 20.0, ..Flight::default() };
         Scene::new(&flight, [-150.0, -120.0, 150.0, 120.0])
     }
 

@@ -6,6 +6,7 @@ use super::super::random::{Random, Stream};
 use super::axes::Axes;
 use super::blocks::{Block, Blocks, Use};
 use super::building::Building;
+use super::river::River;
 use super::solid::Solid;
 use super::streets::Streets;
 use super::terrain::Terrain;
@@ -19,6 +20,7 @@ pub(super) struct Site<'a> {
     pub(super) terrain: &'a Terrain,
     pub(super) streets: &'a Streets,
     pub(super) blocks: &'a Blocks,
+    pub(super) river: Option<&'a River>,
 }
 
 impl Site<'_> {
@@ -27,10 +29,15 @@ impl Site<'_> {
         let mut random = Random::new(flight.seed, Stream::Buildings);
         let built = self.blocks.iter().filter(|block| block.kind != Use::Park);
         let mut lots: Vec<_> = built.flat_map(|block| block.lot_middles().map(move |middle| (block, middle))).collect();
-        lots.retain(|(_, middle)| inside(&self.area, self.ground(*middle)));
+        lots.retain(|(_, middle)| inside(&self.area, self.ground(*middle)) && self.is_dry(self.ground(*middle), BUILDING_FROM_BANK_M));
         math::Random::new(random.bits()).shuffle(&mut lots);
         lots.truncate(flight.buildings);
         lots.iter().map(|(block, middle)| self.building(flight, block, *middle, &mut random)).collect()
+    }
+
+    /// Whether a place lies at least so far from the river's bank.
+    fn is_dry(&self, [x, y]: [f64; 2], bank_distance_m: f64) -> bool {
+        self.river.is_none_or(|river| river.bank_distance_m(x, y) >= bank_distance_m)
     }
 
     fn ground(&self, [u, v]: [f64; 2]) -> [f64; 2] {
@@ -45,7 +52,7 @@ impl Site<'_> {
         let middle = [u + free[0] * random.between(-1.0, 1.0), v + free[1] * random.between(-1.0, 1.0)];
         let origin = self.ground(middle);
         let base_m = self.terrain.at(origin[0], origin[1]).point.z;
-        let eaves_m = base_m + storeys(flight.building_heights_m, house, random);
+        let eaves_m = base_m + storeys([flight.lowest_building_m, flight.highest_building_m], house, random);
         let (axes, half_m) = along_the_longer_side(self.streets.axes.moved(origin), sides.map(|side| 0.5 * side));
         let gabled = random.chance(if house { 0.8 } else { 0.12 });
         Building {
@@ -67,7 +74,7 @@ impl Site<'_> {
         let built = Buckets::new(self.area, 16.0, &extents);
         let free = |x: f64, y: f64| {
             let clear = |&index: &u32| !inside(&extents[index as usize], [x, y]);
-            built.at(x, y).iter().all(clear) && !self.is_street(x, y)
+            built.at(x, y).iter().all(clear) && !self.is_street(x, y) && self.is_dry([x, y], TREE_FROM_BANK_M)
         };
         (0..flight.trees)
             .filter_map(|_| {
@@ -92,6 +99,10 @@ impl Site<'_> {
         })
     }
 }
+
+/// How far from the river's bank the middle of a building and a trunk stand at least, in m.
+const BUILDING_FROM_BANK_M: f64 = 18.0;
+const TREE_FROM_BANK_M: f64 = 2.0;
 
 /// Greys of roofs: tiles and slate; bitumen, gravel and metal.
 const GABLE_TONES: [f64; 6] = [58.0, 78.0, 100.0, 128.0, 165.0, 205.0];

@@ -1,0 +1,58 @@
+//! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
+
+use super::{PairImage, PairInput, PhotoInput};
+use crate::{Camera, Error, Interior, orient_fiducials};
+use serde::{Deserialize, Serialize};
+
+/// The interior orientations of a pair, of one focal length.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairInterior {
+    pub left: Interior,
+    pub right: Interior,
+    pub focal_mm: f64,
+}
+
+/// The interior orientations; or, in words, what is missing.
+pub(super) fn pair_interior(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput) -> Result<Result<PairInterior, String>, Error> {
+    let of = |side: &'static str, image: PairImage<'_>, photo: &PhotoInput| {
+        let camera = match (&input.camera, image.exif) {
+            (Some(camera), _) => *camera,
+            (None, Some(exif)) => Camera::from_exif(exif)?,
+            (None, None) if photo.fiducials.is_empty() => {
+                return Ok(Err(format!("no camera is given and the {side} image names no focal length")));
+            }
+            (None, None) => return Ok(Err("fiducials are given, but no focal length".to_string())),
+        };
+        if photo.fiducials.is_empty() && camera.pixel_mm.is_none() {
+            return Ok(Err(format!("the {side} image has neither fiducials nor a pixel size")));
+        }
+        Ok(Ok((photo_interior(&camera, image.grey.width(), image.grey.height(), photo)?, camera.focal_mm)))
+    };
+    Ok(match (of("left", left, &input.left)?, of("right", right, &input.right)?) {
+        (Ok((left, focal_mm)), Ok((right, right_focal))) => {
+            // Only directions matter: the right photo is taken to the focal length of the left one.
+            Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm })
+        }
+        (Err(reason), _) | (_, Err(reason)) => Err(reason),
+    })
+}
+
+/// The interior orientation of one image: from its fiducials, or from the camera's pixel size.
+///
+/// # Errors
+/// [`Error::InvalidOption`] for the camera; as [`orient_fiducials`]; [`Error::InvalidInput`] for an origin without fiducials.
+pub fn photo_interior(camera: &Camera, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
+    if !photo.fiducials.is_empty() {
+        let marks = orient_fiducials(&photo.fiducials, photo.model)?;
+        return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));
+    }
+    match photo.origin {
+        Some(origin) => Err(Error::InvalidInput {
+            what: "origin in the scan",
+            got: format!("{origin:?} without fiducials"),
+            allowed: "an origin together with the fiducials measured in that scan".into(),
+        }),
+        None => Interior::from_pixel_size(camera, width, height),
+    }
+}

@@ -1,0 +1,117 @@
+//! Matching and orienting by turns: an orientation narrows the search to the epipolar lines, which gives a better orientation.
+
+use super::{PairInterior, PairSettings};
+use crate::math::median;
+use crate::{
+    EpipolarLines, Error, Expectation, Fit, Interior, Match, MatchImage, MatchSet, Observation, OffsetField, OrientationOptions,
+    RelativeOrientation, SharedErrors, match_images, orient_relative_with,
+};
+
+/// Rounds after which matching ends even if a few points still change sides.
+const MAX_ROUNDS: usize = 5;
+
+/// Right points this many standard errors of a y-parallax (√2 σ₀) from their epipolar line are candidates, and those nearer than
+/// `LEAST_TOLERANCE_PX`: whole-pixel positions scatter by that.
+const TOLERANCE: f64 = 4.0;
+const LEAST_TOLERANCE_PX: f64 = 1.5;
+
+/// Matches a pair; with `settings.matching.epipolar` and a camera, matches again along the epipolar lines of its orientation until
+/// nothing changes, at most 5 times.
+///
+/// A pair that cannot be oriented keeps the matches it has.
+///
+/// # Errors
+/// As [`match_images`], and [`Error::InvalidOption`] of the orientation.
+pub fn match_in_rounds(
+    images: [MatchImage<'_>; 2],
+    offset: &OffsetField,
+    interior: Option<&PairInterior>,
+    settings: &PairSettings,
+) -> Result<MatchSet, Error> {
+    let [left, right] = images;
+    let mut set = match_images(left, right, offset, &settings.matching)?;
+    let Some(interior) = interior.filter(|_| settings.matching.epipolar) else { return Ok(set) };
+    for _ in 0..MAX_ROUNDS {
+        let orientation = match orient_matches(&set.matches, interior, &settings.orientation) {
+            Ok(orientation) => orientation,
+            Err(error) if error.is_usage() => return Err(error),
+            Err(_) => break,
+        };
+        let lines = epipolar_lines(&orientation, interior);
+        let next = match_images(left, right, Expectation { offset, lines: Some(&lines) }, &settings.matching)?;
+        let settled = next.matches == set.matches;
+        set = next;
+        if settled {
+            break;
+        }
+    }
+    Ok(set)
+}
+
+fn epipolar_lines(orientation: &RelativeOrientation, interior: &PairInterior) -> EpipolarLines {
+    let p = orientation.parameters;
+    let scatter_px = std::f64::consts::SQRT_2 * orientation.sigma0_mm.unwrap_or(0.0) / interior.right.pixel_mm();
+    EpipolarLines::new(
+        [interior.left, interior.right],
+        orientation.focal_mm,
+        [p.omega_deg, p.phi_deg, p.kappa_deg].map(f64::to_radians),
+        [orientation.base_mm, p.by_mm, p.bz_mm],
+        (TOLERANCE * scatter_px).max(LEAST_TOLERANCE_PX),
+    )
+}
+
+/// Orients the right photo from matches, weighted by the precision that least squares matching gave them; where the interior orientations
+/// have covariances, the total standard errors hold these too.
+///
+/// # Errors
+/// As [`orient_relative`](crate::orient_relative).
+pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
+    let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+    let mut observed = observations(&positions, &interior.left, &interior.right);
+    let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
+    observed.iter_mut().zip(match_weights(&fits)).for_each(|(observation, weight)| observation.weight = weight);
+    orient_relative_with(&observed, &interior_errors(&positions, interior), interior.focal_mm, options)
+}
+
+/// What errors of the interior orientations do to the observations: each row of either affine transformation has three parameters, which
+/// act by column, row and 1 on the coordinate that the row gives. Distortion changes that by less than a hundredth.
+fn interior_errors(positions: &[[f64; 4]], interior: &PairInterior) -> Vec<SharedErrors> {
+    let (Some(left), Some(right)) = (interior.left.covariance, interior.right.covariance) else { return Vec::new() };
+    let group = |coordinate: usize, covariance: [[f64; 3]; 3]| {
+        let side = coordinate / 2 * 2;
+        let effect = |m: &[f64; 4]| [m[side], m[side + 1], 1.0].map(|by| std::array::from_fn(|k| if k == coordinate { by } else { 0.0 }));
+        SharedErrors { effects: positions.iter().map(effect).collect(), covariance }
+    };
+    [(0, left), (1, left), (2, right), (3, right)].map(|(coordinate, covariance)| group(coordinate, covariance)).into()
+}
+
+/// Photo coordinates of matches, given as `[x_left, y_left, x_right, y_right]` in px.
+pub fn observations(matches: &[[f64; 4]], left: &Interior, right: &Interior) -> Vec<Observation> {
+    matches.iter().map(|[xl, yl, xr, yr]| Observation::new(left.photo_mm(*xl, *yl), right.photo_mm(*xr, *yr))).collect()
+}
+
+/// Weights of matches by the variances v of their right positions: 2 m / (m + v) with m the median variance, so that a match of median
+/// precision has the weight 1; 1 for matches without a fit.
+///
+/// The covariance of a fit tells what noise of grey values does. The shape of the ground within the window, which it does not see, is taken
+/// to be as large in the median: a weight never exceeds 2.
+pub fn match_weights(fits: &[Option<Fit>]) -> Vec<f64> {
+    let variance = |fit: &Fit| 0.5 * (fit.covariance[0] + fit.covariance[2]);
+    let usable = |v: &f64| v.is_finite() && *v >= 0.0;
+    let middle = median(&mut fits.iter().flatten().map(variance).filter(usable).collect::<Vec<_>>()).unwrap_or(0.0);
+    let weight = |fit: &Fit| 2.0 * middle / (middle + variance(fit));
+    fits.iter().map(|fit| fit.as_ref().map_or(1.0, weight)).map(|w| if w > 1e-6 { w } else { 1.0 }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_match_of_median_precision_has_the_weight_one() {
+        let fit = |v: f64| Some(Fit { correlation: 0.9, covariance: [v, 0.0, v], iterations: 3 });
+        assert_eq!(match_weights(&[fit(1e-4), fit(4e-4), fit(1e-2), None]), [1.6, 1.0, 2.0 * 4.0 / 104.0, 1.0]);
+        assert_eq!(match_weights(&[None, None]), [1.0, 1.0]);
+        assert_eq!(match_weights(&[fit(0.0), fit(f64::NAN)]), [1.0, 1.0]);
+    }
+}

@@ -1,0 +1,92 @@
+//! One way of matching the pair, and what came of it.
+
+use super::ReportTruth;
+use super::text::five;
+use crate::{
+    DenseTruth, Error, MatchScore, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair, score_matches,
+};
+
+/// A run of the pair.
+#[derive(Debug, Clone)]
+pub struct Study {
+    pub name: &'static str,
+    pub settings: PairSettings,
+    pub result: PairResult,
+    /// Where the truth is known.
+    pub score: Option<MatchScore>,
+    /// Estimated minus true, likewise.
+    pub errors: Option<[f64; 5]>,
+}
+
+/// The settings of each study: those of the user first, then each strategy by itself with all else as the user has it.
+pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
+    let by = |strategy: Strategy| {
+        let mut settings = settings.clone();
+        settings.matching.strategy = strategy;
+        settings.matching.refine = Refinement::None;
+        settings
+    };
+    let strategies = [
+        ("moments", Strategy::Moments),
+        ("invariants", Strategy::Invariants),
+        ("correlation", Strategy::Correlation),
+        ("least squares", Strategy::LeastSquares),
+    ];
+    let others = strategies.map(|(name, strategy)| (name, by(strategy)));
+    std::iter::once(("this run", settings.clone())).chain(others).collect()
+}
+
+/// Matches, orients and scores the pair.
+pub fn study(
+    name: &'static str,
+    settings: &PairSettings,
+    images: [PairImage<'_>; 2],
+    input: &PairInput,
+    truth: Option<&ReportTruth>,
+) -> Result<Study, Error> {
+    let [left, right] = images;
+    let result = match_pair(left, right, input, settings)?;
+    let score = truth.map(|truth| {
+        let matches: Vec<[f64; 4]> =
+            result.matching.matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+        let points: Vec<[f64; 2]> = result.left.points.iter().map(|p| [p.x, p.y]).collect();
+        let truth = DenseTruth {
+            right_position: &truth.right_position,
+            left_width: left.grey.width(),
+            left_height: left.grey.height(),
+            right_width: right.grey.width(),
+            right_height: right.grey.height(),
+        };
+        score_matches(&matches, &points, &truth)
+    });
+    let errors = truth.zip(result.orientation.as_ref().ok()).map(|(truth, orientation)| {
+        let (found, known) = (five(&orientation.parameters), five(&truth.orientation));
+        std::array::from_fn(|k| found[k] - known[k])
+    });
+    Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
+}
+
+impl Study {
+    /// σ₀ in px of the left image.
+    pub fn sigma0_px(&self) -> Option<f64> {
+        let pixel = self.result.interior.as_ref()?.left.pixel_mm();
+        self.result.orientation.as_ref().ok()?.sigma0_mm.map(|sigma| sigma / pixel)
+    }
+
+    /// Matches that the adjustment used.
+    pub fn used(&self) -> usize {
+        let rejected = self.result.orientation.as_ref().map_or(0, |o| o.rejected.len());
+        self.result.matching.matches.len() - rejected
+    }
+
+    /// The standard errors that a result of the paper's σ₀ and number of matches would have in this geometry: the cofactors depend on where
+    /// the points lie, the standard errors on σ₀ and, by its root, on how many there are.
+    pub fn standard_errors_at(&self, sigma0_mm: f64, matches: usize) -> Option<[f64; 5]> {
+        let orientation = self.result.orientation.as_ref().ok()?;
+        let scale = sigma0_mm * (self.used() as f64 / matches as f64).sqrt();
+        Some(std::array::from_fn(|k| {
+            let error = scale * orientation.cofactors[k][k].max(0.0).sqrt();
+            if k < 3 { error.to_degrees() } else { error }
+        }))
+    }
+}

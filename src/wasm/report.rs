@@ -1,0 +1,69 @@
+//! The report of a pair.
+
+use super::convert::{JsResult, pack, read, read_options, thrown};
+use super::photo::Photo;
+use crate::{Error, FiveParameters, PairInput, PairSettings, Report as Core, ReportTruth};
+use js_sys::{Float32Array, Reflect};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** The known answer of a simulated pair, as `simulate` gives it. */
+export interface ReportTruth { orientation: FiveParameters; right_position: Float32Array }
+"#;
+
+/// The report of a pair in the making: `step` until it says false, then `html`.
+#[wasm_bindgen]
+pub struct Report {
+    core: Core,
+}
+
+#[wasm_bindgen]
+impl Report {
+    /// Takes copies of both images; `names` are what the report calls them.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        left: &Photo,
+        right: &Photo,
+        #[wasm_bindgen(unchecked_param_type = "[string, string]")] names: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "ReportTruth | null")] truth: &JsValue,
+    ) -> JsResult<Report> {
+        let [left_name, right_name]: [String; 2] = read("names", names)?;
+        let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
+        let images = [left.named(left_name), right.named(right_name)];
+        Ok(Self { core: Core::new(images, input, settings, read_truth(truth)?) })
+    }
+
+    /// What each step does, in their order.
+    #[wasm_bindgen(unchecked_return_type = "string[]")]
+    pub fn steps(&self) -> JsValue {
+        pack(&self.core.steps())
+    }
+
+    /// Does the next step; false when all were done.
+    pub fn step(&mut self) -> JsResult<bool> {
+        self.core.step().map_err(thrown)
+    }
+
+    /// The page, which holds everything it shows. Does the steps that are left.
+    pub fn html(&mut self) -> JsResult<String> {
+        self.core.html().map_err(thrown)
+    }
+}
+
+fn read_truth(value: &JsValue) -> JsResult<Option<ReportTruth>> {
+    if value.is_null() || value.is_undefined() {
+        return Ok(None);
+    }
+    let refused = |got: &str| {
+        let allowed = "an object {orientation, right_position} as simulate gives them".to_string();
+        thrown(Error::InvalidInput { what: "truth", got: got.to_string(), allowed })
+    };
+    let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refused("no object"));
+    let orientation: FiveParameters = read("truth", &field("orientation")?)?;
+    let flat = field("right_position")?.dyn_into::<Float32Array>().map_err(|_| refused("no Float32Array as right_position"))?.to_vec();
+    Ok(Some(ReportTruth { orientation, right_position: flat.as_chunks::<2>().0.to_vec() }))
+}

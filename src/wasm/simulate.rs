@@ -1,0 +1,115 @@
+//! Simulated flights, and the score of matches by their truth.
+
+use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
+use crate::{DenseTruth, FLIGHT_PARAMETERS, Flight, GreyImage, Preset, Rightness, score_matches as score_by_truth, simulate as fly};
+use js_sys::{Float32Array, Uint8Array};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** Grey values 0..255, row by row. */
+export interface SampleImage { width: number; height: number; grey: Uint8Array }
+
+/** A simulated pair and its truth. */
+export interface SamplePair {
+    left: SampleImage;
+    right: SampleImage;
+    camera: Camera;
+    base_mm: number;
+    left_fiducials: Fiducial[];
+    right_fiducials: Fiducial[];
+    left_origin: [number, number];
+    right_origin: [number, number];
+    /** The true relative orientation. */
+    truth: FiveParameters;
+    /** For each left pixel, row by row, the x and y in px at which the right image shows the same; NaN where hidden or outside. */
+    right_position: Float32Array;
+}
+
+/** How right matches are. */
+export interface MatchScore {
+    matches: number;
+    /** Within 1.5 px of where the surface at the left pixel is seen. */
+    strict: number;
+    /** The same, or of where the surface at one of its 8 neighbours is seen. */
+    right: number;
+    /** Left points that are seen in the right image and have no right match. */
+    missed: number;
+    /** For each match 0 wrong, 1 right at an edge only, 2 strictly right. */
+    rightness: Uint8Array;
+}
+"#;
+
+/// Every parameter of a flight with label, unit, range and help.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn flight_parameters() -> JsValue {
+    pack(&FLIGHT_PARAMETERS)
+}
+
+/// The names of the ready-made flights.
+#[wasm_bindgen(unchecked_return_type = "Preset[]")]
+pub fn flight_presets() -> JsValue {
+    pack(&Preset::ALL)
+}
+
+/// A ready-made flight.
+#[wasm_bindgen(unchecked_return_type = "Flight")]
+pub fn flight_preset(#[wasm_bindgen(unchecked_param_type = "Preset")] name: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&read::<Preset>("preset", name)?.flight()))
+}
+
+/// Renders the pair of a flight; parameters that are absent are those of the sample.
+#[wasm_bindgen(unchecked_return_type = "SamplePair")]
+pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Given<Flight>")] flight: &JsValue) -> JsResult<JsValue> {
+    let sample = fly(&read_options::<Flight>("flight", flight)?).map_err(thrown)?;
+    let image = |grey: &GreyImage| {
+        object([
+            ("width", (grey.width() as f64).into()),
+            ("height", (grey.height() as f64).into()),
+            ("grey", Uint8Array::from(grey.data()).into()),
+        ])
+    };
+    Ok(object([
+        ("left", image(&sample.left)),
+        ("right", image(&sample.right)),
+        ("camera", pack(&sample.camera)),
+        ("base_mm", sample.base_mm.into()),
+        ("left_fiducials", pack(&sample.left_fiducials)),
+        ("right_fiducials", pack(&sample.right_fiducials)),
+        ("left_origin", pack(&sample.left_origin)),
+        ("right_origin", pack(&sample.right_origin)),
+        ("truth", pack(&sample.truth)),
+        ("right_position", Float32Array::from(sample.right_position.as_flattened()).into()),
+    ]))
+}
+
+/// Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
+#[wasm_bindgen(unchecked_return_type = "MatchScore")]
+pub fn score_matches(
+    matches: &[f64],
+    left_points: &[f64],
+    right_position: &[f32],
+    left_width: usize,
+    left_height: usize,
+    right_width: usize,
+    right_height: usize,
+) -> JsResult<JsValue> {
+    let matches: Vec<[f64; 4]> = rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
+    let points: Vec<[f64; 2]> = rows::<3>("left points", left_points)?.iter().map(|[x, y, _]| [*x, *y]).collect();
+    let truth = DenseTruth { right_position: right_position.as_chunks::<2>().0, left_width, left_height, right_width, right_height };
+    let score = score_by_truth(&matches, &points, &truth).map_err(thrown)?;
+    let code = |r: &Rightness| match r {
+        Rightness::Wrong => 0u8,
+        Rightness::AtEdge => 1,
+        Rightness::Strict => 2,
+    };
+    let codes: Vec<u8> = score.rightness.iter().map(code).collect();
+    Ok(object([
+        ("matches", (matches.len() as f64).into()),
+        ("strict", (score.strict as f64).into()),
+        ("right", (score.right as f64).into()),
+        ("missed", (score.missed as f64).into()),
+        ("rightness", Uint8Array::from(&codes[..]).into()),
+    ]))
+}

@@ -1,0 +1,67 @@
+//! The total standard errors: what errors of measured fiducial marks do to an orientation, against many measurements of the marks.
+
+use crate::scene::{Dice, FOCAL_MM, NADIR};
+use tiepoint::{Camera, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials, orient_matches};
+
+const PIXEL_MM: f64 = 0.254;
+const CENTRE_PX: f64 = 455.0;
+
+/// Marks at the sides and corners, measured with an error.
+fn interior(dice: &mut Dice, sigma_px: f64) -> Interior {
+    let places = [[-1.0, -1.0], [1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.06, 0.0], [1.06, 0.0], [0.0, 1.06], [0.0, -1.06]];
+    let mark = |[x, y]: [f64; 2]| {
+        let (x_mm, y_mm) = (106.0 * x, 106.0 * y);
+        let (col, row) = (CENTRE_PX + x_mm / PIXEL_MM, CENTRE_PX - y_mm / PIXEL_MM);
+        Fiducial { col: col - 300.0 + sigma_px * dice.normal(), row: row - 100.0 + sigma_px * dice.normal(), x_mm, y_mm }
+    };
+    let marks = places.map(mark);
+    let camera = Camera { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: None, radial_distortion: [0.0; 3] };
+    // The origin takes the covariance from the scan to the patch.
+    Interior::from_fiducials(&camera, &orient_fiducials(&marks, FiducialModel::Affine).unwrap(), [-300.0, -100.0]).unwrap()
+}
+
+#[test]
+fn total_standard_errors_hold_those_of_the_marks() {
+    const SETS: usize = 400;
+    let sigma_mm = 0.02;
+    let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
+    for set in 0..SETS {
+        let mut dice = Dice::new(50_000 + set as u64);
+        let interior = PairInterior { left: interior(&mut dice, 0.12), right: interior(&mut dice, 0.12), focal_mm: FOCAL_MM };
+        let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
+        let seen = NADIR.observe(300, sigma_mm, 60_000 + set as u64);
+        let matched = seen.iter().enumerate().map(|(left, o)| Match {
+            left,
+            right: None,
+            left_px: px(o.left),
+            right_px: px(o.right),
+            measure: 0.0,
+            fit: None,
+        });
+        let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
+        let found = orient_matches(&matched.collect::<Vec<_>>(), &interior, &options).unwrap();
+        let errors = NADIR.errors(&found);
+        for (sums, standard) in [(&mut with, found.total_standard_errors.unwrap()), (&mut without, found.standard_errors.unwrap())] {
+            let standard = [standard.omega_deg, standard.phi_deg, standard.kappa_deg, standard.by_mm, standard.bz_mm];
+            sums.iter_mut().zip(errors).zip(standard).for_each(|((sum, error), s)| *sum += (error / s) * (error / s) / SETS as f64);
+        }
+    }
+    println!(
+        "variance of error / standard error with measured marks, {SETS} sets: total {with:.3?}, of the observations alone {without:.3?}"
+    );
+    // The σ of the marks comes from ten degrees of freedom: its square is Student's, which raises the variance by a tenth or two.
+    assert!(with.iter().all(|v| (0.8..1.45).contains(v)), "{with:?}");
+    assert!(without[2] > 2.0 && without[4] > 1.5, "{without:?}");
+}
+
+#[test]
+fn without_redundancy_of_the_marks_nothing_is_claimed() {
+    let camera = Camera { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: Some(PIXEL_MM), radial_distortion: [0.0; 3] };
+    let side = Interior::from_pixel_size(&camera, 910, 910).unwrap();
+    let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM };
+    let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];
+    let matched = NADIR.observe(50, 0.02, 3).into_iter().enumerate();
+    let matched = matched.map(|(left, o)| Match { left, right: None, left_px: px(o.left), right_px: px(o.right), measure: 0.0, fit: None });
+    let found = orient_matches(&matched.collect::<Vec<_>>(), &interior, &OrientationOptions::default()).unwrap();
+    assert!(found.standard_errors.is_some() && found.total_standard_errors.is_none());
+}

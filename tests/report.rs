@@ -1,0 +1,105 @@
+//! The report: whole, self-contained, the same every time; and the tracked reports of the project's own pairs.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use tiepoint::{Flight, GreyImage, PairInput, PairSettings, PhotoInput, Preset, Report, ReportImage, ReportTruth, Sample, simulate};
+
+/// The report of a flight, as `tiepoint simulate` and `tiepoint report` make it.
+fn report_of(flight: &Flight, name: &str) -> Report {
+    let Sample { left, right, camera, left_fiducials, right_fiducials, left_origin, right_origin, base_mm, truth, right_position } =
+        simulate(flight).unwrap();
+    let image = |side: &str, grey: GreyImage| ReportImage { name: format!("{name} {side}"), grey, exif: None };
+    let photo = |fiducials, origin| PhotoInput { fiducials, origin: Some(origin), ..PhotoInput::default() };
+    let input = PairInput {
+        camera: Some(camera),
+        left: photo(left_fiducials, left_origin),
+        right: photo(right_fiducials, right_origin),
+        offset: None,
+    };
+    let mut settings = PairSettings::default();
+    settings.orientation.base_mm = Some(base_mm);
+    let truth = ReportTruth { orientation: truth, right_position };
+    Report::new([image("left", left), image("right", right)], input, settings, Some(truth))
+}
+
+/// Compares with a tracked report, or rewrites it where `TIEPOINT_REPORT=write` says so.
+fn check_tracked(preset: Preset, name: &str, file: &str) {
+    let html = report_of(&preset.flight(), name).html().unwrap();
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs").join(file);
+    if std::env::var("TIEPOINT_REPORT").as_deref() == Ok("write") {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(&path, &html).unwrap();
+    }
+    let tracked = fs::read_to_string(&path).unwrap_or_default();
+    assert!(tracked == html, "docs/{file} is not what the report is now: TIEPOINT_REPORT=write cargo test --test report");
+}
+
+#[test]
+fn the_report_of_the_sample_is_the_tracked_one() {
+    check_tracked(Preset::Sample, "sample", "sample-report.html");
+}
+
+#[test]
+fn the_report_of_the_papers_geometry_is_the_tracked_one() {
+    check_tracked(Preset::Paper, "paper", "paper-report.html");
+}
+
+/// A flight that is matched in a moment.
+fn small() -> Flight {
+    Flight { width_px: 200, height_px: 220, ..Flight::default() }
+}
+
+#[test]
+fn a_report_is_whole_and_refers_to_nothing_outside() {
+    let html = report_of(&small(), "small").html().unwrap();
+    for part in [
+        "Table 1.",
+        "Table 2.",
+        "Table 3.",
+        "least squares",
+        "invariants",
+        "correlation",
+        "Reliability",
+        "Parameters",
+        "matching.strategy",
+        "46\u{202f}695",
+        "0.0477",
+        "data:image/png;base64,",
+    ] {
+        assert!(html.contains(part), "no {part}");
+    }
+    assert!(html.starts_with("<!DOCTYPE html>") && html.ends_with("</html>"));
+    // References: data of its own, and names within the page.
+    for (at, _) in html.match_indices("href=\"") {
+        let rest = &html[at + 6..];
+        assert!(rest.starts_with("data:") || rest.starts_with('#'), "{}", &rest[..60]);
+    }
+    assert!(!html.contains("<script") && !html.contains("http:") && !html.contains("https:"));
+    assert_eq!(html, report_of(&small(), "small").html().unwrap());
+}
+
+#[test]
+fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
+    let flight = simulate(&small()).unwrap();
+    let image = |grey: GreyImage| ReportImage { name: "<b>&\"x\"</b>.png".into(), grey, exif: None };
+    let mut report = Report::new([image(flight.left), image(flight.right)], PairInput::default(), PairSettings::default(), None);
+    assert_eq!(report.steps(), ["this run", "moments", "invariants", "correlation", "least squares"]);
+    let mut steps = 0;
+    while report.step().unwrap() {
+        steps += 1;
+    }
+    assert_eq!(steps, 5);
+    let html = report.html().unwrap();
+    assert!(html.contains("Not oriented: no camera") && !html.contains("against the truth"));
+    assert!(html.contains("&lt;b&gt;") && !html.contains("<b>&"));
+}
+
+#[test]
+fn bad_settings_are_refused() {
+    let flight = simulate(&small()).unwrap();
+    let image = |grey: GreyImage| ReportImage { name: "a".into(), grey, exif: None };
+    let mut settings = PairSettings::default();
+    settings.matching.search = 4;
+    let refused = Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None).html().unwrap_err();
+    assert!(refused.is_usage() && refused.to_string().contains("search"), "{refused}");
+}
