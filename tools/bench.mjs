@@ -1,8 +1,10 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- accuracy speed sizes page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed sizes page`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
+  strategies: async () => (await import('./bench/strategies.mjs')).strategies(),
+  calibration: async () => (await import('./bench/calibration.mjs')).calibration(),
   accuracy: async () => (await import('./bench/accuracy.mjs')).accuracy(),
   speed: async () => (await import('./bench/speed.mjs')).speed(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),

@@ -12,12 +12,13 @@ import { HELP_FLAG, withOptionNames } from './options.js';
 import { orient } from './orient.js';
 import { print } from './output.js';
 import { points } from './points.js';
-import { sample } from './sample.js';
+import { report } from './report.js';
+import { sample, simulate } from './simulate.js';
 
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, sample].map((c) => ({ ...c, options: [...c.options, HELP_FLAG] }));
+const COMMANDS = [points, match, interior, orient, moments, report, sample, simulate].map((c) => ({ ...c, options: [...c.options, HELP_FLAG] }));
 
 /** @param {string[]} args what follows the program's name @returns {0 | 1 | 2} the exit code */
 export function main(args) {

@@ -12,7 +12,9 @@ import { UsageError } from './errors.js';
  * @property {string} placeholder of its value; empty for a flag
  * @property {string} help
  * @property {string} [key] the setting it stands for: `group.field`
+ * @property {string} [range] what is allowed, in words, where no setting tells it
  * @property {boolean} [negates] the flag switches the setting off
+ * @property {Readonly<Record<string, string>>} [words] other words for some values of the setting
  * @property {(text: string) => Value} read checks and converts what was given
  * @typedef {import('../node.js').Parameter} Parameter
  * @typedef {import('../node.js').PairSettings} PairSettings
@@ -59,6 +61,20 @@ function read(name, p, text) {
   return value;
 }
 
+/** An option that stands for a parameter which is no setting of a pair.  @param {string} name @param {Parameter} p @returns {Option} */
+export const parameterOption = (name, p) => ({
+  name, placeholder: p.unit ? p.unit.toUpperCase().replaceAll(/[^A-Z]+/g, '') || 'N' : 'N', range: allowed(p), help: p.help, read: (text) => read(name, p, text),
+});
+
+/** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
+export const word = (name, words, help) => ({
+  name, placeholder: 'NAME', range: words.join(', '), help,
+  read: (text) => {
+    if (words.includes(text)) return text;
+    throw new UsageError(`--${name} is ${text || 'empty'}; allowed: ${words.join(', ')}`);
+  },
+});
+
 /** An option that stands for a setting.  @param {string} name @param {string} placeholder @param {string} key @returns {Option} */
 function setting(name, placeholder, key) {
   const p = parameterOf(key);
@@ -67,6 +83,25 @@ function setting(name, placeholder, key) {
 
 /** @param {string} name @param {string} help @returns {Option} */
 const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
+
+/** A flag that switches a setting on.  @param {string} name @param {string} key @returns {Option} */
+const switchOn = (name, key) => ({ ...flag(name, parameterOf(key).help), key });
+
+/** A flag that switches a setting off.  @param {string} name @param {string} key @param {string} help @returns {Option} */
+const switchOff = (name, key, help) => ({ ...flag(name, help), key, negates: true });
+
+/**
+ * Another way to give some values of a setting.
+ * @param {string} name @param {string} key @param {Readonly<Record<string, string>>} words @param {string} help @returns {Option}
+ */
+const otherWords = (name, key, words, help) => ({
+  name, placeholder: 'NAME', key, words, help,
+  read: (text) => {
+    const value = words[text];
+    if (value === undefined) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: ${Object.keys(words).join(', ')}`);
+    return value;
+  },
+});
 
 /** @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
 export const path = (name, placeholder, help) => ({
@@ -113,12 +148,27 @@ export const WINDOW = setting('window', 'N', 'window.side');
 export const BRIGHTNESS = setting('brightness', 'NAME', 'window.brightness');
 
 export const MATCH_OPTIONS = [
+  setting('strategy', 'NAME', 'matching.strategy'),
+  otherWords('measure', 'matching.strategy', { dm: 'moments', di: 'invariants' }, 'The paper\'s names of the strategies that compare moments: dm and di.'),
+  setting('refine', 'NAME', 'matching.refine'),
+  switchOn('epipolar', 'matching.epipolar'),
   setting('search', 'N', 'matching.search'),
   WINDOW,
-  setting('measure', 'NAME', 'matching.measure'),
   setting('denominator', 'NAME', 'matching.denominator'),
   setting('max-measure', 'T', 'matching.max_measure'),
   setting('ambiguity', 'R', 'matching.ambiguity'),
+  setting('template', 'N', 'matching.template'),
+  setting('min-correlation', 'R', 'matching.min_correlation'),
+  switchOff('no-left-right', 'matching.left_right', 'Correlation: without the check that the window found correlates best with the left point it came from.'),
+  setting('max-standard-error', 'PX', 'matching.max_standard_error'),
+];
+
+/** Tests and weights of the orientation. */
+export const STATISTICS_OPTIONS = [
+  setting('alpha0', 'P', 'orientation.alpha0'),
+  setting('beta0', 'P', 'orientation.beta0'),
+  setting('weighting', 'NAME', 'orientation.weighting'),
+  setting('sigma0-mm', 'MM', 'orientation.sigma0_mm'),
 ];
 
 export const BASE = setting('base-mm', 'B', 'orientation.base_mm');
@@ -126,7 +176,8 @@ export const BASE = setting('base-mm', 'B', 'orientation.base_mm');
 /** @type {Option[]} */
 export const ORIENTATION_OPTIONS = [
   setting('method', 'NAME', 'orientation.method'),
-  { ...flag('no-robust', 'Plain least squares from all observations: no consensus, no rejection.'), key: 'orientation.robust', negates: true },
+  switchOff('no-robust', 'orientation.robust', 'Plain least squares from all observations: no consensus, no rejection.'),
+  ...STATISTICS_OPTIONS,
 ];
 
 /**
@@ -152,8 +203,8 @@ export function withOptionNames(options, message) {
 }
 
 /** The default of an option, as `--help` shows it; empty where there is none.  @param {Option} option @returns {string} */
-export function defaultText({ key, negates }) {
-  if (!key || negates) return '';
+export function defaultText({ key, placeholder, words }) {
+  if (!key || !placeholder || words) return '';
   const [group = '', field = ''] = key.split('.');
   /** @type {Record<string, Record<string, unknown>>} */
   const groups = Object.fromEntries(Object.entries(defaults()));
@@ -162,4 +213,8 @@ export function defaultText({ key, negates }) {
 }
 
 /** @param {Option} option @returns {string} what its setting allows; empty for the others */
-export const allowedText = ({ key, negates }) => (key && !negates ? allowed(parameterOf(key)) : '');
+export const allowedText = ({ key, placeholder, words, range }) => {
+  if (range) return range;
+  if (words) return Object.keys(words).join(', ');
+  return key && placeholder ? allowed(parameterOf(key)) : '';
+};

@@ -3,8 +3,8 @@ import { orient_relative, parse_observations } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readText } from './files.js';
 import { BASE, JSON_FLAG, ORIENTATION_OPTIONS, real, settingsOf } from './options.js';
-import { print, printJson } from './output.js';
-import { fixed, table } from './text.js';
+import { print, printJson, rows } from './output.js';
+import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
@@ -18,8 +18,9 @@ export const orient = {
   positionals: ['OBSERVATIONS.csv'],
   options: OPTIONS,
   details: 'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. '
-    + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, sigma0_mm, degrees_of_freedom, '
-    + 'iterations, correlations (of omega, phi, kappa, by, bz), residuals_mm [[vxl, vyl, vxr, vyr], …], rejected (indices from 0).',
+    + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with those of the interior orientations, null where not known), sigma0_mm, degrees_of_freedom, '
+    + 'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, weaknesses, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], '
+    + 'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
@@ -28,29 +29,51 @@ export const orient = {
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));
     const result = orient_relative(observations, focal, settings.orientation);
-    if (values.has('json')) printJson(result);
+    if (values.has('json')) printJson({ ...result, points: rows(result.points, 9) });
     else print(...describeOrientation(result, null));
   },
 };
+
+/** The five unknowns: what they are called, and where they stand in an orientation. */
+export const UNKNOWNS = /** @type {const} */ ([
+  { name: 'omega', unit: 'deg', field: 'omega_deg' },
+  { name: 'phi', unit: 'deg', field: 'phi_deg' },
+  { name: 'kappa', unit: 'deg', field: 'kappa_deg' },
+  { name: 'by', unit: 'mm', field: 'by_mm' },
+  { name: 'bz', unit: 'mm', field: 'bz_mm' },
+]);
+
+const WEAKNESSES = {
+  plane: 'weak: all points lie in a plane within their precision; a second orientation fits nearly as well',
+  rotation: 'weak: the photos hardly differ but by a rotation; the base is too short to be told from noise and distortion',
+  clustered: 'weak: the points cover a small part of the photo',
+  ill_conditioned: 'weak: the unknowns can hardly be told apart (condition figure), as over a critical cylinder',
+};
+
+/** @param {import('../node.js').GlobalTest} test */
+const globalTest = ({ statistic, lower, upper, passed }) =>
+  `global test ${passed ? 'passed' : 'FAILED'}: ${fixed(statistic, 1)}, expected between ${fixed(lower, 1)} and ${fixed(upper, 1)}`;
 
 /**
  * The orientation in text.
  * @param {RelativeOrientation} o @param {number | null} pixelMm the pixel's size at photo scale, where it is known @returns {string[]}
  */
 export function describeOrientation(o, pixelMm) {
-  const e = o.standard_errors;
+  const rows = UNKNOWNS.map(({ name, unit, field }) => {
+    const total = o.total_standard_errors ? [fixed(o.total_standard_errors[field], 4)] : [];
+    return [`${name} [${unit}]`, fixed(o[field], 4), fixed(o.standard_errors?.[field], 4), ...total];
+  });
   const sigma = pixelMm === null || o.sigma0_mm === null ? '' : ` = ${fixed(o.sigma0_mm / pixelMm, 3)} px`;
   return [
     table([
-      ['', 'value', 'std. error'],
-      ['omega [deg]', fixed(o.omega_deg, 4), fixed(e?.omega_deg, 4)],
-      ['phi [deg]', fixed(o.phi_deg, 4), fixed(e?.phi_deg, 4)],
-      ['kappa [deg]', fixed(o.kappa_deg, 4), fixed(e?.kappa_deg, 4)],
-      ['by [mm]', fixed(o.by_mm, 4), fixed(e?.by_mm, 4)],
-      ['bz [mm]', fixed(o.bz_mm, 4), fixed(e?.bz_mm, 4)],
+      ['', 'value', 'std. error', ...(o.total_standard_errors ? ['with interior'] : [])],
+      ...rows,
     ]),
     '',
     `base ${fixed(o.base_mm, 3)} mm, focal length ${fixed(o.focal_mm, 3)} mm, ${o.method}`,
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,
+    `condition ${significant(o.condition)}, plane misfit ${fixed(o.plane_misfit, 1)} sigma0, parallax beside a rotation ${significant(o.parallax_beside_rotation_mm)} mm`,
+    ...(o.global_test ? [globalTest(o.global_test)] : []),
+    ...o.weaknesses.map((weakness) => WEAKNESSES[weakness]),
   ];
 }

@@ -14,6 +14,9 @@ export function table(rows) {
 /** A number for reading.  @param {number | null | undefined} value @param {number} digits after the point @returns {string} */
 export const fixed = (value, digits) => (value === null || value === undefined || Number.isNaN(value) ? '-' : value.toFixed(digits));
 
+/** A number to four significant digits.  @param {number | null | undefined} value @returns {string} */
+export const significant = (value) => (value === null || value === undefined || Number.isNaN(value) ? '-' : String(Number(value.toPrecision(4))));
+
 /** @param {string} text @param {number} width @param {string} indent of every line @returns {string} */
 export function wrap(text, width, indent = '') {
   /** @type {string[]} */

@@ -20,6 +20,19 @@ export interface SamplePair {
     right_position: Float32Array;
 }
 
+/** How right matches are. */
+export interface MatchScore {
+    matches: number;
+    /** Within 1.5 px of where the surface at the left pixel is seen. */
+    strict: number;
+    /** The same, or of where the surface at one of its 8 neighbours is seen. */
+    right: number;
+    /** Left points that are seen in the right image and have no right match. */
+    missed: number;
+    /** For each match 0 wrong, 1 right at an edge only, 2 strictly right. */
+    rightness: Uint8Array;
+}
+
 
 
 /** Options of which any may be absent: these take their defaults. */
@@ -42,17 +55,26 @@ export interface TiepointError extends Error {
 
 
 
+/** The known answer of a simulated pair, as `simulate` gives it. */
+export interface ReportTruth { orientation: FiveParameters; right_position: Float32Array }
+
+
+
 /** The outcome of matching. */
 export interface MatchResult {
     counts: MatchCounts;
     /** x and y of the left point, x and y of the right point in px, measure; stride 5. */
     matches: Float64Array;
-    /** Index of the left and of the right point of each match; stride 2. */
+    /** Index of the left and of the right point of each match, 4294967295 where the place found is no interest point; stride 2. */
     indices: Uint32Array;
+    /** What least squares matching found: correlation, covariance xx, xy, yy of the right position in px², iterations; stride 5. NaN where none took place. */
+    fits: Float64Array;
     /** For each left point the rule that decided: an index into `rule_names()`. */
     rules: Uint8Array;
-    /** For each left point the index of its best right point, -1 without a candidate. */
+    /** For each left point the index of its best right point, -1 without one. */
     best: Int32Array;
+    /** For each left point the best place in the right image in px, NaN without one; stride 2. */
+    places: Float64Array;
     /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
     measures: Float64Array;
 }
@@ -93,6 +115,16 @@ export interface WindowReport {
     central: Record<"mu00" | "mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
     normalized: Record<"mu20" | "mu11" | "mu02" | "mu30" | "mu21" | "mu12" | "mu03", number>;
     invariants: number[];
+}
+
+
+
+export interface RelativeOrientation {
+    /**
+     * For each observation: residual y-parallax in mm, redundancy number, standardised residual w, minimal detectable displacement of the
+     * right point across its epipolar line in mm, external reliability, weight (0 where rejected), model X, Y, Z in mm; stride 9. NaN where absent.
+     */
+    points: Float64Array;
 }
 
 
@@ -176,6 +208,11 @@ export interface OffsetField {
 }
 
 /**
+ * Flights that are ready made.
+ */
+export type Preset = "sample" | "paper" | "hard" | "lively";
+
+/**
  * How grey values I become the weights g of the moments.
  */
 export type Brightness = "sum" | "range" | "unit";
@@ -191,6 +228,10 @@ export interface MatchCounts {
     ambiguous: number;
     many_to_one: number;
     parallax: number;
+    border: number;
+    left_right: number;
+    not_converged: number;
+    imprecise: number;
 }
 
 /**
@@ -210,6 +251,16 @@ export interface PointCounts {
      */
     after_suppression: number;
 }
+
+/**
+ * How observations that survived the rejection are weighted down for their residuals.
+ */
+export type Weighting = "none" | "huber" | "danish";
+
+/**
+ * How the right point of a left one is found.
+ */
+export type Strategy = "moments" | "invariants" | "correlation" | "least-squares";
 
 /**
  * One number for each of the five unknowns.
@@ -256,10 +307,48 @@ export interface PointOptions {
 }
 
 /**
- * Options of [`match_points`](crate::match_points).
+ * Options of [`orient_relative`](crate::orient_relative).
+ */
+export interface OrientationOptions {
+    method: OrientationMethod;
+    /**
+     * Start from the consensus of minimal samples and reject gross errors.
+     */
+    robust: boolean;
+    /**
+     * Probability α₀ with which data snooping rejects a good observation: 0.001 rejects beyond 3.29 standard errors (Baarda 1968).
+     */
+    alpha0: number;
+    /**
+     * Probability β₀ with which a blunder of the minimal detectable size is found.
+     */
+    beta0: number;
+    weighting: Weighting;
+    /**
+     * Standard error of a photo coordinate of weight 1 in mm that was known before; absent: estimated from the residuals. Observations are
+     * rejected by it, or by the estimated one where that is larger.
+     */
+    sigma0_mm: number | null;
+    /**
+     * Start of the random numbers.
+     */
+    seed: number;
+    /**
+     * Photo base b in mm; absent: the median x-parallax of the accepted observations.
+     */
+    base_mm: number | null;
+}
+
+/**
+ * Options of the matching.
  */
 export interface MatchOptions {
-    measure: Measure;
+    strategy: Strategy;
+    refine: Refinement;
+    /**
+     * Once the pair is oriented, matches again along the epipolar lines, until nothing changes.
+     */
+    epipolar: boolean;
     denominator: Denominator;
     /**
      * Side of the search window in px, odd.
@@ -281,29 +370,22 @@ export interface MatchOptions {
      * Least deviation of the y-parallax that is refused, in px.
      */
     parallax_tolerance: number;
-}
-
-/**
- * Options of [`orient_relative`](crate::orient_relative).
- */
-export interface OrientationOptions {
-    method: OrientationMethod;
     /**
-     * Start from the consensus of minimal samples and reject gross errors.
+     * Side of the window whose grey values are compared by correlation and least squares matching, in px, odd.
      */
-    robust: boolean;
+    template: number;
     /**
-     * Standardised residual above which an observation is rejected; 3.29 rejects one good observation in a thousand (Baarda 1968).
+     * Least correlation coefficient of a match by grey values, -1..1.
      */
-    rejection: number;
+    min_correlation: number;
     /**
-     * Start of the random numbers.
+     * Refuses a correlated match whose right window correlates better with another place in the left image.
      */
-    seed: number;
+    left_right: boolean;
     /**
-     * Photo base b in mm; absent: the median x-parallax of the accepted observations.
+     * Largest standard error of a right position found by least squares matching, in px.
      */
-    base_mm: number | null;
+    max_standard_error: number;
 }
 
 /**
@@ -316,6 +398,46 @@ export interface WindowOptions {
     side: number;
     shape: WindowShape;
     brightness: Brightness;
+}
+
+/**
+ * Parameters of a simulated pair; [`FLIGHT_PARAMETERS`] tells their units and ranges. The default is the paper's geometry over a town.
+ */
+export interface Flight {
+    focal_mm: number;
+    principal_x_mm: number;
+    principal_y_mm: number;
+    distortion: number;
+    pixel_mm: number;
+    flying_height_m: number;
+    base_mm: number;
+    width_px: number;
+    height_px: number;
+    omega_deg: number;
+    phi_deg: number;
+    kappa_deg: number;
+    by_mm: number;
+    bz_mm: number;
+    left_omega_deg: number;
+    left_phi_deg: number;
+    left_kappa_deg: number;
+    relief_m: number;
+    buildings: number;
+    lowest_building_m: number;
+    highest_building_m: number;
+    trees: number;
+    river_m: number;
+    driven_m: number;
+    psf_px: number;
+    right_blur_px: number;
+    noise_grey: number;
+    grain_grey: number;
+    grain_px: number;
+    gain: number;
+    offset_grey: number;
+    haze: number;
+    fiducial_noise_px: number;
+    seed: number;
 }
 
 /**
@@ -351,13 +473,26 @@ export interface RelativeOrientation extends FiveParameters {
     focal_mm: number;
     method: OrientationMethod;
     /**
-     * Absent without redundancy.
+     * With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
      */
     standard_errors: FiveParameters | null;
     /**
-     * Standard error of one photo coordinate in mm (a y-parallax has √2 of it); absent without redundancy.
+     * The same with what the errors of the interior orientations add; absent where these are not known.
+     */
+    total_standard_errors: FiveParameters | null;
+    /**
+     * Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
+     * rejection has cut their distribution; absent without redundancy.
      */
     sigma0_mm: number | null;
+    /**
+     * The σ₀ that was known before.
+     */
+    sigma0_a_priori_mm: number | null;
+    /**
+     * Present with σ₀ a priori and redundancy.
+     */
+    global_test: GlobalTest | null;
     degrees_of_freedom: number;
     iterations: number;
     /**
@@ -365,9 +500,35 @@ export interface RelativeOrientation extends FiveParameters {
      */
     last_step: number;
     /**
+     * Cofactors of ω φ κ (radians), by bz (mm) for σ₀ = 1 mm: variances are σ₀² times the diagonal.
+     */
+    cofactors: [[number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number]];
+    /**
      * Of ω φ κ by bz, from the inverse of the normal equations.
      */
     correlations: [[number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number], [number, number, number, number, number]];
+    /**
+     * Largest by smallest eigenvalue of the matrix of correlations: 1 for independent unknowns.
+     */
+    condition: number;
+    /**
+     * How far the points deviate from the best projective map of a plane, in standard errors of a coordinate: about 1 over a plane. Absent
+     * with fewer than ten points.
+     */
+    plane_misfit: number | null;
+    /**
+     * The spread of the points in the left photo: root mean square distance from their middle, in focal lengths.
+     */
+    spread: number;
+    /**
+     * Median parallax that the best rotation leaves, in mm: what of the photos' difference only a base explains.
+     */
+    parallax_beside_rotation_mm: number;
+    weaknesses: Weakness[];
+    /**
+     * Standard error ellipse of by and bz in mm, with what the interior orientations add where that is known.
+     */
+    base_ellipse_mm: ErrorEllipse | null;
     /**
      * Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
      */
@@ -395,6 +556,10 @@ export interface Interior {
      * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
      */
     radial_distortion: [number, number, number];
+    /**
+     * Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
+     */
+    covariance?: [[number, number, number], [number, number, number], [number, number, number]] | null;
 }
 
 /**
@@ -419,6 +584,11 @@ export interface FiducialOrientation {
      * Standard errors of `parameters`; absent without redundancy.
      */
     standard_errors: [[number, number, number], [number, number, number]] | null;
+    /**
+     * Covariance of the three parameters of a row, the same for both rows, which are independent; absent without redundancy and for a
+     * similarity, whose rows are not independent.
+     */
+    covariance: [[number, number, number], [number, number, number], [number, number, number]] | null;
 }
 
 /**
@@ -448,7 +618,35 @@ export type Operator = "moravec" | "forstner" | "ground1" | "ground2";
 /**
  * The rule that decided on a left point.
  */
-export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax";
+export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax" | "border" | "left_right" | "not_converged" | "imprecise";
+
+/**
+ * The standard error ellipse of two unknowns.
+ */
+export interface ErrorEllipse {
+    semi_major: number;
+    semi_minor: number;
+    /**
+     * Of the long axis, from the first unknown's axis towards that of the second, -90 to 90.
+     */
+    bearing_deg: number;
+}
+
+/**
+ * The test whether σ₀ agrees with the one that was known before.
+ */
+export interface GlobalTest {
+    /**
+     * Degrees of freedom times σ₀² / σ₀² a priori: follows χ².
+     */
+    statistic: number;
+    /**
+     * Between these it lies in 95 of 100 adjustments.
+     */
+    lower: number;
+    upper: number;
+    passed: boolean;
+}
 
 /**
  * The transformation from pixels to photo coordinates.
@@ -459,6 +657,11 @@ export type FiducialModel = "affine" | "similarity";
  * The window's outline.
  */
 export type WindowShape = "square" | "circle";
+
+/**
+ * What is done to the matches of any strategy.
+ */
+export type Refinement = "none" | "least-squares";
 
 /**
  * What is known of a pair beside its grey values.
@@ -497,6 +700,11 @@ export interface PhotoInput {
 export type OrientationMethod = "rigorous" | "determinant";
 
 /**
+ * What makes an orientation weak although it could be computed.
+ */
+export type Weakness = "plane" | "clustered" | "rotation" | "ill_conditioned";
+
+/**
  * What the difference of two moments is divided by.
  */
 export type Denominator = "maxabs" | "floor";
@@ -529,9 +737,10 @@ export class Photo {
      */
     static decode(bytes: Uint8Array | number[]): Photo;
     /**
-     * Describes points (stride 3) by seven numbers each; NaN where a window leaves the image or is constant.
+     * Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
+     * Empty for the strategies that compare grey values.
      */
-    describe(point_list: Float64Array | number[], window: Given<WindowOptions>, measure: Measure): Float64Array;
+    describe(point_list: Float64Array | number[], window: Given<WindowOptions>, strategy: Strategy): Float64Array;
     /**
      * Finds interest points.
      */
@@ -558,6 +767,30 @@ export class Photo {
     window_moments(col: number, row: number, window: Given<WindowOptions>): WindowReport;
     readonly height: number;
     readonly width: number;
+}
+
+/**
+ * The report of a pair in the making: `step` until it says false, then `html`.
+ */
+export class Report {
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * The page, which holds everything it shows. Does the steps that are left.
+     */
+    html(): string;
+    /**
+     * Takes copies of both images; `names` are what the report calls them.
+     */
+    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null);
+    /**
+     * Does the next step; false when all were done.
+     */
+    step(): boolean;
+    /**
+     * What each step does, in their order.
+     */
+    steps(): string[];
 }
 
 /**
@@ -607,6 +840,21 @@ export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64
 export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
 
 /**
+ * Every parameter of a flight with label, unit, range and help.
+ */
+export function flight_parameters(): Parameter[];
+
+/**
+ * A ready-made flight.
+ */
+export function flight_preset(name: Preset): Flight;
+
+/**
+ * The names of the ready-made flights.
+ */
+export function flight_presets(): Preset[];
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
 export function interior(camera: Camera, photo: PhotoGeometry): Interior;
@@ -615,6 +863,14 @@ export function interior(camera: Camera, photo: PhotoGeometry): Interior;
  * Matches and orients a pair on one thread.
  */
 export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>): PairOutput;
+
+/**
+ * Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+ *
+ * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
+ * changes.
+ */
+export function match_photos(left: Photo, right: Photo, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, interior: PairInterior | null, settings: Given<PairSettings>): MatchResult;
 
 /**
  * Matches described points: points of stride 3, descriptors of stride 7.
@@ -642,9 +898,15 @@ export function operator_defaults(): Record<Operator, OperatorDefaults>;
 export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): FiducialOrientation;
 
 /**
- * Relative orientation of observations x, y left, x, y right in mm (stride 4).
+ * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
+ * of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
  */
-export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>): RelativeOrientation;
+export function orient_matches(matches: Float64Array | number[], fits: Float64Array | number[], interior: PairInterior, options: Given<OrientationOptions>): RelativeOrientation;
+
+/**
+ * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
+ */
+export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
 
 /**
  * Every tunable with label, unit, range and help, in the order of the pipeline.
@@ -677,11 +939,6 @@ export function points_csv(points: Float64Array | number[]): string;
 export function rule_names(): Rule[];
 
 /**
- * Renders the sample pair of a seed.
- */
-export function sample(seed: number): SamplePair;
-
-/**
  * The seed of the built-in sample pair.
  */
 export function sample_seed(): number;
@@ -690,6 +947,16 @@ export function sample_seed(): number;
  * The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
  */
 export function scaled_interior(interior: Interior, factor: number): Interior;
+
+/**
+ * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
+ */
+export function score_matches(matches: Float64Array | number[], left_points: Float64Array | number[], right_position: Float32Array | number[], left_width: number, left_height: number, right_width: number, right_height: number): MatchScore;
+
+/**
+ * Renders the pair of a flight; parameters that are absent are those of the sample.
+ */
+export function simulate(flight: Given<Flight>): SamplePair;
 
 /**
  * The version of the crate.
@@ -701,6 +968,7 @@ export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembl
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
     readonly __wbg_photo_free: (a: number, b: number) => void;
+    readonly __wbg_report_free: (a: number, b: number) => void;
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
     readonly defaults: () => any;
@@ -708,14 +976,19 @@ export interface InitOutput {
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
+    readonly flight_parameters: () => any;
+    readonly flight_preset: (a: any) => [number, number, number];
+    readonly flight_presets: () => any;
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly match_photos: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: any, l: any, m: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly operator_defaults: () => any;
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
-    readonly orient_relative: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
+    readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
     readonly parameters: () => any;
     readonly parse_camera: (a: number, b: number) => [number, number, number];
     readonly parse_fiducials: (a: number, b: number) => [number, number, number];
@@ -731,12 +1004,17 @@ export interface InitOutput {
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly report_html: (a: number) => [number, number, number, number];
+    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any) => [number, number, number];
+    readonly report_step: (a: number) => [number, number, number];
+    readonly report_steps: (a: number) => any;
     readonly rule_names: () => any;
-    readonly sample: (a: number) => [number, number, number];
     readonly sample_seed: () => number;
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
+    readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly simulate: (a: any) => [number, number, number];
     readonly version: () => [number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__hbbe8f98fbf88880a: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

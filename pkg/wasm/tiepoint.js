@@ -35,16 +35,17 @@ export class Photo {
         return Photo.__wrap(ret[0]);
     }
     /**
-     * Describes points (stride 3) by seven numbers each; NaN where a window leaves the image or is constant.
+     * Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
+     * Empty for the strategies that compare grey values.
      * @param {Float64Array | number[]} point_list
      * @param {Given<WindowOptions>} window
-     * @param {Measure} measure
+     * @param {Strategy} strategy
      * @returns {Float64Array}
      */
-    describe(point_list, window, measure) {
+    describe(point_list, window, strategy) {
         const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
         const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, measure);
+        const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
         if (ret[3]) {
             throw takeFromExternrefTable0(ret[2]);
         }
@@ -139,6 +140,84 @@ export class Photo {
     }
 }
 if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
+
+/**
+ * The report of a pair in the making: `step` until it says false, then `html`.
+ */
+export class Report {
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        ReportFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_report_free(ptr, 0);
+    }
+    /**
+     * The page, which holds everything it shows. Does the steps that are left.
+     * @returns {string}
+     */
+    html() {
+        let deferred2_0;
+        let deferred2_1;
+        try {
+            const ret = wasm.report_html(this.__wbg_ptr);
+            var ptr1 = ret[0];
+            var len1 = ret[1];
+            if (ret[3]) {
+                ptr1 = 0; len1 = 0;
+                throw takeFromExternrefTable0(ret[2]);
+            }
+            deferred2_0 = ptr1;
+            deferred2_1 = len1;
+            return getStringFromWasm0(ptr1, len1);
+        } finally {
+            wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+        }
+    }
+    /**
+     * Takes copies of both images; `names` are what the report calls them.
+     * @param {Photo} left
+     * @param {Photo} right
+     * @param {[string, string]} names
+     * @param {Given<PairInput>} input
+     * @param {Given<PairSettings>} settings
+     * @param {ReportTruth | null} truth
+     */
+    constructor(left, right, names, input, settings, truth) {
+        _assertClass(left, Photo);
+        _assertClass(right, Photo);
+        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        this.__wbg_ptr = ret[0];
+        ReportFinalization.register(this, this.__wbg_ptr, this);
+        return this;
+    }
+    /**
+     * Does the next step; false when all were done.
+     * @returns {boolean}
+     */
+    step() {
+        const ret = wasm.report_step(this.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return ret[0] !== 0;
+    }
+    /**
+     * What each step does, in their order.
+     * @returns {string[]}
+     */
+    steps() {
+        const ret = wasm.report_steps(this.__wbg_ptr);
+        return ret;
+    }
+}
+if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
 
 /**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
@@ -350,6 +429,37 @@ export function estimate_offset(left, right) {
 }
 
 /**
+ * Every parameter of a flight with label, unit, range and help.
+ * @returns {Parameter[]}
+ */
+export function flight_parameters() {
+    const ret = wasm.flight_parameters();
+    return ret;
+}
+
+/**
+ * A ready-made flight.
+ * @param {Preset} name
+ * @returns {Flight}
+ */
+export function flight_preset(name) {
+    const ret = wasm.flight_preset(name);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The names of the ready-made flights.
+ * @returns {Preset[]}
+ */
+export function flight_presets() {
+    const ret = wasm.flight_presets();
+    return ret;
+}
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  * @param {Camera} camera
  * @param {PhotoGeometry} photo
@@ -375,6 +485,49 @@ export function match_pair(left, right, input, settings) {
     _assertClass(left, Photo);
     _assertClass(right, Photo);
     const ret = wasm.match_pair(left.__wbg_ptr, right.__wbg_ptr, input, settings);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+ *
+ * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
+ * changes.
+ * @param {Photo} left
+ * @param {Photo} right
+ * @param {Float64Array | number[]} left_points
+ * @param {Float64Array | number[]} left_descriptors
+ * @param {Float64Array | number[]} right_points
+ * @param {Float64Array | number[]} right_descriptors
+ * @param {OffsetField} offset
+ * @param {PairInterior | null} interior
+ * @param {Given<PairSettings>} settings
+ * @returns {MatchResult}
+ */
+export function match_photos(left, right, left_points, left_descriptors, right_points, right_descriptors, offset, interior, settings) {
+    _assertClass(left, Photo);
+    _assertClass(right, Photo);
+    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    try {
+        ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+        ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
+        len3 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 8, 8); }
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, interior, settings);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -485,17 +638,55 @@ export function orient_fiducials(fiducials, model) {
 }
 
 /**
- * Relative orientation of observations x, y left, x, y right in mm (stride 4).
- * @param {Float64Array | number[]} observations
- * @param {number} focal_mm
+ * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
+ * of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+ * @param {Float64Array | number[]} matches
+ * @param {Float64Array | number[]} fits
+ * @param {PairInterior} interior
  * @param {Given<OrientationOptions>} options
  * @returns {RelativeOrientation}
  */
-export function orient_relative(observations, focal_mm, options) {
-    const val2 = +focal_mm;
-    const ptr0 = passArrayF64ToWasm0(observations, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.orient_relative(ptr0, len0, val2, options);
+export function orient_matches(matches, fits, interior, options) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(fits, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
+ * @param {Float64Array | number[]} observations
+ * @param {number} focal_mm
+ * @param {Given<OrientationOptions>} options
+ * @param {Float64Array | number[] | null} [weights]
+ * @returns {RelativeOrientation}
+ */
+export function orient_relative(observations, focal_mm, options, weights) {
+    const val3 = +focal_mm;
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayF64ToWasm0(observations, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = isLikeNone(weights) ? 0 : passArrayF64ToWasm0(weights, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.orient_relative(ptr0, len0, val3, options, ptr1, len1);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -594,19 +785,6 @@ export function rule_names() {
 }
 
 /**
- * Renders the sample pair of a seed.
- * @param {number} seed
- * @returns {SamplePair}
- */
-export function sample(seed) {
-    const ret = wasm.sample(seed);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
-    }
-    return takeFromExternrefTable0(ret[0]);
-}
-
-/**
  * The seed of the built-in sample pair.
  * @returns {number}
  */
@@ -623,6 +801,56 @@ export function sample_seed() {
  */
 export function scaled_interior(interior, factor) {
     const ret = wasm.scaled_interior(interior, factor);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
+ * @param {Float64Array | number[]} matches
+ * @param {Float64Array | number[]} left_points
+ * @param {Float32Array | number[]} right_position
+ * @param {number} left_width
+ * @param {number} left_height
+ * @param {number} right_width
+ * @param {number} right_height
+ * @returns {MatchScore}
+ */
+export function score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height) {
+    const val4 = +left_width;
+    const val5 = +left_height;
+    const val6 = +right_width;
+    const val7 = +right_height;
+    let ptr0, len0, ptr1, len1, ptr2, len2;
+    try {
+        ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArrayF32ToWasm0(right_position, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.score_matches(ptr0, len0, ptr1, len1, ptr2, len2, val4, val5, val6, val7);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Renders the pair of a flight; parameters that are absent are those of the sample.
+ * @param {Given<Flight>} flight
+ * @returns {SamplePair}
+ */
+export function simulate(flight) {
+    const ret = wasm.simulate(flight);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -654,6 +882,14 @@ function __wbg_get_imports() {
             const len1 = WASM_VECTOR_LEN;
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 1, len1, true);
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 0, ptr1, true);
+        },
+        __wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
+            const ret = arg0 === null;
+            return ret;
+        },
+        __wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
+            const ret = arg0 === undefined;
+            return ret;
         },
         __wbg___wbindgen_number_get_934b640d0889af78: function(arg0, arg1) {
             const obj = arg1;
@@ -691,6 +927,16 @@ function __wbg_get_imports() {
             const ret = Reflect.get(arg0, arg1);
             return ret;
         }, arguments); },
+        __wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
+            let result;
+            try {
+                result = arg0 instanceof Float32Array;
+            } catch (_) {
+                result = false;
+            }
+            const ret = result;
+            return ret;
+        },
         __wbg_instanceof_Uint8Array_d7aeb0dcb3108fea: function(arg0) {
             let result;
             try {
@@ -702,6 +948,10 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbg_length_186163212ffe79c3: function(arg0) {
+            const ret = arg0.length;
+            return ret;
+        },
+        __wbg_length_6e9d2869242cabf3: function(arg0) {
             const ret = arg0.length;
             return ret;
         },
@@ -746,6 +996,9 @@ function __wbg_get_imports() {
         __wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
             Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
         },
+        __wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
+            Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
+        },
         __wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
             arg0.rect(arg1, arg2, arg3, arg4);
         },
@@ -774,7 +1027,7 @@ function __wbg_get_imports() {
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 6, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbbe8f98fbf88880a);
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -802,14 +1055,17 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__hbbe8f98fbf88880a(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hbbe8f98fbf88880a(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697(arg0, arg1, arg2, arg3);
     return ret;
 }
 
 const PhotoFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_photo_free(ptr, 1));
+const ReportFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_report_free(ptr, 1));
 
 function addToExternrefTable0(obj) {
     const idx = wasm.__externref_table_alloc();
@@ -1004,6 +1260,13 @@ function makeClosure(arg0, arg1, f) {
 function passArray8ToWasm0(arg, malloc) {
     const ptr = malloc(arg.length * 1, 1) >>> 0;
     getUint8ArrayMemory0().set(arg, ptr / 1);
+    WASM_VECTOR_LEN = arg.length;
+    return ptr;
+}
+
+function passArrayF32ToWasm0(arg, malloc) {
+    const ptr = malloc(arg.length * 4, 4) >>> 0;
+    getFloat32ArrayMemory0().set(arg, ptr / 4);
     WASM_VECTOR_LEN = arg.length;
     return ptr;
 }

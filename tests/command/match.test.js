@@ -42,13 +42,19 @@ test('the same call prints the same bytes, and the files hold the same', () => {
   assert.equal(readFileSync(join(out, 'left-points.csv'), 'utf8').trim().split('\n').length, result.counts.left.after_suppression + 1);
 });
 
-test('Node finds exactly the matches that the native build finds', () => {
-  // The golden file ends with a line of the orientation.
-  const golden = readFileSync(new URL('../golden/sample.csv', import.meta.url), 'utf8').trimEnd().split('\n');
-  const { orientation: o } = json(...call, '--fraction', '0.148', '--out', join(at, 'identity'));
-  assert.equal([o.omega_deg, o.phi_deg, o.kappa_deg, o.by_mm, o.bz_mm].join(), golden.pop());
-  assert.deepEqual(readFileSync(join(at, 'identity', 'matches.csv'), 'utf8').trimEnd().split('\n'), golden);
-});
+for (const [name, ...options] of [
+  ['sample.csv'],
+  ['sample-least-squares.csv', '--strategy', 'least-squares'],
+  ['sample-correlation.csv', '--strategy', 'correlation', '--refine', 'least-squares', '--epipolar'],
+]) {
+  test(`Node finds exactly the matches of ${name} that the native build finds`, () => {
+    // The golden file ends with a line of the orientation.
+    const golden = readFileSync(new URL(`../golden/${name}`, import.meta.url), 'utf8').trimEnd().split('\n');
+    const { orientation: o } = json(...call, '--fraction', '0.148', ...options, '--out', join(at, 'identity'));
+    assert.equal([o.omega_deg, o.phi_deg, o.kappa_deg, o.by_mm, o.bz_mm].join(), golden.pop());
+    assert.deepEqual(readFileSync(join(at, 'identity', 'matches.csv'), 'utf8').trimEnd().split('\n'), golden);
+  });
+}
 
 test('the options reach the matching', () => {
   const matches = (/** @type {string[]} */ ...options) => json(...call, ...options).counts;

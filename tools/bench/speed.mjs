@@ -1,6 +1,6 @@
 /** How fast the wasm module is in Node: one thread, warm, medians. */
 
-import { estimate_offset, match_points, constant_offset, sample, sample_seed, Photo } from '../../pkg/node.js';
+import { constant_offset, defaults, estimate_offset, match_photos, match_points, orient_relative, Photo, simulate } from '../../pkg/node.js';
 import { settingsWith } from './accuracy.mjs';
 import { bytesOf, have, photoOf, simulated } from './data.mjs';
 
@@ -26,8 +26,9 @@ export function speed() {
   if (have('simulated-a')) {
     const { left, right } = simulated();
     pair('simulated-a', left, right);
+    windows('simulated-a', left, right);
   }
-  const made = sample(sample_seed());
+  const made = simulate({});
   pair('sample', ...(/** @type {[Photo, Photo]} */ ([made.left, made.right].map((p) => Photo.from_grey(p.width, p.height, p.grey)))));
   if (have('pair_full_caliterra')) large();
 }
@@ -40,7 +41,7 @@ function pair(name, left, right) {
   const estimated = reduced();
   const [dx, dy] = estimated.median_px;
   const detect = (/** @type {Photo} */ photo) => photo.detect(settings.points).points;
-  const describe = (/** @type {Photo} */ photo, /** @type {Float64Array} */ points) => photo.describe(points, window, matching.measure);
+  const describe = (/** @type {Photo} */ photo, /** @type {Float64Array} */ points) => photo.describe(points, window, matching.strategy);
   const [pl, pr] = [detect(left), detect(right)];
   const [dl, dr] = [describe(left, pl), describe(right, pr)];
   const whole = (/** @type {() => import('../../pkg/node.js').OffsetField} */ offset) => () => {
@@ -53,6 +54,43 @@ function pair(name, left, right) {
   tell(`${name}, moments of both images`, medianMs(101, () => [describe(left, pl), describe(right, pr)]));
   tell(`${name}, matching`, medianMs(101, () => match_points(pl, dl, pr, dr, constant_offset(dx, dy), matching)));
   tell(`${name}, offset`, medianMs(51, reduced));
+}
+
+/** 2,000 points by grey values, windows of 21 x 21 px.  @param {string} name @param {Photo} left @param {Photo} right */
+function windows(name, left, right) {
+  const { points } = left.detect(settingsWith(() => {}).points);
+  const inner = Array.from({ length: points.length / 3 }, (_, i) => points.subarray(3 * i, 3 * i + 3))
+    .filter(([x = 0, y = 0]) => x > 40 && y > 40 && x < left.width - 40 && y < left.height - 40);
+  const chosen = Float64Array.from({ length: 6000 }, (_, i) => inner[Math.floor((Math.floor(i / 3) * inner.length) / 2000)]?.[i % 3] ?? NaN);
+  const none = new Float64Array();
+  const run = (/** @type {Partial<import('../../pkg/node.js').MatchOptions>} */ matching) => {
+    const settings = defaults();
+    Object.assign(settings.matching, { template: 21, left_right: false, strategy: 'correlation', ...matching });
+    return medianMs(15, () => match_photos(left, right, chosen, none, none, none, constant_offset(0, 0), null, settings));
+  };
+  const plain = run({});
+  tell(`${name}, correlation of 2,000 points, 21 x 21 px, in 25 x 25 places`, plain);
+  tell(`${name}, the same with the left-right check`, run({ left_right: true }));
+  tell(`${name}, correlation of 2,000 points, 21 x 21 px, in 41 x 41 places (61 x 61 px)`, run({ search: 41 }));
+  tell(`${name}, least squares matching of the correlated of these, beside their correlation`, run({ refine: 'least-squares' }) - plain);
+  tell(`${name}, least squares matching of 2,000 points from coarse to fine`, run({ strategy: 'least-squares' }));
+  for (const share of [0, 0.3, 0.6]) tell(`robust orientation of 2,000 observations, ${100 * share} % blunders`, medianMs(9, () => orient_relative(spoiled(share), 153.38, {}, null)));
+}
+
+/** Observations of relief over 60 % overlap with noise of 0.02 mm, of which a share has right points anywhere within 3 mm.  @param {number} share */
+function spoiled(share) {
+  let state = 12345;
+  const uniform = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state / 2 ** 32;
+  };
+  const noise = () => 0.02 * (uniform() + uniform() + uniform() + uniform() - 2) * Math.sqrt(3);
+  return Float64Array.from(Array.from({ length: 2000 }, (_, i) => {
+    const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
+    const scale = 1 + 0.08 * (2 * uniform() - 1);
+    const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
+    return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
+  }).flat());
 }
 
 function large() {

@@ -1,0 +1,55 @@
+// @ts-check
+/** What is known of a pair beside its images, as options: camera, fiducial marks, offset, and how it is matched and oriented. */
+
+import { parse_camera, parse_fiducials } from '../node.js';
+import { about, UsageError } from './errors.js';
+import { readText } from './files.js';
+import { BASE, MATCH_OPTIONS, pair, path, STATISTICS_OPTIONS } from './options.js';
+
+/**
+ * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
+ * @typedef {import('./args.js').Call} Call
+ */
+
+export const PAIR_OPTIONS = [
+  path('camera', 'camera.json', 'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}.'),
+  path('left-fiducials', 'F.csv', 'Fiducial marks measured in the scan of the left photo: col,row,x_mm,y_mm.'),
+  path('right-fiducials', 'F.csv', 'The same of the right photo.'),
+  pair('left-origin', 'COL,ROW', 'Place of the left image\'s top-left pixel in the scan whose fiducials were measured.'),
+  pair('right-origin', 'COL,ROW', 'The same of the right image.'),
+  pair('offset', 'DX,DY', 'Position of a point in the right image minus that in the left, in px; estimated when not given.'),
+  ...MATCH_OPTIONS,
+  BASE,
+  ...STATISTICS_OPTIONS,
+];
+
+/** Options that only make sense beside another.  @param {Call} call */
+function checkTogether({ values }) {
+  for (const [one, other] of [['left-fiducials', 'right-fiducials'], ['right-fiducials', 'left-fiducials'], ['left-origin', 'left-fiducials'], ['right-origin', 'right-fiducials']]) {
+    if (one && other && values.has(one) && !values.has(other)) throw new UsageError(`--${one} needs --${other} beside it`);
+  }
+}
+
+/** What the options say of the photos.  @param {Call} call @returns {GivenInput} */
+export function inputOf(call) {
+  checkTogether(call);
+  const { values } = call;
+  /** @type {GivenInput} */
+  const input = {};
+  const camera = values.get('camera');
+  if (typeof camera === 'string') {
+    const text = readText(camera);
+    input.camera = about(camera, () => parse_camera(text));
+  }
+  for (const side of /** @type {const} */ (['left', 'right'])) {
+    const file = values.get(`${side}-fiducials`);
+    const origin = values.get(`${side}-origin`);
+    if (typeof file !== 'string') continue;
+    const text = readText(file);
+    const fiducials = about(file, () => parse_fiducials(text));
+    input[side] = Array.isArray(origin) ? { fiducials, origin } : { fiducials };
+  }
+  const offset = values.get('offset');
+  if (Array.isArray(offset)) input.offset = offset;
+  return input;
+}

@@ -1,0 +1,49 @@
+// @ts-check
+import { Report } from '../node.js';
+import { basename } from 'node:path';
+import { UsageError } from './errors.js';
+import { makeFolder, readPhoto, writeInto } from './files.js';
+import { JSON_FLAG, path, POINT_OPTIONS, settingsOf } from './options.js';
+import { print, printJson } from './output.js';
+import { inputOf, PAIR_OPTIONS } from './pair.js';
+import { Progress } from './progress.js';
+import { checkSize, readTruth } from './truth.js';
+
+const OPTIONS = [
+  path('out', 'DIR', 'Folder that receives report.html; required.'),
+  ...PAIR_OPTIONS,
+  path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: matches and orientation are compared with it.'),
+  ...POINT_OPTIONS,
+  JSON_FLAG,
+];
+
+/** @type {import('./args.js').Command} */
+export const report = {
+  name: 'report',
+  summary: 'Matches and orients a pair by every strategy and writes one self-contained HTML report with pictures and tables.',
+  positionals: ['LEFT', 'RIGHT'],
+  options: OPTIONS,
+  details: 'The options are those of `tiepoint match`. The report holds the images with their points, the paper\'s Tables 1 to 3 for all strategies beside the '
+    + 'printed values, residuals, reliability and parameters. JSON: file.',
+  run(call) {
+    const { positionals: [leftPath = '', rightPath = ''], values } = call;
+    const input = inputOf(call);
+    const settings = settingsOf(OPTIONS, values);
+    const [out, truthPath] = [values.get('out'), values.get('truth')];
+    if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the report');
+    const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
+    makeFolder(out);
+    const reading = new Progress(2);
+    const left = reading.step(`reading ${leftPath}`, () => readPhoto(leftPath));
+    const right = reading.step(`reading ${rightPath}`, () => readPhoto(rightPath));
+    reading.end();
+    if (truth) checkSize(truth, left);
+    const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth);
+    const progress = new Progress(made.steps().length + 1);
+    for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
+    const file = progress.step('writing', () => writeInto(out, 'report.html', made.html()));
+    progress.end();
+    if (values.has('json')) printJson({ file });
+    else print(`written: ${file}`);
+  },
+};

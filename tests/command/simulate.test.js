@@ -1,0 +1,79 @@
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { folder, json, tiepoint } from './command.js';
+
+const SMALL = ['--width-px', '200', '--height-px', '220'];
+const OTHER = ['--width-px', '200', '--height-px', '210'];
+
+/** @param {string[]} options */
+const made = (...options) => madeOf(SMALL, ...options);
+
+/** @param {string[]} size @param {string[]} options */
+function madeOf(size, ...options) {
+  const at = folder();
+  const { files, match } = json('simulate', '--out', at, ...size, ...options);
+  return { at, files, match: match.slice(1) };
+}
+
+test('a flight is written with everything that the match command needs', () => {
+  const { files, match } = made();
+  assert.deepEqual(Object.keys(files), ['left', 'right', 'left_fiducials', 'right_fiducials', 'camera', 'truth', 'map', 'visible']);
+  assert.equal(readFileSync(files.map).length, 200 * 220 * 8);
+  const result = json(...match);
+  assert.ok(result.score.right_share > 0.8, `${result.score.right_share}`);
+  assert.ok(result.orientation.total_standard_errors.kappa_deg > result.orientation.standard_errors.kappa_deg);
+});
+
+test('the same options give the same bytes, another seed another pair', () => {
+  const [one, two, other] = [made('--seed', '5'), made('--seed', '5'), made('--seed', '6')];
+  for (const key of Object.keys(one.files)) assert.deepEqual(readFileSync(one.files[key]), readFileSync(two.files[key]), key);
+  assert.notDeepEqual(readFileSync(one.files.left), readFileSync(other.files.left));
+});
+
+test('presets and parameters reach the flight', () => {
+  const { at } = made('--preset', 'hard', '--omega-deg', '1.5');
+  const truth = JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8'));
+  assert.equal(truth.relative_orientation.omega_deg, 1.5);
+  assert.equal(truth.flight.omega_deg, 1.5);
+  assert.ok(truth.flight.noise_grey >= 6 && truth.flight.relief_m >= 20 && truth.flight.highest_building_m >= 28);
+});
+
+test('a flight that cannot be flown is refused by name', () => {
+  for (const [options, pattern] of /** @type {const} */ ([
+    [['--relief-m', '400'], /relief/],
+    [['--noise-grey', 'much'], /--noise-grey is much; allowed: a number/],
+    [['--preset', 'easy'], /--preset is easy; allowed: sample, paper, hard, lively/],
+    [['--width-px', '4000'], /overlap|columns|width/i],
+  ])) {
+    const { code, stderr } = tiepoint('simulate', '--out', folder(), ...SMALL.filter((_, i) => !options[0].startsWith('--width') || i > 1), ...options);
+    assert.ok(code === 1 || code === 2, stderr);
+    assert.match(stderr, pattern);
+  }
+  assert.match(tiepoint('simulate').stderr, /--out is missing/);
+});
+
+test('a truth that does not fit, or is damaged, is refused by name', () => {
+  const { at, match } = made();
+  const other = madeOf(OTHER);
+  const place = match.indexOf('--truth') + 1;
+  const against = (/** @type {string} */ truth) => tiepoint(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? truth : word)));
+  assert.match(against(join(other.at, 'truth.json')).stderr, /200 x 210 px; the left image has 200 x 220/);
+  writeFileSync(join(at, 'map_row_col.f32'), 'short');
+  assert.match(against(at).stderr, /map_row_col\.f32: it has 5 bytes; allowed: 352000/);
+  writeFileSync(join(at, 'truth.json'), '{}');
+  assert.match(against(at).stderr, /relative_orientation\.omega_deg is missing/);
+});
+
+test('the report of a flight is one file that holds everything', () => {
+  const { at, match } = made();
+  const out = join(at, 'report');
+  const { file } = json('report', ...match.slice(1), '--out', out);
+  const page = readFileSync(file, 'utf8');
+  for (const part of ['left.png', 'Table 1.', 'Table 2.', 'Table 3.', 'true errors', 'Reliability', 'data:image/png;base64,']) assert.ok(page.includes(part), part);
+  assert.ok(!/(?:src|href)="(?!data:|#)/.test(page));
+  json('report', ...match.slice(1), '--out', out);
+  assert.equal(readFileSync(file, 'utf8'), page);
+  assert.match(tiepoint('report', ...match.slice(1)).stderr, /--out is missing/);
+});
