@@ -8,6 +8,7 @@ import { loadCatalogue } from './engine/wasm';
 import { mountDrop } from './files/drop';
 import { exportEverything, exportMatches, exportPicture } from './files/export';
 import { Files } from './files/open';
+import { exportReport } from './files/report';
 import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
@@ -18,7 +19,9 @@ import { mountHistograms } from './panel/histograms';
 import { mountOrientation } from './panel/orientation';
 import { mountPanes } from './panel/panes';
 import { mountPoint } from './panel/point';
-import { mountStatus } from './panel/status';
+import { mountSimulate } from './panel/simulate';
+import { mountStatistics } from './panel/statistics';
+import { isBusy, mountStatus } from './panel/status';
 import { mountTabs, showTab } from './panel/tabs';
 import { mountTheme } from './panel/theme';
 import { mountToolbar } from './panel/toolbar';
@@ -47,6 +50,8 @@ mountCounts(byId('panel-results'), store);
 mountOrientation(byId('panel-results'), store);
 mountHistograms(byId('panel-results'), store);
 mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
+mountStatistics(byId('panel-matches'), store, (side, index) => { navigator.select({ side, index }); });
+mountSimulate(byId('panel-simulate'), store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
 mountAnnouncements(byId('announce'), store);
 mountDrop(view, files);
 mountStatus(store, {
@@ -54,7 +59,10 @@ mountStatus(store, {
   run: () => { store.dispatch({ type: 'resume' }); },
 });
 mountHeader();
-store.watch((s) => [s.selection] as const, ([selection]) => { if (selection !== null) showTab('tab-point'); });
+store.watch((s) => [s.selection] as const, ([selection]) => {
+  // The table of matches shows the selected one itself, and is gone through by selecting.
+  if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');
+});
 void start();
 
 /** Opens the file dialog for a side, or for any files. */
@@ -83,8 +91,9 @@ function mountHeader(): void {
   on('swap', () => { engine.swap(); });
   on('export-csv', () => exportMatches(store.state, engine));
   on('export-json', () => { exportEverything(store.state); });
+  on('export-report', () => exportReport(store, engine));
   on('export-png', () => exportPicture(store.state, view));
-  store.watch((s) => [s.images, s.results, s.catalogue, s.notice] as const, ([images, , catalogue]) => {
+  store.watch((s) => [s.images, s.results, s.catalogue, s.notice, s.running] as const, ([images, , catalogue]) => {
     const both = images.left !== null && images.right !== null;
     const set = (id: string, disabled: boolean) => { (byId(id) as HTMLButtonElement).disabled = disabled; };
     set('swap', images.left === null && images.right === null);
@@ -92,6 +101,7 @@ function mountHeader(): void {
     set('sample-first', catalogue === null);
     set('export-csv', !both || shownPair(store.state).match === null);
     set('export-json', !both || store.state.results.pointsLeft === undefined);
+    set('export-report', !both || isBusy(store.state));
     set('export-png', images.left === null && images.right === null);
     byId('welcome').hidden = images.left !== null || images.right !== null;
   });

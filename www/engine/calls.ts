@@ -1,13 +1,14 @@
 /** Every call a worker answers: name to input and output. Both ends are typed by this one table. */
 import type {
-  Camera, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Interior, MatchResult, OffsetField, PhotoInfo,
-  ReducedImage, RelativeOrientation, SamplePair, Settings, WindowReport,
+  Camera, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, Interior, MatchResult, MatchScore, OffsetField,
+  Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings, Strategy,
+  WindowReport,
 } from './wasm';
 
 /** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
 export type ImageSource =
   | { kind: 'file'; file: Blob }
-  | { kind: 'grey'; width: number; height: number; grey: Uint8Array };
+  | ({ kind: 'grey' } & SampleImage);
 
 /** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
 export interface Overview {
@@ -22,7 +23,25 @@ export interface MatchInput {
   rightPoints: Float64Array;
   rightDescriptors: Float64Array;
   offset: OffsetField;
-  options: Settings['matching'];
+}
+
+/** What the truth of a simulated pair is compared with. */
+export interface ScoreInput {
+  matches: Float64Array;
+  leftPoints: Float64Array;
+  /** x, y in the right image of each left pixel; NaN where it is not seen. */
+  rightPosition: Float32Array;
+  left: { width: number; height: number };
+  right: { width: number; height: number };
+}
+
+/** A pair as its report needs it. */
+export interface ReportInput {
+  images: [ImageSource, ImageSource];
+  names: [string, string];
+  input: Given<PairInput>;
+  settings: Settings;
+  truth: ReportTruth | null;
 }
 
 /** What is known of one photo's geometry. */
@@ -49,22 +68,27 @@ export interface Calls {
   tile: { input: { level: number; column: number; row: number; side: number }; output: ImageBitmap };
   reduced: { input: { maxSide: number }; output: ReducedImage };
   detect: { input: Settings['points']; output: DetectedPoints };
-  describe: {
-    input: { points: Float64Array; window: Settings['window']; measure: Settings['matching']['measure'] };
-    output: Float64Array;
-  };
-  moments: { input: { col: number; row: number; window: Settings['window'] }; output: WindowReport };
+  describe: { input: { points: Float64Array; window: Settings['window']; strategy: Strategy }; output: Float64Array };
+  grey: { input: null; output: SampleImage };
+  moments: { input: { col: number; row: number; window: Partial<Settings['window']> }; output: WindowReport };
   // The pair.
-  sample: { input: { seed: number }; output: SamplePair };
+  simulate: { input: Flight; output: SamplePair };
+  /** Gives the worker the grey values of both images, for the calls that compare them. */
+  hold: { input: { left: SampleImage; right: SampleImage }; output: null };
   offset: { input: { left: ReducedImage; right: ReducedImage }; output: OffsetField };
   constantOffset: { input: { dx: number; dy: number }; output: OffsetField };
-  match: { input: MatchInput; output: MatchResult };
-  candidates: { input: MatchInput & { index: number }; output: Float64Array };
+  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings }; output: MatchResult };
+  candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
+  score: { input: ScoreInput; output: MatchScore };
   interior: { input: PhotoInput; output: InteriorOutput };
   orient: {
-    input: { matches: Float64Array; left: Interior; right: Interior; focalMm: number; options: Settings['orientation'] };
+    input: { matches: Float64Array; fits: Float64Array; interior: PairInterior; options: Settings['orientation'] };
     output: RelativeOrientation;
   };
+  // The report: `reportOpen` first; it gives what each step does.
+  reportOpen: { input: ReportInput; output: string[] };
+  reportStep: { input: null; output: boolean };
+  reportPage: { input: null; output: string };
   // Files.
   parseFiducials: { input: { text: string }; output: Fiducial[] };
   parseCamera: { input: { text: string }; output: Camera };

@@ -21,9 +21,13 @@ export class Engine implements Workers {
     left: new WorkerClient('left image'),
     right: new WorkerClient('right image'),
     pair: new WorkerClient('pair'),
+    preview: new WorkerClient('preview'),
+    report: new WorkerClient('report'),
   };
   /** What each worker has opened last: the image, in which life of the worker, and the answer to come. */
   private readonly opened = new Map<WorkerClient, { tag: string; answer: Promise<Output<'open'>> }>();
+  /** Which pair the pair's worker holds, and when it does. */
+  private held: { tag: string; answer: Promise<unknown> } | null = null;
   private timer: number | undefined;
 
   constructor(private readonly store: Store) {
@@ -38,7 +42,7 @@ export class Engine implements Workers {
   /** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
   open(side: Side, image: GivenImage): Promise<Output<'open'>> {
     const client = this.clients[side];
-    const tag = lifeTag(client, image.id);
+    const tag = lifeTag(client, String(image.id));
     const held = this.opened.get(client);
     if (held?.tag === tag) return held.answer;
     const answer = client.call('open', { source: image.source, overviewSide: OVERVIEW_SIDE });
@@ -56,6 +60,22 @@ export class Engine implements Workers {
     return client;
   }
 
+  async withPair(state: State): Promise<WorkerClient> {
+    const client = this.clients.pair;
+    const tag = lifeTag(client, `${String(state.images.left?.id)}:${String(state.images.right?.id)}`);
+    if (this.held?.tag !== tag) this.held = { tag, answer: this.holdPair(client, state) };
+    const { held } = this;
+    held.answer.catch(() => { if (this.held === held) this.held = null; });
+    await held.answer;
+    return client;
+  }
+
+  private async holdPair(client: WorkerClient, state: State): Promise<unknown> {
+    const greyOf = async (side: Side) => (await this.withImage(side, state)).call('grey', null);
+    const [left, right] = await Promise.all([greyOf('left'), greyOf('right')]);
+    return client.call('hold', { left, right }, [left.grey.buffer, right.grey.buffer]);
+  }
+
   /** Ends all workers and what they do; nothing runs until the user asks or changes something. */
   cancel(): void {
     this.stopWorkers();
@@ -64,7 +84,7 @@ export class Engine implements Workers {
 
   /** Exchanges the images; each worker keeps the image it holds. */
   swap(): void {
-    this.clients = { left: this.clients.right, right: this.clients.left, pair: this.clients.pair };
+    this.clients = { ...this.clients, left: this.clients.right, right: this.clients.left };
     this.store.dispatch({ type: 'swap' });
   }
 
@@ -76,7 +96,7 @@ export class Engine implements Workers {
       if (state.paused || state.running[stage] !== undefined) continue;
       const key = wantedKeys(state)[stage];
       if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
-      if (STAGES[stage].needs.every((input) => current(state, input))) void this.run(stage, key);
+      if (isReady(state, stage)) void this.run(stage, key);
     }
   }
 
@@ -113,11 +133,14 @@ export class Engine implements Workers {
   }
 }
 
-/** Names an image in one life of a worker. */
-function lifeTag(client: WorkerClient, imageId: number): string {
-  return `${String(client.generation)}:${String(imageId)}`;
+/** Names what a worker holds in one of its lives. */
+function lifeTag(client: WorkerClient, what: string): string {
+  return `${String(client.generation)}:${what}`;
 }
 
-function current(state: State, stage: StageName): boolean {
-  return state.results[stage]?.key === wantedKeys(state)[stage];
+function isReady(state: State, stage: StageName): boolean {
+  const { needs, uses = [] } = STAGES[stage];
+  const keys = wantedKeys(state);
+  const current = (input: StageName) => state.results[input]?.key === keys[input];
+  return needs.every(current) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
 }

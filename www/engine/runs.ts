@@ -1,6 +1,8 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
 import type { GivenImage, PointWindow, Side, StageName, StageValues, State } from '../state/state';
-import { pairCameras } from '../state/keys';
+import { comparesGreyValues, isCurrent, pairCameras } from '../state/keys';
+import { truthOf } from '../state/truth';
+import type { PairInterior } from './wasm';
 import type { MatchInput, Output } from './calls';
 import { CallError } from './client';
 import type { WorkerClient } from './client';
@@ -15,6 +17,8 @@ export interface Workers {
   open(side: Side, image: GivenImage): Promise<Output<'open'>>;
   /** The worker of a side, holding the image that the state has there. */
   withImage(side: Side, state: State): Promise<WorkerClient>;
+  /** The pair's worker, holding the grey values of both images. */
+  withPair(state: State): Promise<WorkerClient>;
 }
 
 type Run<Value> = (state: State, workers: Workers) => Promise<Value>;
@@ -47,7 +51,7 @@ function descriptors(side: Side): Run<StageValues['descriptorsLeft']> {
   return async (state, workers) => {
     const found = needed(state, side === 'left' ? 'pointsLeft' : 'pointsRight');
     const { window, matching } = settingsOf(state);
-    return (await workers.withImage(side, state)).call('describe', { points: found.points, window, measure: matching.measure });
+    return (await workers.withImage(side, state)).call('describe', { points: found.points, window, strategy: matching.strategy });
   };
 }
 
@@ -68,11 +72,21 @@ function matchInput(state: State): MatchInput {
     rightPoints: needed(state, 'pointsRight').points,
     rightDescriptors: needed(state, 'descriptorsRight'),
     offset: needed(state, 'offset'),
-    options: settingsOf(state).matching,
   };
 }
 
-const match: Run<StageValues['match']> = (state, workers) => workers.client('pair').call('match', matchInput(state));
+const match: Run<StageValues['match']> = async (state, workers) => {
+  const settings = settingsOf(state);
+  // Without epipolar lines the result does not depend on the camera, and must not wait for it.
+  const ofPair = settings.matching.epipolar && isCurrent(state, 'interiorLeft') && isCurrent(state, 'interiorRight') ? interiorOfPair(state) : null;
+  return (await workers.withPair(state)).call('match', { ...matchInput(state), interior: ofPair, settings });
+};
+
+function interiorOfPair(state: State): PairInterior {
+  const cameras = pairCameras(state);
+  if ('missing' in cameras) throw new Error(cameras.missing);
+  return { left: needed(state, 'interiorLeft').interior, right: needed(state, 'interiorRight').interior, focal_mm: cameras.left.focal_mm };
+}
 
 function interior(side: Side): Run<StageValues['interiorLeft']> {
   return async (state, workers) => {
@@ -87,16 +101,28 @@ function interior(side: Side): Run<StageValues['interiorLeft']> {
 }
 
 const orientation: Run<StageValues['orientation']> = async (state, workers) => {
-  const cameras = pairCameras(state);
-  if ('missing' in cameras) throw new Error(cameras.missing);
-  return workers.client('pair').call('orient', {
+  const { matches, fits } = needed(state, 'match');
+  return workers.client('pair').call('orient', { matches, fits, interior: interiorOfPair(state), options: settingsOf(state).orientation });
+};
+
+const score: Run<StageValues['score']> = async (state, workers) => {
+  const truth = truthOf(state);
+  if (truth === null) throw new Error('these images have no truth');
+  const { info } = needed(state, 'openRight');
+  return workers.client('pair').call('score', {
     matches: needed(state, 'match').matches,
-    left: needed(state, 'interiorLeft').interior,
-    right: needed(state, 'interiorRight').interior,
-    focalMm: cameras.left.focal_mm,
-    options: settingsOf(state).orientation,
+    leftPoints: needed(state, 'pointsLeft').points,
+    rightPosition: truth.rightPosition,
+    left: { width: truth.leftWidth, height: truth.leftHeight },
+    right: { width: info.width, height: info.height },
   });
 };
+
+/** Where the best place of a left point lies in the right image; null where it has none. */
+export function placeOf(places: Float64Array, index: number): Position | null {
+  const [x = NaN, y = NaN] = places.subarray(2 * Math.max(0, index), 2 * index + 2);
+  return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
+}
 
 /** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate. */
 export function leftIndexOf(state: State, best: Int32Array, rules: Uint8Array): number {
@@ -112,13 +138,27 @@ export function leftIndexOf(state: State, best: Int32Array, rules: Uint8Array): 
   return found;
 }
 
-async function windowAt(workers: Workers, state: State, side: Side, index: number): Promise<PointWindow> {
+/** The window whose content decided: that of the moments, or that of the grey values. */
+function comparedWindow(state: State): Partial<ReturnType<typeof settingsOf>['window']> {
+  const settings = settingsOf(state);
+  return comparesGreyValues(settings) ? { side: settings.matching.template, shape: 'square' } : settings.window;
+}
+
+/** A position of an image, as its points give it; null where there is no such point. */
+function pointAt(state: State, side: Side, index: number): Position | null {
   const { points: at } = needed(state, side === 'left' ? 'pointsLeft' : 'pointsRight');
-  const col = Math.floor(at[3 * index] ?? 0);
-  const row = Math.floor(at[3 * index + 1] ?? 0);
+  const [x, y] = at.subarray(3 * index, 3 * index + 2);
+  return x === undefined || y === undefined ? null : [x, y];
+}
+
+type Position = [number, number];
+
+async function windowAt(workers: Workers, state: State, side: Side, [x, y]: Position): Promise<PointWindow> {
+  const col = Math.floor(x);
+  const row = Math.floor(y);
   const worker = await workers.withImage(side, state);
   try {
-    return { col, row, report: await worker.call('moments', { col, row, window: settingsOf(state).window }), problem: null };
+    return { col, row, report: await worker.call('moments', { col, row, window: comparedWindow(state) }), problem: null };
   } catch (error) {
     // A window that leaves the image or is constant is an answer, not a failure.
     if (error instanceof CallError && error.failure.kind === 'refused') return { col, row, report: null, problem: error.message };
@@ -129,11 +169,15 @@ async function windowAt(workers: Workers, state: State, side: Side, index: numbe
 const inspection: Run<StageValues['inspection']> = async (state, workers) => {
   const result = needed(state, 'match');
   const left = leftIndexOf(state, result.best, result.rules);
-  const right = state.selection?.side === 'right' ? state.selection.index : (result.best[left] ?? -1);
+  const leftAt = left < 0 ? null : pointAt(state, 'left', left);
+  const rightAt = state.selection?.side === 'right' ? pointAt(state, 'right', state.selection.index) : placeOf(result.places, left);
+  const settings = settingsOf(state);
   const [ofLeft, ofRight, candidates] = await Promise.all([
-    left < 0 ? null : windowAt(workers, state, 'left', left),
-    right < 0 ? null : windowAt(workers, state, 'right', right),
-    left < 0 ? new Float64Array() : workers.client('pair').call('candidates', { ...matchInput(state), index: left }),
+    leftAt === null ? null : windowAt(workers, state, 'left', leftAt),
+    rightAt === null ? null : windowAt(workers, state, 'right', rightAt),
+    left < 0 || comparesGreyValues(settings)
+      ? new Float64Array()
+      : workers.client('pair').call('candidates', { ...matchInput(state), index: left, options: settings.matching }),
   ]);
   return { left: ofLeft, right: ofRight, candidates };
 };
@@ -150,5 +194,6 @@ export const RUNS: { readonly [S in StageName]: Run<StageValues[S]> } = {
   interiorLeft: interior('left'),
   interiorRight: interior('right'),
   orientation,
+  score,
   inspection,
 };

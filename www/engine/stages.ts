@@ -1,7 +1,7 @@
 /** The stages of a run, in the order in which they depend on each other. */
 import type { StageName } from '../state/state';
 
-export type WorkerName = 'left' | 'right' | 'pair';
+export type WorkerName = 'left' | 'right' | 'pair' | 'preview' | 'report';
 
 export interface StageInfo {
   /** What the status line says while it runs. */
@@ -9,6 +9,8 @@ export interface StageInfo {
   worker: WorkerName;
   /** Stages whose current results it needs. */
   needs: readonly StageName[];
+  /** Stages that it waits for where they are wanted, and does without where they failed. */
+  uses?: readonly StageName[];
 }
 
 export const STAGES: Readonly<Record<StageName, StageInfo>> = {
@@ -16,13 +18,14 @@ export const STAGES: Readonly<Record<StageName, StageInfo>> = {
   openRight: { label: 'decoding the right image', worker: 'right', needs: [] },
   pointsLeft: { label: 'finding points, left', worker: 'left', needs: ['openLeft'] },
   pointsRight: { label: 'finding points, right', worker: 'right', needs: ['openRight'] },
-  descriptorsLeft: { label: 'computing moments, left', worker: 'left', needs: ['pointsLeft'] },
-  descriptorsRight: { label: 'computing moments, right', worker: 'right', needs: ['pointsRight'] },
+  descriptorsLeft: { label: 'describing points, left', worker: 'left', needs: ['pointsLeft'] },
+  descriptorsRight: { label: 'describing points, right', worker: 'right', needs: ['pointsRight'] },
   offset: { label: 'estimating the offset of the images', worker: 'pair', needs: ['openLeft', 'openRight'] },
-  match: { label: 'matching', worker: 'pair', needs: ['descriptorsLeft', 'descriptorsRight', 'offset'] },
+  match: { label: 'matching', worker: 'pair', needs: ['descriptorsLeft', 'descriptorsRight', 'offset'], uses: ['interiorLeft', 'interiorRight'] },
   interiorLeft: { label: 'interior orientation, left', worker: 'pair', needs: ['openLeft'] },
   interiorRight: { label: 'interior orientation, right', worker: 'pair', needs: ['openRight'] },
   orientation: { label: 'relative orientation', worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
+  score: { label: 'comparing with the truth', worker: 'pair', needs: ['match'] },
   inspection: { label: 'looking at the selected point', worker: 'pair', needs: ['match'] },
 };
 

@@ -1,15 +1,19 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
-import { defaults, initSync, operator_defaults, parameters, rule_names, sample_seed, version } from '../../pkg/wasm/tiepoint.js';
-import type { Operator, OperatorDefaults, PairSettings as Settings, Parameter } from '../../pkg/wasm/tiepoint.js';
+import {
+  defaults, flight_parameters, flight_preset, flight_presets, initSync, operator_defaults, parameters, rule_names, version,
+} from '../../pkg/wasm/tiepoint.js';
+import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
+import { sameRules } from '../state/codes';
 import { wasmModule } from './spawn';
 
 export type {
-  Camera, DetectedPoints, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, FiveParameters, Interior, MatchCounts, MatchResult,
-  OffsetField, PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, SamplePair, WindowReport,
+  Camera, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, FiveParameters, Interior, MatchCounts,
+  Given, MatchResult, MatchScore, OffsetField, PairInput, PairInterior, PhotoInfo, PointCounts, ReducedImage, RelativeOrientation,
+  ReportTruth, Rule, SampleImage, SamplePair, Strategy, Weakness, WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
 export { draw_match_lines, draw_points, draw_vectors } from '../../pkg/wasm/tiepoint.js';
 
-export type { Parameter, Settings };
+export type { Flight, Parameter, Preset, Settings };
 
 /** What the crate says of itself: read once, when the module is there. */
 export interface Catalogue {
@@ -19,18 +23,22 @@ export interface Catalogue {
   /** What an operator does where an option is empty. */
   operatorDefaults: Record<Operator, OperatorDefaults>;
   rules: string[];
-  sampleSeed: number;
+  flightParameters: Parameter[];
+  flights: { name: Preset; flight: Flight }[];
 }
 
 /** Loads the module for the main thread and reads the catalogue. */
 export async function loadCatalogue(): Promise<Catalogue> {
   initSync({ module: await wasmModule() });
+  const rules = rule_names();
+  if (!sameRules(rules)) throw new Error(`the page and the program do not fit each other: rules ${rules.join(', ')}`);
   return {
     version: version(),
     parameters: parameters(),
     defaults: defaults(),
     operatorDefaults: operator_defaults(),
-    rules: rule_names(),
-    sampleSeed: sample_seed(),
+    rules,
+    flightParameters: flight_parameters(),
+    flights: flight_presets().map((name) => ({ name, flight: flight_preset(name) })),
   };
 }

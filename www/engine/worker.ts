@@ -1,9 +1,9 @@
-/** The worker: unpacks a call, asks the crate, packs the answer. It holds one image at most. */
+/** The worker: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
 import {
-  Photo, candidates, constant_offset, estimate_offset, initSync, interior, match_points, matches_csv, observations, orient_fiducials,
-  orient_relative, parse_camera, parse_fiducials, sample, scaled_interior,
+  Photo, Report, candidates, constant_offset, estimate_offset, initSync, interior, match_photos, matches_csv, orient_fiducials, orient_matches,
+  parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
 } from '../../pkg/wasm/tiepoint.js';
-import type { CallName, Calls, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
+import type { CallName, Calls, ImageSource, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
 import { bitmapOf, tileOf } from './tiles';
 
 interface OpenPhoto {
@@ -19,13 +19,16 @@ function photo(): OpenPhoto {
   return opened;
 }
 
+async function decode(source: ImageSource): Promise<Photo> {
+  return source.kind === 'file'
+    ? Photo.decode(new Uint8Array(await source.file.arrayBuffer()))
+    : Photo.from_grey(source.width, source.height, source.grey);
+}
+
 async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'open'>> {
   opened?.photo.free();
   opened = null;
-  const decoded =
-    source.kind === 'file'
-      ? Photo.decode(new Uint8Array(await source.file.arrayBuffer()))
-      : Photo.from_grey(source.width, source.height, source.grey);
+  const decoded = await decode(source);
   opened = { photo: decoded, grey: null };
   const reduced = decoded.reduced(overviewSide);
   return {
@@ -38,6 +41,44 @@ function tile({ level, column, row, side }: Input<'tile'>): Promise<ImageBitmap>
   const current = photo();
   current.grey ??= current.photo.grey();
   return tileOf(current.grey, current.photo.width, current.photo.height, level, column, row, side);
+}
+
+/** The pair whose grey values this worker compares. */
+let held: { left: Photo; right: Photo } | null = null;
+
+function hold({ left, right }: Input<'hold'>): null {
+  held?.left.free();
+  held?.right.free();
+  held = null;
+  held = {
+    left: Photo.from_grey(left.width, left.height, left.grey),
+    right: Photo.from_grey(right.width, right.height, right.grey),
+  };
+  return null;
+}
+
+function match(m: Input<'match'>): Output<'match'> {
+  if (held === null) throw new Error('no pair is held in this worker');
+  return match_photos(held.left, held.right, m.leftPoints, m.leftDescriptors, m.rightPoints, m.rightDescriptors, m.offset, m.interior, m.settings);
+}
+
+/** The report in the making. */
+let report: Report | null = null;
+
+function reportInHand(): Report {
+  if (report === null) throw new Error('no report is begun in this worker');
+  return report;
+}
+
+async function reportOpen({ images, names, input, settings, truth }: Input<'reportOpen'>): Promise<string[]> {
+  report?.free();
+  report = null;
+  const left = await decode(images[0]);
+  const right = await decode(images[1]);
+  report = new Report(left, right, names, input, settings, truth);
+  left.free();
+  right.free();
+  return report.steps();
 }
 
 function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }: Input<'interior'>): Output<'interior'> {
@@ -53,15 +94,21 @@ const HANDLERS: { [K in CallName]: (input: Input<K>) => Output<K> | Promise<Outp
   tile,
   reduced: ({ maxSide }) => photo().photo.reduced(maxSide),
   detect: (options) => photo().photo.detect(options),
-  describe: ({ points, window, measure }) => photo().photo.describe(points, window, measure),
+  describe: ({ points, window, strategy }) => photo().photo.describe(points, window, strategy),
+  grey: () => ({ width: photo().photo.width, height: photo().photo.height, grey: photo().photo.grey() }),
   moments: ({ col, row, window }) => photo().photo.window_moments(col, row, window),
-  sample: ({ seed }) => sample(seed),
+  simulate: (flight) => simulate(flight),
+  hold,
   offset: ({ left, right }) => estimate_offset(left, right),
   constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
-  match: (m) => match_points(m.leftPoints, m.leftDescriptors, m.rightPoints, m.rightDescriptors, m.offset, m.options),
+  match,
   candidates: (m) => candidates(m.index, m.leftPoints, m.leftDescriptors, m.rightPoints, m.rightDescriptors, m.offset, m.options),
+  score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
   interior: interiorOf,
-  orient: ({ matches, left, right, focalMm, options }) => orient_relative(observations(matches, left, right), focalMm, options),
+  orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
+  reportOpen,
+  reportStep: () => reportInHand().step(),
+  reportPage: () => reportInHand().html(),
   parseFiducials: ({ text }) => parse_fiducials(text),
   parseCamera: ({ text }) => parse_camera(text),
   matchesCsv: ({ matches }) => matches_csv(matches),

@@ -1,7 +1,8 @@
 /** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
 import type { Engine } from '../engine/engine';
-import { pairCameras } from '../state/keys';
-import { shownPair } from '../state/select';
+import { isCurrent, pairCameras } from '../state/keys';
+import { NO_POINT, shownPair } from '../state/select';
+import { truthOf } from '../state/truth';
 import type { Side, State } from '../state/state';
 import type { View } from '../view/view';
 
@@ -30,6 +31,7 @@ function verdicts(state: State) {
   return Array.from(match.rules, (rule, i) => ({
     rule: names[rule] ?? String(rule),
     best: match.best[i] === -1 ? null : (match.best[i] ?? null),
+    place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
     measure: finite(match.measures[2 * i]),
     second: finite(match.measures[2 * i + 1]),
   }));
@@ -62,7 +64,11 @@ export function everything(state: State): object {
       photo: 'mm, x to the right, y up, origin at the principal point',
       points: '[x, y, interest value]',
       matches: '[x left, y left, x right, y right, measure]',
-      verdicts: 'one a left point: the rule that decided, the index of the best right point, the best and the second best measure',
+      match_indices: '[index of the left point, index of the right point], the right one null where the place found is no interest point',
+      fits: 'least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]',
+      orientation_points:
+        'a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]',
+      verdicts: 'one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure',
     },
     settings: state.settings,
     images: { left: imageOf(state, 'left'), right: imageOf(state, 'right') },
@@ -74,14 +80,23 @@ export function everything(state: State): object {
     thresholds: { left: state.results.pointsLeft?.value.threshold ?? null, right: state.results.pointsRight?.value.threshold ?? null },
     points: { left: left === null ? null : rows(left, 3), right: right === null ? null : rows(right, 3) },
     matches: match === null ? null : rows(match.matches, 5),
-    match_indices: match === null ? null : rows(match.indices, 2),
+    match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => (index === NO_POINT ? null : index))),
+    fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
     verdicts: verdicts(state),
     interior: {
       left: state.results.interiorLeft?.value ?? null,
       right: state.results.interiorRight?.value ?? null,
     },
-    orientation,
+    orientation: orientation === null ? null : { ...orientation, points: rows(orientation.points, 9).map((point) => point.map(finite)) },
+    truth: truthOf(state)?.orientation ?? null,
+    score: scoreOf(state),
   };
+}
+
+/** How right the matches are, where the truth is known. */
+function scoreOf(state: State) {
+  const score = state.results.score?.value;
+  return score === undefined || !isCurrent(state, 'score') ? null : { matches: score.matches, strict: score.strict, right: score.right, missed: score.missed };
 }
 
 export async function exportMatches(state: State, engine: Engine): Promise<void> {
@@ -102,12 +117,12 @@ export async function exportPicture(state: State, view: View): Promise<void> {
   save(blob, `${baseName(state)}.png`);
 }
 
-function baseName(state: State): string {
+export function baseName(state: State): string {
   const names = [state.images.left?.name, state.images.right?.name].map((name) => (name ?? 'image').replace(/\.[^.]+$/u, ''));
   return names.join('-').replace(/[^\p{L}\p{N}._-]+/gu, '_');
 }
 
-function save(blob: Blob, name: string): void {
+export function save(blob: Blob, name: string): void {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;

@@ -1,7 +1,7 @@
 /** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
 import { CallError, Cancelled } from '../engine/client';
 import type { Engine } from '../engine/engine';
-
+import type { Flight } from '../engine/wasm';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { sortFiles } from './sort';
@@ -29,19 +29,23 @@ export class Files {
     if (images.length > 0) await this.takeImages(images, side);
   }
 
-  /** Renders the built-in sample in a worker and opens it. */
-  async takeSample(): Promise<void> {
-    const seed = this.store.state.catalogue?.sampleSeed;
-    if (seed === undefined) return;
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the sample pair: a simulated flight over a made landscape …' } });
+  /** Renders the pair of a flight in a worker and opens it. */
+  async takeFlight(name: string, flight: Flight): Promise<void> {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a made landscape …' } });
     try {
-      const sample = await this.engine.client('pair').call('sample', { seed });
-      const given = (side: Side): GivenImage => ({ id: nextId++, name: `sample ${side}`, source: { kind: 'grey', ...sample[side] } });
-      this.store.dispatch({ type: 'sample', left: given('left'), right: given('right'), sample });
+      const pair = await this.engine.client('pair').call('simulate', flight);
+      const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
+      this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
       this.store.dispatch({ type: 'notice', notice: null });
     } catch (error) {
-      this.failed('The sample pair could not be rendered', error);
+      this.failed('The pair could not be rendered', error);
     }
+  }
+
+  /** The built-in pair. */
+  async takeSample(): Promise<void> {
+    const sample = this.store.state.catalogue?.flights.find(({ name }) => name === 'sample');
+    if (sample !== undefined) await this.takeFlight(sample.name, sample.flight);
   }
 
   private problem(text: string): void {

@@ -1,12 +1,12 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
-import type { MatchCounts, PointCounts } from '../engine/wasm';
-import { isStale } from '../state/keys';
-import { score, TOLERANCE_PX, truthOf } from '../state/score';
-import { GROSS_ERROR, leftCodes, shownPair } from '../state/select';
+import type { PointCounts } from '../engine/wasm';
+import { isCurrent, isStale } from '../state/keys';
+import { GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
+import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, row, section } from './dom';
-import { count, fixed, percent, significant } from './format';
+import { count, percent, significant } from './format';
 import { swatch } from './swatch';
 import { styleOf } from '../view/palette';
 
@@ -24,10 +24,8 @@ const PHASES: readonly [keyof PointCounts, string][] = [
   ['after_suppression', 'Suppression'],
 ];
 
-/** The rules that refuse, in the order in which they are applied: code and field. */
-const RULES: readonly [number, keyof MatchCounts][] = [
-  [1, 'no_descriptor'], [2, 'no_candidate'], [3, 'threshold'], [4, 'ambiguous'], [5, 'many_to_one'], [6, 'parallax'],
-];
+/** Rules that only some strategies have. */
+const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converged', 'imprecise']);
 
 export function mountCounts(host: HTMLElement, store: Store): void {
   const phases = h('div', {});
@@ -40,7 +38,7 @@ export function mountCounts(host: HTMLElement, store: Store): void {
     points.classList.toggle('is-stale', isStale(state, 'pointsLeft') || isStale(state, 'pointsRight'));
     matches.classList.toggle('is-stale', isStale(state, 'match'));
     fill(phases, phaseTable(state));
-    fill(rules, ruleTable(state, store), scoreLine(state));
+    fill(rules, ruleTable(state, store), scoreLines(state));
   });
 }
 
@@ -72,12 +70,14 @@ function ruleTable(state: State, store: Store): HTMLElement {
   const result = state.results.match?.value;
   const total = result?.rules.length ?? 0;
   const share = (n: number | undefined) => (n === undefined || total === 0 ? '–' : percent(n / total));
-  const refused = RULES.map(([code, field]) => ruleRow(code, `refused-${field}`, result?.counts[field], share, state, store));
+  // A rule that the strategy does not have refuses nothing; its row would only lengthen the table.
+  const applied = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0);
+  const refused = applied.map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
   const shown = shownPair(state);
   const gross = shown.orientation?.rejected.length;
   return h('table', { aria: { label: 'What became of the left points' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Left points'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'), h('th', { scope: 'col' }, 'Show'))),
-    h('tbody', {}, ruleRow(0, 'count-matches', result?.counts.matches, share, state, store),
+    h('tbody', {}, ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
       ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
       h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Refused by')), ...refused));
 }
@@ -98,13 +98,19 @@ function ruleRow(
 }
 
 /** How many matches are right, where the truth is known. */
-function scoreLine(state: State): HTMLElement | null {
-  const truth = truthOf(state);
+function scoreLines(state: State): HTMLElement | null {
+  const score = state.results.score?.value;
   const { match } = shownPair(state);
-  if (truth === null || match === null || match.counts.matches === 0) return null;
-  const { precision, right, matches } = score(match, truth);
-  return h('p', { class: 'note', testid: 'score' },
-    `Against the sample's known surface: ${count(right)} of ${count(matches)} matches (${percent(precision)}) lie within ${fixed(TOLERANCE_PX, 1)} px of where the surface is seen.`);
+  if (score === undefined || match === null || !isCurrent(state, 'score') || score.matches === 0) return null;
+  const line = (name: string, testid: string, value: number, of: string, title: string) =>
+    h('tr', { title }, h('th', { scope: 'row' }, name), cell(testid, count(value)), h('td', { class: 'number' }, of));
+  const share = (value: number) => percent(value / score.matches);
+  return h('table', { testid: 'score', aria: { label: 'Matches against the truth' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Against the truth'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'))),
+    h('tbody', {},
+      line('Right', 'score-right', score.right, share(score.right), 'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.'),
+      line('Strictly right', 'score-strict', score.strict, share(score.strict), 'Within 1.5 px of where the surface at the left pixel itself is seen.'),
+      line('Missed', 'score-missed', score.missed, '', 'Left points that are seen in the right image and have no right match.')));
 }
 
 /** What became of the points, in one sentence for the status line. */

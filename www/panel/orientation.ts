@@ -1,32 +1,16 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
-import type { FiveParameters, RelativeOrientation } from '../engine/wasm';
+import type { RelativeOrientation, Weakness } from '../engine/wasm';
 import { isStale, pairCameras, wantedKeys } from '../state/keys';
 import { pixelMm } from '../state/residuals';
-import { truthOf } from '../state/score';
+import { truthOf } from '../state/truth';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, row, section } from './dom';
+import { facts } from './facts';
+import type { Fact } from './facts';
 import { count, fixed, significant } from './format';
-
-type Field = keyof FiveParameters;
-
-interface Unknown {
-  field: Field;
-  symbol: string;
-  unit: string;
-  digits: number;
-  /** Standard error in the paper's Table 2, and the proposed method's value in its Table 3. */
-  paperError: number;
-  paperValue: number;
-}
-
-const UNKNOWNS: readonly Unknown[] = [
-  { field: 'omega_deg', symbol: 'ω', unit: '°', digits: 4, paperError: 0.0477, paperValue: 0.9137 },
-  { field: 'phi_deg', symbol: 'φ', unit: '°', digits: 4, paperError: 0.0688, paperValue: 0.0187 },
-  { field: 'kappa_deg', symbol: 'κ', unit: '°', digits: 4, paperError: 0.0202, paperValue: 0.3708 },
-  { field: 'by_mm', symbol: 'by', unit: 'mm', digits: 4, paperError: 0.1373, paperValue: -2.2811 },
-  { field: 'bz_mm', symbol: 'bz', unit: 'mm', digits: 4, paperError: 0.0746, paperValue: 0.0605 },
-];
+import { correlationPicture, ellipsePicture } from './matrix';
+import { UNKNOWNS } from './unknowns';
 
 export const SIGMA_CAVEAT =
   'σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.';
@@ -47,7 +31,7 @@ function content(state: State): HTMLElement[] {
   if (reason !== null) return [h('p', { class: 'note', testid: 'orientation-reason' }, reason)];
   const result = state.results.orientation?.value;
   if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, 'Not computed yet.')];
-  return [valueTable(state, result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), correlations(result)];
+  return [valueTable(state, result), ...warnings(result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), pictures(state, result)];
 }
 
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
@@ -67,21 +51,41 @@ export function whyNotOriented(state: State): string | null {
 
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthOf(state)?.orientation ?? null;
-  const errors = result.standard_errors;
+  const { standard_errors: errors, total_standard_errors: total } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
-  const rows = UNKNOWNS.map(({ field, symbol, unit, digits, paperError, paperValue }) => row(
-    h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)),
-    number(`orientation-${field}`, result[field], digits),
-    number(`error-${field}`, errors?.[field], digits),
-    ...(truth === null
+  const rows = UNKNOWNS.map(({ field, symbol, unit, digits, paperError, paperValue }) => {
+    const error = truth === null ? NaN : result[field] - truth[field];
+    const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
+    const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+    const compared = truth === null
       ? [number(`paper-${field}`, paperValue, digits, 'paper'), number(`paper-error-${field}`, paperError, digits, 'paper')]
-      : [number(`truth-${field}`, truth[field], digits), number(`deviation-${field}`, result[field] - truth[field], digits), number(`paper-error-${field}`, paperError, digits, 'paper')]),
-  ));
-  const heads = truth === null ? ['Value', 'Std error', 'Paper', 'its error'] : ['Value', 'Std error', 'Truth', 'Deviation', 'Paper’s error'];
-  return h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map((text) => h('th', { scope: 'col', class: text.toLowerCase().includes('paper') || text.startsWith('its') ? 'paper' : '' }, text)))),
-    h('tbody', {}, ...rows)), h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).'));
+      : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+  });
+  const heads: [string, string][] = [
+    ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
+    ['Std error', 'What the scatter of the matches leaves uncertain.'],
+    ...(total === null ? [] : [['with interior', 'The same with what the measured fiducial marks leave uncertain: the errors of the interior orientations do not average out over the matches.'] satisfies [string, string]]),
+    ...(truth === null
+      ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][]
+      : [['True error', 'Value minus truth.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
+  ];
+  const paper = truth === null ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)))),
+    h('tbody', {}, ...rows))), paper);
+}
+
+const WEAKNESSES: Readonly<Record<Weakness, string>> = {
+  plane: 'Weak: all points lie in a plane within their precision. A second orientation fits a plane nearly as well.',
+  rotation: 'Weak: the photos hardly differ but by a rotation. The base is too short to be told from noise and distortion.',
+  clustered: 'Weak: the points cover a small part of the photo, so that errors grow outside it.',
+  ill_conditioned: 'Weak: the unknowns can hardly be told apart, as over a critical cylinder or along a line.',
+};
+
+function warnings({ weaknesses }: RelativeOrientation): HTMLElement[] {
+  return weaknesses.map((weakness) => h('p', { class: 'field-problem', testid: `weakness-${weakness}` }, WEAKNESSES[weakness]));
 }
 
 function precision(state: State, result: RelativeOrientation): HTMLElement {
@@ -89,26 +93,51 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
   const pixel = interior === undefined ? null : pixelMm(interior);
   const sigma = result.sigma0_mm;
   const used = result.residuals_mm.length - result.rejected.length;
-  const term = (name: string, testid: string, text: string) => [h('dt', {}, name), h('dd', { testid }, text)];
-  return h('dl', { class: 'facts' },
-    ...term('σ₀ of a photo coordinate', 'sigma0', sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`),
-    ...term('of a y-parallax (√2 σ₀)', 'sigma-parallax', sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`),
-    ...term('Degrees of freedom', 'degrees-of-freedom', count(result.degrees_of_freedom)),
-    ...term('Matches used', 'matches-used', `${count(used)} of ${count(result.residuals_mm.length)}`),
-    ...term('Iterations', 'iterations', String(result.iterations)),
-    ...term('Last step (below 1: converged)', 'last-step', significant(result.last_step)),
-    ...term('Base b, principal distance', 'base', `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`),
-    ...term('Paper', 'paper-sigma0', 'σ₀ 0.150 mm = 0.6 px'));
+  const test = result.global_test;
+  const list: Fact[] = [
+    {
+      name: 'σ₀ of a photo coordinate', testid: 'sigma0', value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`,
+      help: `Standard error of one photo coordinate of weight 1, from the residuals. ${SIGMA_CAVEAT}`,
+    },
+    {
+      name: 'of a y-parallax (√2 σ₀)', testid: 'sigma-parallax', value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
+      help: 'Standard error of the y-parallax of a match: how far its two rays pass each other.',
+    },
+    ...(test === null ? [] : [{
+      name: 'Global test', testid: 'global-test', value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`, ...(test.passed ? {} : { kind: 'problem' as const }),
+      help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
+    }]),
+    { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
+    { name: 'Matches used', testid: 'matches-used', value: `${count(used)} of ${count(result.residuals_mm.length)}`, help: 'The others were left out as gross errors by data snooping, or because their rays meet behind a camera.' },
+    {
+      name: 'Condition', testid: 'condition', value: significant(result.condition),
+      help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they can hardly be told apart.',
+    },
+    {
+      name: 'Misfit to a plane', testid: 'plane-misfit', value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
+      help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief.',
+    },
+    {
+      name: 'Parallax beside a rotation', testid: 'rotation-parallax', value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
+      help: 'Median parallax that the best rotation of the right photo leaves: what of the difference of the photos only a base explains. Next to nothing where the camera only turned.',
+    },
+    {
+      name: 'Spread', testid: 'spread', value: `${fixed(result.spread, 3)} f`,
+      help: 'Root mean square distance of the points from their middle in the left photo, in principal distances. Small where they cover little of the photo.',
+    },
+    {
+      name: 'Iterations, last step', testid: 'iterations', value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+      help: 'The last step relative to a millionth of the standard errors: below 1 the adjustment has converged.',
+    },
+    { name: 'Base b, principal distance', testid: 'base', value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`, help: 'The base component that was fixed gives by and bz their scale.' },
+    { name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' },
+  ];
+  return facts(list);
 }
 
-/** The correlation matrix; cells are shaded by magnitude, in steps that classes can carry. */
-function correlations(result: RelativeOrientation): HTMLElement {
-  const names = UNKNOWNS.map(({ symbol }) => symbol);
-  const cell = (value: number | undefined, i: number, j: number) =>
-    h('td', { class: `number shade-${i === j || value === undefined ? '0' : String(Math.min(5, Math.floor(Math.abs(value) * 6)))}`, testid: `correlation-${String(i)}-${String(j)}` }, fixed(value, 2));
-  return h('div', {},
-    h('h4', {}, 'Correlations'),
-    h('table', { class: 'matrix', aria: { label: 'Correlations of the unknowns' } },
-      h('thead', {}, h('tr', {}, h('td', {}), ...names.map((name) => h('th', { scope: 'col' }, h('i', {}, name))))),
-      h('tbody', {}, ...names.map((name, i) => row(h('i', {}, name), ...names.map((_, j) => cell(result.correlations[i]?.[j], i, j)))))));
+function pictures(state: State, result: RelativeOrientation): HTMLElement {
+  const truth = truthOf(state)?.orientation ?? null;
+  const deviation: [number, number] | null = truth === null ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+  const ellipse = result.base_ellipse_mm;
+  return h('div', { class: 'precision-pictures' }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
 }

@@ -1,15 +1,19 @@
-/** The selected point: its window, its moments, its candidates, and the rule that decided. */
+/** The selected point: the rule that decided, its window, what was compared, its candidates, its statistics. */
 import { leftIndexOf } from '../engine/runs';
 import type { MatchResult } from '../engine/wasm';
-import { isCurrent } from '../state/keys';
-import { GROSS_ERROR, leftCodes, rightCodes, shownPair } from '../state/select';
+import { comparesGreyValues, isCurrent } from '../state/keys';
+import { pixelMm } from '../state/residuals';
+import { matchOfLeft, shownPair } from '../state/select';
 import type { ShownPair } from '../state/select';
 import type { Inspection, PointWindow, State } from '../state/state';
 import type { Store } from '../state/store';
-import { styleOf } from '../view/palette';
+import { statisticsOf } from '../state/statistics';
 import { fill, h, row } from './dom';
+import { facts } from './facts';
+import type { Fact } from './facts';
 import { count, fixed, significant } from './format';
 import { swatch } from './swatch';
+import { verdictOf } from './verdict';
 import { windowPicture } from './window';
 
 const MOST_ROWS = 50;
@@ -29,7 +33,7 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   const shown = shownPair(state);
   const points = selection === null ? null : shown[selection.side];
   if (selection === null || points === null || 3 * selection.index >= points.length) {
-    return [h('p', { class: 'note' }, 'Click a point in an image, or press N with the image in focus, to see its window, its moments, its candidates and the rule that decided.')];
+    return [h('p', { class: 'note' }, 'Click a point in an image, or press N with the image in focus, to see its window, what was compared, its candidates and the rule that decided.')];
   }
   const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
   const parts: HTMLElement[] = [
@@ -41,50 +45,28 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   parts.push(verdict(state, shown, shown.match));
   const inspection = state.results.inspection?.value;
   if (inspection === undefined || !isCurrent(state, 'inspection')) return [...parts, h('p', { class: 'note' }, problemOr(state, 'Looking up the window and the candidates …'))];
-  return [...parts, windows(inspection), ...moments(inspection), ...candidateTable(state, shown.match, inspection, select)];
+  // Grey values are compared as they are: moments of their windows would say nothing about the verdict.
+  const byGrey = state.settings !== null && comparesGreyValues(state.settings);
+  return [
+    ...parts, windows(inspection, !byGrey), ...(byGrey ? [] : moments(inspection)), ...matchStatistics(state, shown, shown.match),
+    ...candidateTable(state, shown.match, inspection, select),
+  ];
 }
 
 function problemOr(state: State, text: string): string {
   return state.failures.inspection?.message ?? text;
 }
 
-/** The rule that decided, with the numbers it compared. */
-export function verdictText(state: State, shown: ShownPair, match: MatchResult): { code: number; text: string } {
-  const { selection, settings } = state;
-  const leftIndex = leftIndexOf(state, match.best, match.rules);
-  if (selection === null || settings === null) return { code: 0, text: '' };
-  if (leftIndex < 0) return { code: 8, text: 'No left point has this point as its best candidate.' };
-  const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? 0;
-  const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? 0);
-  const prefix = selection.side === 'right' && own === 8 ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which was refused. ` : '';
-  return { code, text: prefix + sentence(code, leftIndex, match, settings.matching) };
-}
-
-function sentence(code: number, index: number, match: MatchResult, options: { max_measure: number; ambiguity: number; parallax_tolerance: number }): string {
-  const best = match.measures[2 * index] ?? Infinity;
-  const second = match.measures[2 * index + 1] ?? Infinity;
-  const rule = styleOf(code).sentence;
-  const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';
-  switch (code) {
-    case 0: return `${rule} Its best measure ${fixed(best, 4)} is below ${String(options.max_measure)}, and ${ratio}.`;
-    case 3: return `${rule} Best ${fixed(best, 4)}, allowed below ${String(options.max_measure)}.`;
-    case 4: return `${rule} Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(options.ambiguity)}.`;
-    case 6: return `${rule} Tolerance: ${String(options.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
-    case GROSS_ERROR: return `${rule} Its measure was ${fixed(best, 4)}.`;
-    default: return rule;
-  }
-}
-
 function verdict(state: State, shown: ShownPair, match: MatchResult): HTMLElement {
-  const { code, text } = verdictText(state, shown, match);
+  const { code, text } = verdictOf(state, shown, match);
   return h('p', { class: 'verdict', testid: 'point-verdict' }, swatch(code), h('span', {}, text));
 }
 
-function windows({ left, right }: Inspection): HTMLElement {
+function windows({ left, right }: Inspection, axes: boolean): HTMLElement {
   const one = (name: string, window: PointWindow | null) => {
     const report = window?.report ?? null;
-    const picture = window === null || report === null ? h('p', { class: 'note' }, window?.problem ?? 'No point.') : windowPicture(report, window.col, window.row);
-    return h('figure', {}, picture, h('figcaption', {}, name, report === null ? '' : ` · axis ${fixed(report.axis_angle_deg, 1)}°`));
+    const picture = window === null || report === null ? h('p', { class: 'note' }, window?.problem ?? 'No point.') : windowPicture(report, window.col, window.row, axes);
+    return h('figure', {}, picture, h('figcaption', {}, name, report === null || !axes ? '' : ` · axis ${fixed(report.axis_angle_deg, 1)}°`));
   };
   return h('div', { class: 'windows', testid: 'point-windows' }, one('Left window', left), one('Right window', right));
 }
@@ -100,6 +82,22 @@ function moments({ left, right }: Inspection): HTMLElement[] {
       h('tbody', {}, ...MOMENTS.map(([field, name]) => row(name, value(left?.report?.normalized[field]), value(right?.report?.normalized[field]))))),
     h('table', { testid: 'point-invariants', aria: { label: 'Invariants' } }, head('Invariant'),
       h('tbody', {}, ...MOMENTS.map((_, i) => row(`I${'₀₁₂₃₄₅₆'.charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
+}
+
+/** The figures of the point's match, each with what it is. */
+function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HTMLElement[] {
+  const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
+  if (index < 0) return [];
+  const interior = state.results.interiorLeft?.value.interior;
+  const { columns } = statisticsOf(match, shown.orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
+  const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
+  const list: Fact[] = [
+    { name: 'Right position', testid: 'match-right', value: `${fixed(right[0], 2)}, ${fixed(right[1], 2)} px`, help: 'Where the match lies in the right image.' },
+    ...columns.filter(({ key }) => key !== 'x' && key !== 'y').map(({ key, label, unit, digits, help, value }) => ({
+      name: label, testid: `match-${key}`, value: `${fixed(value(index), digits)}${unit === '' ? '' : ` ${unit}`}`, help,
+    })),
+  ];
+  return [h('h4', {}, `Match ${count(index + 1)}`), facts(list)];
 }
 
 function candidateTable(state: State, match: MatchResult, { candidates }: Inspection, select: (side: 'left' | 'right', index: number) => void): HTMLElement[] {

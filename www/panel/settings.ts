@@ -1,9 +1,8 @@
 /** Reading and changing one setting by its key, `group.field`. */
 import type { Settings } from '../engine/wasm';
+import type { Value } from './control';
 
-export type SettingValue = number | string | boolean | null;
-
-type Group = Record<string, SettingValue | undefined>;
+type Group = Record<string, Value | undefined>;
 
 function groupOf(settings: Settings, key: string): [string, string, Group] {
   const [group = '', field = ''] = key.split('.');
@@ -13,7 +12,7 @@ function groupOf(settings: Settings, key: string): [string, string, Group] {
 }
 
 /** The value of a setting; null where the operator's own default is to be taken. */
-export function readSetting(settings: Settings, key: string): SettingValue {
+export function readSetting(settings: Settings, key: string): Value {
   const [, field, group] = groupOf(settings, key);
   return group[field] ?? null;
 }
@@ -22,7 +21,7 @@ export function readSetting(settings: Settings, key: string): SettingValue {
 const EXCLUSIVE: Readonly<Record<string, string>> = { threshold: 'fraction', fraction: 'threshold' };
 
 /** The settings with one value changed. */
-export function withSetting(settings: Settings, key: string, value: SettingValue): Settings {
+export function withSetting(settings: Settings, key: string, value: Value): Settings {
   const [group, field, before] = groupOf(settings, key);
   const other = value === null ? undefined : EXCLUSIVE[field];
   return { ...settings, [group]: { ...before, ...(other === undefined ? {} : { [other]: null }), [field]: value } };

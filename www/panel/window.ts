@@ -1,11 +1,11 @@
-/** A moment window as enlarged pixels, with its centroid and axis. */
+/** A window as enlarged pixels, with the centroid and axis of its moments where these were compared. */
 import type { WindowReport } from '../engine/wasm';
 import { h } from './dom';
 
 const SIDE = 132;
 
-/** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the cross marks the centroid, the line the axis. */
-export function windowPicture(report: WindowReport, col: number, row: number): HTMLCanvasElement {
+/** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
+export function windowPicture(report: WindowReport, col: number, row: number, axis: boolean): HTMLCanvasElement {
   const { side } = report;
   const canvas = h('canvas', { class: 'window', role: 'img', aria: { label: `${String(side)} × ${String(side)} px window, enlarged` } });
   const pixel = Math.max(2, Math.floor((2 * SIDE) / side));
@@ -18,7 +18,7 @@ export function windowPicture(report: WindowReport, col: number, row: number): H
     context.fillStyle = report.mask[i] === false ? `rgb(${grey} ${grey} ${grey} / 0.25)` : `rgb(${grey} ${grey} ${grey})`;
     context.fillRect((i % side) * pixel, Math.floor(i / side) * pixel, pixel, pixel);
   }
-  drawAxis(context, report, [report.centroid_px[0] - col - 0.5, report.centroid_px[1] - row - 0.5], pixel);
+  if (axis) drawAxis(context, report, [report.centroid_px[0] - col - 0.5, report.centroid_px[1] - row - 0.5], pixel);
   return canvas;
 }
 

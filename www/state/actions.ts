@@ -1,5 +1,5 @@
 /** Everything that can happen to the state. */
-import type { Camera, Catalogue, FiducialModel, Settings, SamplePair } from '../engine/wasm';
+import type { Camera, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../engine/wasm';
 import type {
   Display, GivenImage, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult,
 } from './state';
@@ -9,7 +9,8 @@ export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; resul
 export type Action =
   | { type: 'ready'; catalogue: Catalogue }
   | { type: 'images'; images: Partial<Record<Side, GivenImage>> }
-  | { type: 'sample'; left: GivenImage; right: GivenImage; sample: SamplePair }
+  | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
+  | { type: 'flight'; flight: Flight }
   | { type: 'swap' }
   | { type: 'settings'; settings: Settings }
   | { type: 'camera'; camera: Camera | null }

@@ -2,7 +2,8 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import type { Camera } from '../engine/wasm';
+import type { Camera, Settings } from '../engine/wasm';
+import { truthOf } from './truth';
 import { SIDES } from './state';
 import type { Side, StageName, State } from './state';
 
@@ -49,6 +50,11 @@ function cameraOf(state: State, side: Side): Camera | string {
   return camera;
 }
 
+/** Whether a strategy searches the right image itself, in place of its interest points. */
+export function comparesGreyValues({ matching }: Settings): boolean {
+  return matching.strategy === 'correlation' || matching.strategy === 'least-squares';
+}
+
 function openKey(state: State, side: Side): string | null {
   const image = state.images[side];
   return image === null ? null : keyOf('open', [], image.id);
@@ -61,19 +67,23 @@ function compute(state: State): WantedKeys {
   const known = settings === null ? null : '';
   const pointsLeft = keyOf('points', [openLeft, known], settings?.points);
   const pointsRight = keyOf('points', [openRight, known], settings?.points);
-  const described = [settings?.window, settings?.matching.measure];
+  const described = settings === null || comparesGreyValues(settings) ? [] : [settings.window, settings.matching.strategy];
   const descriptorsLeft = keyOf('descriptors', [pointsLeft], described);
   const descriptorsRight = keyOf('descriptors', [pointsRight], described);
   const offset = state.offset === null ? keyOf('offset', [openLeft, openRight]) : keyOf('offset', [], state.offset);
-  const match = keyOf('match', [descriptorsLeft, descriptorsRight, offset], settings?.matching);
   const cameras = pairCameras(state);
   const interior = (side: Side, open: string | null) =>
     'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, state.photos[side], state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
+  // Only matching along epipolar lines needs to know the camera.
+  const along = settings?.matching.epipolar === true ? [interiorLeft, interiorRight, settings.orientation] : [];
+  const match = keyOf('match', [descriptorsLeft, descriptorsRight, offset], [settings?.matching, along]);
+  const truth = truthOf(state);
   return {
     openLeft, openRight, pointsLeft, pointsRight, descriptorsLeft, descriptorsRight, offset, match, interiorLeft, interiorRight,
     orientation: keyOf('orientation', [match, interiorLeft, interiorRight], settings?.orientation),
+    score: keyOf('score', [match, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
     inspection: keyOf('inspection', [match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };
 }

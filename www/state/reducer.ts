@@ -8,11 +8,13 @@ const NO_DATA: PhotoData = { fiducials: [], origin: null };
 export function reduce(state: State, action: Action): State {
   switch (action.type) {
     case 'ready':
-      return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults };
+      return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults, flight: action.catalogue.flights[0]?.flight ?? null };
     case 'images':
       return withImages(state, action.images);
-    case 'sample':
-      return withSample(state, action);
+    case 'simulated':
+      return withSimulated(state, action);
+    case 'flight':
+      return { ...state, flight: action.flight };
     case 'swap':
       return swapped(state);
     case 'settings':
@@ -65,7 +67,8 @@ function withRun(state: State, action: RunAction): State {
     case 'stageStopped':
       return { ...state, running: without(state.running, action.stage) };
     case 'cancelled':
-      return { ...state, running: {}, paused: true };
+      // Rendering a pair or writing a report is no run that would have to be taken up again.
+      return { ...state, running: {}, paused: state.paused || Object.keys(state.running).length > 0 };
     case 'resume':
       return { ...state, paused: false, failures: {} };
   }
@@ -78,9 +81,9 @@ function without<T extends object, K extends keyof T>(object: T, key: K): T {
   return copy;
 }
 
-/** New images. Data that belonged to the sample goes with the sample; data the user gave stays. */
+/** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
 function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>): State {
-  const before = state.truth === null ? state : withoutSample(state);
+  const before = state.truth === null ? state : withoutTruth(state);
   return {
     ...before,
     images: { ...before.images, ...images },
@@ -91,7 +94,7 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
   };
 }
 
-function withoutSample(state: State): State {
+function withoutTruth(state: State): State {
   return { ...state, settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null), truth: null, camera: null, photos: { left: NO_DATA, right: NO_DATA }, offset: null };
 }
 
@@ -99,24 +102,24 @@ function withBase({ settings }: State, base: number | null): State['settings'] {
   return settings === null ? null : { ...settings, orientation: { ...settings.orientation, base_mm: base } };
 }
 
-function withSample(state: State, { left, right, sample }: Extract<Action, { type: 'sample' }>): State {
+function withSimulated(state: State, { left, right, pair }: Extract<Action, { type: 'simulated' }>): State {
   const given = withImages({ ...state, truth: null }, { left, right });
   return {
     ...given,
-    settings: withBase(given, sample.base_mm),
-    camera: sample.camera,
+    settings: withBase(given, pair.base_mm),
+    camera: pair.camera,
     photos: {
-      left: { fiducials: sample.left_fiducials, origin: sample.left_origin },
-      right: { fiducials: sample.right_fiducials, origin: sample.right_origin },
+      left: { fiducials: pair.left_fiducials, origin: pair.left_origin },
+      right: { fiducials: pair.right_fiducials, origin: pair.right_origin },
     },
     offset: null,
     truth: {
       leftId: left.id,
       rightId: right.id,
-      orientation: sample.truth,
-      rightPosition: sample.right_position,
-      leftWidth: sample.left.width,
-      leftHeight: sample.left.height,
+      orientation: pair.truth,
+      rightPosition: pair.right_position,
+      leftWidth: pair.left.width,
+      leftHeight: pair.left.height,
     },
   };
 }

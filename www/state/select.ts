@@ -1,12 +1,8 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../engine/wasm';
 import type { GivenImage, Side, StageName, State } from './state';
+import { GROSS_ERROR, MATCHED, UNDECIDED } from './codes';
 import { isStale, wantedKeys } from './keys';
-
-/** Code of a match that the adjustment rejected; codes 0 to 6 are the crate's rules. */
-export const GROSS_ERROR = 7;
-/** Code of a point that nothing was decided about yet, and of a right point that no match uses. */
-export const UNDECIDED = 8;
 
 /** Remembers the last result of a function of a few arguments, compared by identity. */
 export function remember<A extends readonly unknown[], R>(compute: (...args: A) => R): (...args: A) => R {
@@ -16,6 +12,9 @@ export function remember<A extends readonly unknown[], R>(compute: (...args: A) 
     return last.result;
   };
 }
+
+/** Stands for the right point of a match whose place is none. */
+export const NO_POINT = 0xffffffff;
 
 /** The results that are shown together: a match only with the points it was made from. */
 export interface ShownPair {
@@ -33,7 +32,7 @@ export function shownPair(state: State): ShownPair {
   const left = pointsOfShownImage(state, 'left');
   const right = pointsOfShownImage(state, 'right');
   const match = state.results.match?.value ?? null;
-  const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(state, match, left, right);
+  const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(match, left, right);
   const orientation = state.results.orientation?.value ?? null;
   const oriented = fits && orientation !== null && orientation.residuals_mm.length * 5 === match.matches.length;
   return { left, right, match: fits ? match : null, orientation: oriented ? orientation : null };
@@ -45,14 +44,14 @@ function pointsOfShownImage(state: State, side: Side): Float64Array | null {
   return state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.points ?? null;
 }
 
-/** Whether the first and last match lie where their points lie. */
-function matchIsOf(_state: State, match: MatchResult, left: Float64Array, right: Float64Array): boolean {
+/** Whether the first and last match start where their left points lie and refer to right points that exist. */
+function matchIsOf(match: MatchResult, left: Float64Array, right: Float64Array): boolean {
   const count = match.indices.length / 2;
   return [0, count - 1].every((i) => {
     if (i < 0 || count === 0) return true;
     const l = match.indices[2 * i] ?? 0;
-    const r = match.indices[2 * i + 1] ?? 0;
-    return left[3 * l] === match.matches[5 * i] && right[3 * r] === match.matches[5 * i + 2];
+    const r = match.indices[2 * i + 1] ?? NO_POINT;
+    return left[3 * l] === match.matches[5 * i] && (r === NO_POINT || 3 * r < right.length);
   });
 }
 
@@ -69,22 +68,44 @@ export const leftCodes = remember((left: Float64Array | null, match: MatchResult
 export const rightCodes = remember((right: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
   const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
   if (match === null) return codes;
-  for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 0] = 0;
-  for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 0] = GROSS_ERROR;
+  // A place that is no point has an index beyond the array, which takes no value.
+  for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? NO_POINT] = MATCHED;
+  for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? NO_POINT] = GROSS_ERROR;
   return codes;
 });
 
-/** The code of each match: 0, or `GROSS_ERROR`. */
+/** The code of each match: `MATCHED`, or `GROSS_ERROR`. */
 export const matchCodes = remember((match: MatchResult | null, orientation: RelativeOrientation | null) => {
   const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
   for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
   return codes;
 });
 
+/** Matched places of the right image that are no interest points: stride 3 (x, y, measure), with the match and the code of each. */
+export interface Places {
+  points: Float64Array;
+  codes: Uint8Array;
+  matches: Uint32Array;
+}
+
+export const loosePlaces = remember((match: MatchResult | null, codes: Uint8Array): Places => {
+  const matches = match === null ? new Uint32Array() : Uint32Array.from(codes, (_, i) => i).filter((i) => match.indices[2 * i + 1] === NO_POINT);
+  const points = new Float64Array(3 * matches.length);
+  matches.forEach((at, i) => { points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i); });
+  return { points, codes: Uint8Array.from(matches, (at) => codes[at] ?? MATCHED), matches };
+});
+
+/** The match of each left point; -1 where it has none. */
+export const matchOfLeft = remember((match: MatchResult): Int32Array => {
+  const matches = new Int32Array(match.rules.length).fill(-1);
+  for (let i = 0; i < match.indices.length; i += 2) matches[match.indices[i] ?? NO_POINT] = i / 2;
+  return matches;
+});
+
 /** Stages that are part of the run itself; looking at a point is not. */
 const RUN_STAGES: readonly StageName[] = [
   'openLeft', 'openRight', 'pointsLeft', 'pointsRight', 'descriptorsLeft', 'descriptorsRight', 'offset', 'match', 'interiorLeft',
-  'interiorRight', 'orientation',
+  'interiorRight', 'orientation', 'score',
 ];
 
 /** How far the run is: stages that are wanted, and those of them that are there. */

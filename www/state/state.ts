@@ -1,8 +1,8 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { ImageSource, InteriorOutput, Overview } from '../engine/calls';
 import type {
-  Camera, Catalogue, DetectedPoints, Fiducial, FiducialModel, FiveParameters, MatchResult, OffsetField, Settings, PhotoInfo,
-  RelativeOrientation, WindowReport,
+  Camera, Catalogue, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchResult, MatchScore, OffsetField, Settings,
+  PhotoInfo, RelativeOrientation, WindowReport,
 } from '../engine/wasm';
 
 export type Side = 'left' | 'right';
@@ -26,8 +26,8 @@ export interface PhotoData {
   origin: [number, number] | null;
 }
 
-/** The known answers of the built-in sample, for the images with these ids. */
-export interface SampleTruth {
+/** The known answers of a simulated pair, for the images with these ids. */
+export interface FlightTruth {
   leftId: number;
   rightId: number;
   orientation: FiveParameters;
@@ -37,7 +37,7 @@ export interface SampleTruth {
   leftHeight: number;
 }
 
-/** The window of a point, or why it has no moments. `col` and `row` are those of its centre pixel. */
+/** The window of a point or place, or why it has no moments. `col` and `row` are those of its centre pixel. */
 export interface PointWindow {
   col: number;
   row: number;
@@ -49,7 +49,7 @@ export interface PointWindow {
 export interface Inspection {
   left: PointWindow | null;
   right: PointWindow | null;
-  /** Stride 2: right index, measure; best first. */
+  /** Stride 2: right index, measure; best first. Empty where the strategy searches the image in place of points. */
   candidates: Float64Array;
 }
 
@@ -66,6 +66,7 @@ export interface StageValues {
   interiorLeft: InteriorOutput;
   interiorRight: InteriorOutput;
   orientation: RelativeOrientation;
+  score: MatchScore;
   inspection: Inspection;
 }
 
@@ -127,7 +128,9 @@ export interface State {
   fiducialModel: FiducialModel;
   /** Offset given by the user; estimated where null. */
   offset: [number, number] | null;
-  truth: SampleTruth | null;
+  truth: FlightTruth | null;
+  /** The flight that the panel of simulation shows; null until the crate is loaded. */
+  flight: Flight | null;
   results: Results;
   running: Partial<Record<StageName, string>>;
   failures: Partial<Record<StageName, StageFailure>>;
@@ -149,6 +152,7 @@ export const INITIAL: State = {
   fiducialModel: 'affine',
   offset: null,
   truth: null,
+  flight: null,
   results: {},
   running: {},
   failures: {},

@@ -1,6 +1,7 @@
 /** Points, match lines and residual vectors, drawn by the crate. */
 import { draw_match_lines, draw_points, draw_vectors } from '../engine/wasm';
-import { GROSS_ERROR, remember } from '../state/select';
+import { GROSS_ERROR, MATCHED } from '../state/codes';
+import { remember } from '../state/select';
 import { SIDES } from '../state/state';
 import type { PointLayer, Side, State } from '../state/state';
 import { drawView } from './geometry';
@@ -28,7 +29,7 @@ interface Styles {
 function stylesAt(scale: number): Styles {
   const half = halfSize(scale);
   const rows = DRAWN.map((code) => {
-    const matched = code === 0 || code === GROSS_ERROR;
+    const matched = code === MATCHED || code === GROSS_ERROR;
     return [STYLES[code]?.shape ?? 0, matched ? half : 0.75 * half, matched ? 1.6 : 1.2];
   });
   return { styles: Float64Array.from(rows.flat()), colours: DRAWN.map((code) => STYLES[code]?.colour ?? '#ffffff') };
@@ -44,12 +45,16 @@ function makeSlots() {
 /** For each point the place of its style in the drawing order; kept until codes or layers change, as a drag draws many times. */
 const slotsOf: Record<Side, ReturnType<typeof makeSlots>> = { left: makeSlots(), right: makeSlots() };
 
-/** Draws the points of one image where `clip` shows them. */
-export function drawPoints(context: CanvasRenderingContext2D, state: State, pane: Pane, transform: Transform, clip: Rect): void {
-  if (pane.points === null || state.display.points === 'none') return;
-  const codes = slotsOf[pane.side](pane.codes, state.display.points, state.display.hidden);
+const slotsOfPlaces = makeSlots();
+
+/** Draws the points of one image where `clip` shows them, and the matched places that are no points. */
+export function drawPoints(context: CanvasRenderingContext2D, state: State, scene: Scene, pane: Pane, transform: Transform, clip: Rect): void {
+  const { points, hidden } = state.display;
+  if (pane.points === null || points === 'none') return;
   const { styles, colours } = stylesAt(transform.scale);
-  draw_points(context, pane.points, codes, styles, colours, drawView(transform, clip));
+  const view = drawView(transform, clip);
+  draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
+  if (pane.side === 'right') draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
 }
 
 function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
@@ -81,7 +86,7 @@ export function drawMarks(context: CanvasRenderingContext2D, state: State, scene
     context.beginPath();
     context.rect(pane.rect.left, pane.rect.top, pane.rect.width, pane.rect.height);
     context.clip();
-    drawPoints(context, state, pane, pane.transform, pane.rect);
+    drawPoints(context, state, scene, pane, pane.transform, pane.rect);
     drawResiduals(context, state, scene, pane);
     context.restore();
   }

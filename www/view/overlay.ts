@@ -1,6 +1,6 @@
 /** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
-import { isCurrent } from '../state/keys';
-import { leftIndexOf } from '../engine/runs';
+import { comparesGreyValues, isCurrent } from '../state/keys';
+import { leftIndexOf, placeOf } from '../engine/runs';
 import { expectedPosition } from '../state/offset';
 import type { State } from '../state/state';
 import { contains, toCanvas, toImage } from './geometry';
@@ -53,7 +53,7 @@ function square(context: CanvasRenderingContext2D, pane: Pane, [x, y]: [number, 
   context.setLineDash([]);
 }
 
-/** Draws the selection in both panes: the point, its moment window, its search window with all candidates, its best candidate. */
+/** Draws the selection in both panes: the point, its window, its search window with all candidates, its best place. */
 export function drawSelection(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
   const { selection, settings } = state;
   if (selection === null || settings === null) return;
@@ -61,7 +61,7 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   const at = pointOf(own, selection.index);
   if (at === null) return;
   within(context, own.rect, () => {
-    square(context, own, at, settings.window.side, SELECTED, []);
+    square(context, own, at, comparesGreyValues(settings) ? settings.matching.template : settings.window.side, SELECTED, []);
     ring(context, own, at, 9, SELECTED, 2.5);
   });
   if (scene.match === null) return;
@@ -69,10 +69,10 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   const leftAt = pointOf(scene.panes.left, leftIndex);
   if (leftAt === null) return;
   if (selection.side === 'right') within(context, scene.panes.left.rect, () => { ring(context, scene.panes.left, leftAt, 9, SELECTED, 2); });
-  drawCandidates(context, state, scene, leftAt, scene.match.best[leftIndex] ?? -1);
+  drawCandidates(context, state, scene, leftAt, placeOf(scene.match.places, leftIndex));
 }
 
-function drawCandidates(context: CanvasRenderingContext2D, state: State, scene: Scene, leftAt: [number, number], best: number): void {
+function drawCandidates(context: CanvasRenderingContext2D, state: State, scene: Scene, leftAt: [number, number], best: [number, number] | null): void {
   const pane = scene.panes.right;
   within(context, pane.rect, () => {
     const field = state.results.offset?.value;
@@ -84,8 +84,7 @@ function drawCandidates(context: CanvasRenderingContext2D, state: State, scene: 
         if (at !== null) ring(context, pane, at, 4, CANDIDATE, 1.2);
       }
     }
-    const bestAt = pointOf(pane, best);
-    if (bestAt !== null) ring(context, pane, bestAt, 9, SELECTED, state.selection?.side === 'right' ? 2.5 : 2);
+    if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === 'right' ? 2.5 : 2);
   });
 }
 
@@ -104,7 +103,7 @@ export function drawLens(
     context.fillStyle = '#000000';
     context.fillRect(rect.left, rect.top, rect.width, rect.height);
     paintPicture(context, picture, transform, rect, ratio, tiles);
-    drawPoints(context, state, pane, transform, rect);
+    drawPoints(context, state, scene, pane, transform, rect);
     crosshair(context, rect);
   });
   context.lineWidth = 2;

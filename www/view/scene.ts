@@ -1,7 +1,9 @@
 /** What the view shows, gathered from the state once a drawing. */
 import type { MatchResult, RelativeOrientation } from '../engine/wasm';
 import { residualVectors } from '../state/residuals';
-import { GROSS_ERROR, leftCodes, matchCodes, rightCodes, shownPair } from '../state/select';
+import { GROSS_ERROR, MATCHED } from '../state/codes';
+import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
+import type { Places } from '../state/select';
 import { SIDES } from '../state/state';
 import type { Display, Side, State } from '../state/state';
 import { wantedKeys } from '../state/keys';
@@ -25,6 +27,8 @@ export interface Scene {
   match: MatchResult | null;
   orientation: RelativeOrientation | null;
   matchCodes: Uint8Array;
+  /** Matched places of the right image that are no interest points. */
+  places: Places;
 }
 
 function pictureOf(state: State, side: Side): Picture | null {
@@ -57,18 +61,20 @@ export function sceneOf(state: State, width: number, height: number): Scene {
       points: picture === null ? null : shown[side], codes: codes[side], vectors,
     };
   };
+  const ofMatches = matchCodes(shown.match, shown.orientation);
   return {
     panes: { left: pane('left'), right: pane('right') },
     match: shown.match,
     orientation: shown.orientation,
-    matchCodes: matchCodes(shown.match, shown.orientation),
+    matchCodes: ofMatches,
+    places: loosePlaces(shown.match, ofMatches),
   };
 }
 
 /** Codes of points that the layer settings show. */
 export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, code: number): boolean {
   if (hidden.includes(code)) return false;
-  return points === 'all' || (points === 'matched' && (code === 0 || code === GROSS_ERROR));
+  return points === 'all' || (points === 'matched' && (code === MATCHED || code === GROSS_ERROR));
 }
 
 /** The pane at a canvas position. */

@@ -25,6 +25,8 @@ const gridOf: Record<Side, (points: Float64Array, width: number, height: number)
   right: remember((points: Float64Array, width: number, height: number) => new PointGrid(points, width, height)),
 };
 
+const gridOfPlaces = remember((points: Float64Array, width: number, height: number) => new PointGrid(points, width, height));
+
 export class View {
   private readonly layers: Record<LayerName, CanvasRenderingContext2D>;
   private readonly dirty = new Set<LayerName>(LAYERS);
@@ -68,12 +70,19 @@ export class View {
   /** The shown point nearest to a canvas position. */
   hit(x: number, y: number): { side: Side; index: number } | null {
     const { state } = this.store;
-    const pane = paneAt(this.scene(), x, y);
+    const scene = this.scene();
+    const pane = paneAt(scene, x, y);
     if (pane?.picture == null || pane.points === null) return null;
-    const grid = gridOf[pane.side](pane.points, pane.picture.width, pane.picture.height);
-    const [ix, iy] = toImage(pane.transform, x, y);
-    const index = grid.nearest(ix, iy, CLICK_RADIUS / pane.transform.scale, (i) => isShown(state.display, pane.codes[i] ?? 0));
-    return index < 0 ? null : { side: pane.side, index };
+    const { width, height } = pane.picture;
+    const at = toImage(pane.transform, x, y);
+    const radius = CLICK_RADIUS / pane.transform.scale;
+    const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isShown(state.display, pane.codes[i] ?? 0));
+    const index = found < 0 ? null : { side: pane.side, index: found };
+    if (pane.side === 'left' || scene.match === null) return index;
+    // A matched place that is no point stands for the left point it was found from.
+    const { places } = scene;
+    const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isShown(state.display, places.codes[i] ?? 0));
+    return place < 0 ? index : { side: 'left', index: scene.match.indices[2 * (places.matches[place] ?? 0)] ?? 0 };
   }
 
   /** The picture as it is on the screen, all layers together. */

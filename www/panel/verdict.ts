@@ -1,0 +1,50 @@
+/** Why a point was matched or refused, with the numbers that its rule compared. */
+import { leftIndexOf } from '../engine/runs';
+import type { MatchResult, Settings } from '../engine/wasm';
+import { CODES, MATCHED, UNDECIDED } from '../state/codes';
+import type { CodeName } from '../state/codes';
+import { comparesGreyValues } from '../state/keys';
+import { leftCodes, rightCodes } from '../state/select';
+import type { ShownPair } from '../state/select';
+import type { State } from '../state/state';
+import { styleOf } from '../view/palette';
+import { count, fixed } from './format';
+
+/** The rule that decided about the selected point, in words. */
+export function verdictOf(state: State, shown: ShownPair, match: MatchResult): { code: number; text: string } {
+  const { selection, settings } = state;
+  const leftIndex = leftIndexOf(state, match.best, match.rules);
+  if (selection === null || settings === null) return { code: MATCHED, text: '' };
+  if (leftIndex < 0) {
+    const text = comparesGreyValues(settings)
+      ? 'No left point was matched to this one: this strategy searches the right image itself, at the left points.'
+      : 'No left point has this point as its best candidate.';
+    return { code: UNDECIDED, text };
+  }
+  const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
+  const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
+  const prefix = selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which was refused. ` : '';
+  return { code, text: `${prefix}${styleOf(code).sentence} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd() };
+}
+
+function numbers(code: CodeName, index: number, match: MatchResult, { matching }: Settings): string {
+  const best = match.measures[2 * index] ?? Infinity;
+  const second = match.measures[2 * index + 1] ?? Infinity;
+  const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';
+  const byGrey = matching.strategy === 'correlation' || matching.strategy === 'least-squares';
+  const correlation = `Correlation ${fixed(1 - best, 4)}, measure ${fixed(best, 4)}`;
+  switch (code) {
+    case 'matched':
+    case 'gross_error':
+      return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
+    case 'threshold':
+      if (!Number.isFinite(best)) return '';
+      return byGrey ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.` : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
+    case 'ambiguous': return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(matching.ambiguity)}.`;
+    case 'parallax': return `Tolerance: ${String(matching.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
+    case 'border':
+    case 'left_right': return Number.isFinite(best) ? `${correlation}.` : '';
+    case 'imprecise': return `Allowed: ${String(matching.max_standard_error)} px.`;
+    default: return '';
+  }
+}
