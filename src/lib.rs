@@ -33,8 +33,8 @@ pub use matches::{
     match_points,
 };
 pub use orientation::{
-    ErrorEllipse, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics, RelativeOrientation,
-    SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
+    ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
+    RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
 };
 pub use pair::{
     PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,

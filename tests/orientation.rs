@@ -10,6 +10,8 @@ mod refusals;
 mod scene;
 #[path = "orientation/simulated_pair.rs"]
 mod simulated_pair;
+#[path = "orientation/snooping.rs"]
+mod snooping;
 #[path = "orientation/weaknesses.rs"]
 mod weaknesses;
 

@@ -18,7 +18,7 @@ fn report_of(flight: &Flight, name: &str) -> Report {
     };
     let mut settings = PairSettings::default();
     settings.orientation.base_mm = Some(base_mm);
-    let truth = ReportTruth { orientation: truth, right_position };
+    let truth = ReportTruth { orientation: truth, base_mm, right_position };
     Report::new([image("left", left), image("right", right)], input, settings, Some(truth))
 }
 

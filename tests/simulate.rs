@@ -1,7 +1,10 @@
 //! The simulated flight: its truth against equations written here once more, its images against its truth, its bytes, its refusals.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use tiepoint::{Error, Fiducial, Flight, GreyImage, SAMPLE_SEED, Sample, rotation_from_angles, sample_pair, simulate};
+use tiepoint::{
+    Error, Fiducial, Flight, GreyImage, PairImage, PairInput, PairSettings, PhotoInput, SAMPLE_SEED, Sample, match_pair,
+    rotation_from_angles, sample_pair, simulate,
+};
 
 /// A small flight over high buildings and hills with strong tilts, whose marks are measured without error.
 fn rough() -> Flight {
@@ -454,4 +457,26 @@ fn haze_takes_contrast_and_gives_brightness() {
     };
     let ((clear_mean, clear), (hazy_mean, hazy)) = (spread(0.0), spread(0.5));
     assert!((hazy / clear - 0.5).abs() < 0.03 && hazy_mean > clear_mean, "contrast {clear} became {hazy}");
+}
+
+/// Moments give whole pixels, and the matches of one whole y-parallax fit an orientation of their own, nearly without residuals: in these
+/// towns they outnumber what noise alone would leave.
+#[test]
+fn whole_pixels_do_not_pass_for_precision() {
+    for seed in [24, 25, 52, 70, 71, 77] {
+        let Sample { left, right, camera, left_fiducials, right_fiducials, left_origin, right_origin, base_mm, truth, .. } =
+            simulate(&Flight { seed, ..Flight::default() }).unwrap();
+        let photo = |fiducials, origin| PhotoInput { fiducials, origin: Some(origin), ..PhotoInput::default() };
+        let (left_photo, right_photo) = (photo(left_fiducials, left_origin), photo(right_fiducials, right_origin));
+        let input = PairInput { camera: Some(camera), left: left_photo, right: right_photo, offset: None };
+        let mut settings = PairSettings::default();
+        settings.orientation.base_mm = Some(base_mm);
+        let [left, right] = [&left, &right].map(|grey| PairImage { grey: grey.view(), exif: None });
+        let found = match_pair(left, right, &input, &settings).unwrap().orientation.unwrap();
+        let total = found.total_standard_errors.unwrap();
+        let ratio = (found.parameters.omega_deg - truth.omega_deg) / total.omega_deg;
+        let sigma_px = found.sigma0_mm.unwrap() / 0.254;
+        println!("{seed} {ratio} {sigma_px} {}", found.rejected.len());
+        assert!(ratio.abs() < 5.0 && (0.25..0.5).contains(&sigma_px), "seed {seed}: ω off by {ratio} standard errors, σ0 {sigma_px} px");
+    }
 }

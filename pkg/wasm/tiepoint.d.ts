@@ -56,7 +56,7 @@ export interface TiepointError extends Error {
 
 
 /** The known answer of a simulated pair, as `simulate` gives it. */
-export interface ReportTruth { orientation: FiveParameters; right_position: Float32Array }
+export interface ReportTruth { orientation: FiveParameters; base_mm: number; right_position: Float32Array }
 
 
 
@@ -477,7 +477,8 @@ export interface RelativeOrientation extends FiveParameters {
      */
     standard_errors: FiveParameters | null;
     /**
-     * The same with what the errors of the interior orientations add; absent where these are not known.
+     * The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
+     * share; absent where neither is known.
      */
     total_standard_errors: FiveParameters | null;
     /**

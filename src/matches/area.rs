@@ -82,7 +82,7 @@ impl Search<'_> {
             Rule::Threshold
         } else if peak.on_edge != [false; 2] {
             Rule::Border
-        } else if measure > self.options.ambiguity * second {
+        } else if self.options.is_ambiguous(measure, second) {
             Rule::Ambiguous
         } else {
             Rule::Matched
@@ -170,7 +170,8 @@ pub(super) fn located(found: Result<Found, Refusal>, options: &MatchOptions) -> 
     let found = match found {
         Err(Refusal::Degenerate) => return Verdict::none(Rule::Imprecise),
         Err(Refusal::LowCorrelation) => return Verdict::none(Rule::Threshold),
-        Err(Refusal::NotConverged | Refusal::LeftImage | Refusal::MovedTooFar) => return Verdict::none(Rule::NotConverged),
+        Err(Refusal::LeftImage) => return Verdict::none(Rule::NoCandidate),
+        Err(Refusal::NotConverged | Refusal::MovedTooFar) => return Verdict::none(Rule::NotConverged),
         Ok(found) => found,
     };
     let fit = Fit { correlation: found.correlation, covariance: found.covariance, iterations: found.iterations };

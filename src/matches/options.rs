@@ -102,6 +102,12 @@ impl Default for MatchOptions {
 }
 
 impl MatchOptions {
+    /// Whether the second best is too nearly as good as the best. Two that are exactly as good, as in a repeated pattern, are ambiguous by
+    /// any ratio but 1, which switches the rule off.
+    pub(super) fn is_ambiguous(&self, best: f64, second: f64) -> bool {
+        self.ambiguity < 1.0 && second.is_finite() && best >= self.ambiguity * second
+    }
+
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
         check("matching.search", self.search as f64)?;

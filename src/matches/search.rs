@@ -133,7 +133,7 @@ impl<'a> Search<'a> {
             verdict.position = Some([self.right[best].x, self.right[best].y]);
             verdict.rule = if verdict.measure.partial_cmp(&self.options.max_measure) != Some(std::cmp::Ordering::Less) {
                 Rule::Threshold
-            } else if verdict.measure > self.options.ambiguity * verdict.second {
+            } else if self.options.is_ambiguous(verdict.measure, verdict.second) {
                 Rule::Ambiguous
             } else {
                 Rule::Matched

@@ -71,6 +71,21 @@ fn bisect(mut low: f64, mut high: f64, holds: impl Fn(f64) -> bool) -> f64 {
     }
 }
 
+/// The median magnitude of a standard normal variable that was cut at ± `limit`.
+pub(crate) fn normal_median_within(limit: f64) -> f64 {
+    normal_quantile(0.5 + 0.5 * (normal_probability(limit) - 0.5))
+}
+
+/// The standard deviation of a standard normal variable that was cut at ± `limit`.
+pub(crate) fn normal_spread_within(limit: f64) -> f64 {
+    // Beyond that nothing is cut, to the last bit.
+    if !(limit < 30.0) {
+        return 1.0;
+    }
+    let inside = 2.0 * normal_probability(limit) - 1.0;
+    (1.0 - 2.0 * limit * normal_density(limit) / inside).sqrt()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@ mod polynomial;
 mod random;
 mod statistics;
 
-pub(crate) use distribution::{chi_square_quantile, normal_density, normal_probability, normal_quantile};
+pub(crate) use distribution::{chi_square_quantile, normal_median_within, normal_quantile, normal_spread_within};
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
-pub(crate) use statistics::{mad_within, median, smallest};
+pub(crate) use statistics::{median, smallest};

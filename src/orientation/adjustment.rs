@@ -11,6 +11,10 @@ pub(super) struct Adjusted {
     pub pose: Pose,
     /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
     pub cofactors: Matrix5,
+    /// Cofactors of the estimate: N⁻¹, or more where it is another than least squares of all good observations.
+    pub precision: Matrix5,
+    /// What the estimate makes of a change of the weighted residuals: N⁻¹, or more where residuals are cut or weighted down.
+    pub sensitivity: Matrix5,
     /// Standard error of a photo coordinate of weight 1; 0 without redundancy.
     pub sigma: f64,
     pub iterations: usize,
@@ -24,8 +28,10 @@ impl Adjusted {
     pub fn reverse_base(&mut self) {
         self.pose.base = -self.pose.base;
         for k in 0..4 {
-            self.cofactors[(k, 4)] = -self.cofactors[(k, 4)];
-            self.cofactors[(4, k)] = -self.cofactors[(4, k)];
+            for matrix in [&mut self.cofactors, &mut self.precision, &mut self.sensitivity] {
+                matrix[(k, 4)] = -matrix[(k, 4)];
+                matrix[(4, k)] = -matrix[(4, k)];
+            }
         }
     }
 }
@@ -87,7 +93,8 @@ pub(super) fn adjust(rays: &[Ray], weights: &[f64], start: Pose, bounds: impl Fn
         last_step = solution.size / step_tolerance(sigma);
         bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
         if last_step < 1.0 {
-            return Ok(Adjusted { pose, cofactors: solution.cofactors, sigma, iterations: iteration, last_step });
+            let cofactors = solution.cofactors;
+            return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
         }
     }
     // Without a base there is no direction of it to settle on.

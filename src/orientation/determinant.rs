@@ -35,7 +35,15 @@ pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Po
         bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
         if last_step < 1.0 {
             let cofactors = solution.cofactors * mean_square_gradient;
-            return Ok(Adjusted { pose, cofactors, sigma: sigma / gradient, iterations: iteration, last_step });
+            return Ok(Adjusted {
+                pose,
+                cofactors,
+                precision: cofactors,
+                sensitivity: cofactors,
+                sigma: sigma / gradient,
+                iterations: iteration,
+                last_step,
+            });
         }
     }
     // Without a base there is no direction of it to settle on.

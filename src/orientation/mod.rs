@@ -4,7 +4,9 @@ mod adjustment;
 mod consensus;
 mod coplanarity;
 mod determinant;
+mod error_model;
 mod five_point;
+mod neighbours;
 mod normals;
 mod options;
 mod precision;
@@ -17,6 +19,7 @@ mod shared;
 mod weakness;
 mod weighting;
 
+pub use error_model::ErrorModel;
 pub use options::{OrientationMethod, OrientationOptions, Weighting};
 pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};

@@ -4,7 +4,7 @@ use super::adjustment::{Adjusted, adjust};
 use super::consensus::{Consensus, least_agreement};
 use super::coplanarity::{Linearised, Pose, Ray};
 use crate::Error;
-use crate::math::{mad_within, median, smallest};
+use crate::math::{median, normal_median_within, normal_spread_within, smallest};
 
 /// Observations with their weights.
 #[derive(Debug, Clone, Copy)]
@@ -29,28 +29,50 @@ pub(super) struct Clean {
     pub accepted: Vec<bool>,
 }
 
+/// What is known of σ before, and beyond how many of it an observation is rejected.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// The limit of a standardised residual of normal errors.
+    pub rejection: f64,
+    /// σ is at least this, in units of the focal length: what was known of it, or the resolution of the coordinates; 0 where neither is.
+    pub least_sigma: f64,
+}
+
 /// In this many rounds, rejected observations may come back; then they may not, so that the rounds end.
-const FREE_ROUNDS: usize = 10;
+const FREE_ROUNDS: usize = 20;
 const MAX_ROUNDS: usize = 40;
 
-/// Below this redundancy the median alone is no estimate.
-const FEW: usize = 20;
+/// Residuals up to this many σ agree: σ is estimated from all of them, whatever the limit of rejection. A limit that cuts good
+/// observations off must not make the σ smaller by which it cuts; and few gross errors are that small.
+const AGREEING: f64 = 3.0;
+
+/// From this number on the median tells σ well enough, and small gross errors hardly move it; of fewer, the mean square tells more.
+const MANY: usize = 200;
+
+/// What agrees with the start lies within this many of its scale: more where few observations gave that scale, as far as a gross error may
+/// be told by it.
+const START: f64 = 4.0;
+const FURTHEST_START: f64 = 12.0;
 
 /// Below this (in units of the focal length) residuals are rounding, and none is a gross error.
 const LEAST_SCALE: f64 = 1e-11;
 
-/// Adjusts, rejects what exceeds `limit` standardised residuals, and adjusts again until nothing changes.
+/// Adjusts, rejects what exceeds the limit of standardised residuals, and adjusts again until nothing changes.
 ///
-/// A standardised residual is v / (σ √q_vv); an observation has one condition, so that its four coordinates have the same. For a rejected
-/// one, q_vv is that of a new observation. Rays that meet behind a camera are rejected whatever their residual. σ is taken from the median
-/// of the accepted ones, so that gross errors do not hide behind the σ that they raise; or it is `known_sigma` (0: not known) where that
-/// is larger. One that is too small would reject what is good: the global test tells of it.
+/// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. For a rejected one,
+/// q_vv is that of a new observation. σ is that of those that agree (within 3 σ, more where few of them make σ uncertain),
+/// made consistent; each of these is tested by it as by a σ that it took part in estimating. A least σ that is known holds where the estimated one is
+/// smaller; one that is too small rejects nothing that is good: the global test tells of it. Rays that meet behind a camera are rejected
+/// whatever their residual.
 ///
 /// # Errors
 /// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain.
-pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consensus, limit: f64, known_sigma: f64) -> Result<Clean, Error> {
-    let scale_factor = 1.0 / mad_within(limit);
-    let mut accepted = first_acceptance(observed, start, limit, scale_factor);
+///
+/// # Source
+/// Baarda 1968, A testing procedure for use in geodetic networks; Pope 1976, The statistics of residuals and the detection of outliers.
+pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
+    let mut agreeing = first_agreement(observed, start, limits);
+    let mut accepted = agreeing.clone();
     let mut pose = start.pose;
     for round in 0..MAX_ROUNDS {
         let (kept, weights) = observed.kept(&accepted);
@@ -59,15 +81,18 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
         }
         let adjusted = adjust(&kept, &weights, pose, |_| Ok(()))?;
         pose = adjusted.pose;
+        if kept.len() == 5 {
+            return Ok(Clean { adjusted, accepted });
+        }
         let standardised = standardised_residuals(observed, &accepted, &adjusted);
-        let mut of_accepted: Vec<f64> = standardised.iter().zip(&accepted).filter(|(_, kept)| **kept).map(|(t, _)| *t).collect();
-        let redundancy = kept.len() - 5;
-        let from_median = median(&mut of_accepted).unwrap_or(0.0) * scale_factor;
-        // A median of a few residuals may be far too small by chance, more easily than their σ.
-        let scale = if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median };
-        let threshold = (student_limit(limit, redundancy) * scale.max(LEAST_SCALE)).max(limit * known_sigma);
-        let next: Vec<bool> = standardised.iter().zip(&accepted).map(|(t, was)| *t <= threshold && (*was || round < FREE_ROUNDS)).collect();
-        if redundancy == 0 || next == accepted {
+        let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma);
+        let redundancy = agreeing.iter().filter(|agrees| **agrees).count().saturating_sub(5);
+        let within = sigma * internal_limit(limits.rejection, redundancy);
+        let beyond = sigma * student_limit(limits.rejection, redundancy);
+        let free = round < FREE_ROUNDS;
+        let tested = standardised.iter().zip(&agreeing).zip(&accepted);
+        let next: Vec<bool> = tested.map(|((t, agrees), was)| t.size <= if *agrees { within } else { beyond } && (*was || free)).collect();
+        if next == accepted {
             return Ok(Clean { adjusted, accepted });
         }
         accepted = next;
@@ -75,22 +100,62 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
     Err(super::refusal::diverged(MAX_ROUNDS, "the rejection of gross errors did not settle".into()))
 }
 
-/// What lies within the limit of the start's own scale, that scale made consistent first; never fewer than the consensus stands on.
-fn first_acceptance(observed: Weighted<'_>, start: &Consensus, limit: f64, scale_factor: f64) -> Vec<bool> {
+/// A standardised residual, in σ: v / √q_vv.
+#[derive(Debug, Clone, Copy)]
+struct Standardised {
+    size: f64,
+    /// What it tells of σ: its redundancy number where it took part, 1 where it did not.
+    share: f64,
+}
+
+/// σ by the residuals that agree, and which these are: where the two fit each other.
+fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least_sigma: f64) -> f64 {
+    let least = least_sigma.max(LEAST_SCALE);
+    let mut sigma = least;
+    let mut cut = f64::INFINITY;
+    for _ in 0..20 {
+        let within = || standardised.iter().zip(&*agreeing).filter(|(_, agrees)| **agrees).map(|(t, _)| *t);
+        let number = within().count();
+        let redundancy = within().map(|t| t.share).sum::<f64>();
+        // Consistent where the cut has taken the tails away.
+        let estimate = if number < MANY {
+            let mean_square = within().map(|t| t.share * t.size * t.size).sum::<f64>() / redundancy.max(1e-6);
+            mean_square.sqrt() / normal_spread_within(cut)
+        } else {
+            median(&mut within().map(|t| t.size).collect::<Vec<_>>()).unwrap_or(0.0) / normal_median_within(cut)
+        };
+        sigma = estimate.max(least);
+        cut = student_limit(AGREEING, number.saturating_sub(5));
+        let reach = sigma * cut;
+        let next = standardised.iter().map(|t| t.size <= reach);
+        let settled = next.clone().eq(agreeing.iter().copied());
+        agreeing.iter_mut().zip(next).for_each(|(agrees, now)| *agrees = now);
+        if settled {
+            break;
+        }
+    }
+    sigma
+}
+
+/// What agrees with the start by the start's own scale; never fewer than the consensus stands on.
+fn first_agreement(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Vec<bool> {
     let rays = observed.rays;
     let distances: Vec<f64> =
         rays.iter().zip(observed.weights).map(|(ray, weight)| start.pose.project(ray).1.abs() * weight.sqrt()).collect();
-    let mut scale = start.scale;
-    for _ in 0..10 {
-        let mut within: Vec<f64> = distances.iter().copied().filter(|d| *d <= limit * scale).collect();
-        let Some(middle) = median(&mut within).filter(|_| within.len() > 5) else {
-            break;
-        };
-        scale = (middle * scale_factor).max(LEAST_SCALE);
-    }
     let least = smallest(&mut distances.clone(), least_agreement(rays.len()) - 1);
-    let threshold = (limit * scale).max(least);
+    let reach = student_limit(START, least_agreement(rays.len()).saturating_sub(5)).min(FURTHEST_START);
+    let threshold = (reach * start.scale.max(limits.least_sigma).max(LEAST_SCALE)).max(least);
     distances.iter().map(|d| *d <= threshold).collect()
+}
+
+/// The limit of a standardised residual by a σ that it took part in estimating (Pope's τ), exceeded as rarely as `limit` of the normal one.
+fn internal_limit(limit: f64, redundancy: usize) -> f64 {
+    if redundancy < 2 {
+        return f64::INFINITY;
+    }
+    let freedom = redundancy as f64;
+    let outside = student_limit(limit, redundancy - 1);
+    if outside.is_infinite() { freedom.sqrt() } else { freedom.sqrt() * outside / (freedom - 1.0 + outside * outside).sqrt() }
 }
 
 /// The limit of Student's distribution that is exceeded as rarely as `limit` of the normal one: the σ of few residuals is uncertain.
@@ -104,17 +169,21 @@ pub(super) fn student_limit(limit: f64, redundancy: usize) -> f64 {
 }
 
 /// |v| / √q_vv of every observation, in units of the focal length.
-fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted) -> Vec<f64> {
+fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted) -> Vec<Standardised> {
     let tangents = adjusted.pose.tangents();
     let standardise = |((ray, weight), accepted): ((&Ray, &f64), &bool)| {
         let (at, distance) = adjusted.pose.project(ray);
         let Some(line) = adjusted.pose.linearise(&tangents, ray, &at) else {
-            return 0.0;
+            return Standardised { size: 0.0, share: 0.0 };
         };
         let of_unknowns = share_of_unknowns(&line, adjusted);
         let cofactor = if *accepted { 1.0 / weight - of_unknowns } else { 1.0 / weight + of_unknowns };
         // An observation without redundancy has no residual to judge.
-        if cofactor * weight > 1e-6 { distance.abs() / cofactor.sqrt() } else { 0.0 }
+        if cofactor * weight > 1e-6 {
+            Standardised { size: distance.abs() / cofactor.sqrt(), share: (cofactor * weight).min(1.0) }
+        } else {
+            Standardised { size: 0.0, share: 0.0 }
+        }
     };
     observed.rays.iter().zip(observed.weights).zip(accepted).map(standardise).collect()
 }

@@ -7,15 +7,14 @@ use super::determinant::adjust_determinants;
 use super::normals::{Matrix5, correlations};
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
 use super::refusal::{check_geometry, check_input, check_result, near_vertical};
-use super::rejection::{Clean, Weighted, adjust_without_gross_errors, corrections};
+use super::rejection::{Clean, Limits, Weighted, adjust_without_gross_errors, corrections};
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
-use super::shared::{SharedErrors, covariance_of};
 use super::weakness::{condition, parallax_beside_rotation, plane_misfit, spread, weaknesses};
 use super::weighting::reweight;
-use super::{Observation, OrientationMethod, OrientationOptions, RelativeOrientation};
+use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
 use crate::Error;
-use crate::math::{chi_square_quantile, normal_density, normal_probability};
+use crate::math::{chi_square_quantile, normal_spread_within};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -45,63 +44,63 @@ use crate::math::{chi_square_quantile, normal_density, normal_probability};
 /// # Source
 /// Kraus 2007, Photogrammetry, 2nd ed. (relative orientation); Nistér 2004 (minimal samples).
 pub fn orient_relative(observations: &[Observation], focal_mm: f64, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
-    orient_relative_with(observations, &[], focal_mm, options)
+    orient_relative_with(observations, &ErrorModel::default(), focal_mm, options)
 }
 
-/// As [`orient_relative`], with errors that all observations share: these do not show in the residuals, but in
-/// [`RelativeOrientation::total_standard_errors`].
+/// As [`orient_relative`], with what is known of how the errors of the observations depend on each other: it does not change the residuals,
+/// but [`RelativeOrientation::total_standard_errors`].
 ///
 /// # Errors
-/// As [`orient_relative`]; [`Error::InvalidInput`] where a shared error is not given for each observation.
+/// As [`orient_relative`]; those of an error model that does not fit the observations.
 pub fn orient_relative_with(
     observations: &[Observation],
-    shared: &[SharedErrors],
+    errors: &ErrorModel,
     focal_mm: f64,
     options: &OrientationOptions,
 ) -> Result<RelativeOrientation, Error> {
-    check_shared(shared, observations.len())?;
+    errors.check(observations.len())?;
     options.check()?;
     check_input(observations, focal_mm)?;
     let rays: Vec<Ray> = observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]].map(|v| v / focal_mm)).collect();
     let weights: Vec<f64> = observations.iter().map(|o| o.weight).collect();
     check_geometry(&rays)?;
     let observed = Weighted { rays: &rays, weights: &weights };
-    let Clean { mut adjusted, accepted } = if options.robust { robust(observed, focal_mm, options)? } else { plain(observed, options)? };
+    let Clean { mut adjusted, accepted } =
+        if options.robust { robust(observed, errors.resolution_mm, focal_mm, options)? } else { plain(observed, options)? };
     let (kept, kept_weights) = observed.kept(&accepted);
     face_the_points(&mut adjusted, &kept);
     check_result(&adjusted, &kept)?;
     check_describable(&adjusted.pose)?;
     let (adjusted, factors) = match options.method {
-        OrientationMethod::Rigorous => reweight(&kept, &kept_weights, adjusted, options.weighting)?,
+        OrientationMethod::Rigorous => {
+            let sigma = options.sigma0_mm.map_or(adjusted.sigma, |sigma0_mm| sigma0_mm / focal_mm);
+            reweight(&kept, &kept_weights, adjusted, sigma, options.weighting)?
+        }
         OrientationMethod::Determinant => (adjusted, vec![1.0; kept.len()]),
     };
     let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
-    let by_shared = covariance_of(shared, &adjusted, (&kept, &kept_weights, &accepted), base_mm, focal_mm);
-    let by_shared = (!shared.is_empty()).then_some(by_shared);
-    let outcome = Outcome { adjusted, accepted, factors, by_shared, base_mm, focal_mm };
+    let by_shared = shared::covariance_of(&errors.shared, &adjusted, (&kept, &kept_weights, &accepted), base_mm, focal_mm);
+    let by_shared = (!errors.shared.is_empty()).then_some(by_shared);
+    let side = errors.neighbourhood_mm / focal_mm;
+    let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_weights, &factors, side, base_mm) } else { None };
+    let outcome = Outcome { adjusted, accepted, factors, by_shared, by_groups, base_mm, focal_mm };
     Ok(outcome.describe(observed, &kept, options))
 }
 
-fn check_shared(shared: &[SharedErrors], observations: usize) -> Result<(), Error> {
-    match shared.iter().find(|group| group.effects.len() != observations) {
-        None => Ok(()),
-        Some(group) => {
-            let got = format!("effects on {} of {observations} observations", group.effects.len());
-            Err(Error::InvalidInput { what: "shared errors", got, allowed: "one effect for each observation".into() })
-        }
-    }
-}
-
-fn robust(observed: Weighted<'_>, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
-    let known_sigma = options.sigma0_mm.unwrap_or(0.0) / focal_mm;
+fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
+    let limits = Limits { rejection: options.limit(), least_sigma: options.sigma0_mm.unwrap_or(0.0).max(resolution_mm) / focal_mm };
     let start = consensus(observed.rays, options.seed);
-    let mut clean = adjust_without_gross_errors(observed, &start, options.limit(), known_sigma)?;
+    let mut clean = adjust_without_gross_errors(observed, &start, limits)?;
     if options.method == OrientationMethod::Determinant {
         clean.adjusted = adjust_determinants(&observed.kept(&clean.accepted).0, clean.adjusted.pose, |_| Ok(()))?;
     }
     // Where the known σ set the threshold, it cut the residuals further out.
-    let cut = options.limit() * (known_sigma / clean.adjusted.sigma.max(f64::MIN_POSITIVE)).max(1.0);
-    clean.adjusted.sigma /= spread_within(cut);
+    let cut = limits.rejection * (limits.least_sigma / clean.adjusted.sigma.max(f64::MIN_POSITIVE)).max(1.0);
+    let spread = normal_spread_within(cut);
+    clean.adjusted.sigma /= spread;
+    // Of normal errors, least squares of those within the cut, repeated until it settles, has this much of the variance that it claims.
+    clean.adjusted.precision /= spread * spread;
+    clean.adjusted.sensitivity /= spread * spread;
     Ok(clean)
 }
 
@@ -112,12 +111,6 @@ fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, 
         OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
     };
     Ok(Clean { adjusted, accepted: vec![true; observed.rays.len()] })
-}
-
-/// The standard deviation of a standard normal variable that was cut at ± `limit`.
-fn spread_within(limit: f64) -> f64 {
-    let inside = 2.0 * normal_probability(limit) - 1.0;
-    (1.0 - 2.0 * limit * normal_density(limit) / inside).sqrt()
 }
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
@@ -144,6 +137,8 @@ struct Outcome {
     factors: Vec<f64>,
     /// Covariance of ω φ κ by bz by errors that all observations share.
     by_shared: Option<Matrix5>,
+    /// Covariance as groups of neighbours show it, for the estimated σ.
+    by_groups: Option<Matrix5>,
     base_mm: f64,
     focal_mm: f64,
 }
@@ -151,13 +146,12 @@ struct Outcome {
 impl Outcome {
     fn describe(&self, observed: Weighted<'_>, kept: &[Ray], options: &OrientationOptions) -> RelativeOrientation {
         let (adjusted, focal_mm) = (&self.adjusted, self.focal_mm);
-        let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.cofactors);
+        let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.precision);
         let correlations = correlations(&propagated);
         let degrees_of_freedom = kept.len() - 5;
         let estimated = (degrees_of_freedom > 0).then_some(adjusted.sigma);
         let sigma = options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm).or(estimated);
-        // With what the interior orientations add, where that is known.
-        let covariance = sigma.map(|sigma| propagated * (sigma * sigma) + self.by_shared.unwrap_or_else(Matrix5::zeros));
+        let total = sigma.map(|sigma| self.total(&propagated, sigma));
         let (condition, spread) = (condition(&correlations), spread(kept));
         let plane_misfit = plane_misfit(kept, adjusted.sigma);
         let beside_rotation = parallax_beside_rotation(kept);
@@ -168,7 +162,9 @@ impl Outcome {
             focal_mm,
             method: options.method,
             standard_errors: sigma.map(|sigma| standard_errors(&propagated, sigma)),
-            total_standard_errors: covariance.filter(|_| self.by_shared.is_some()).map(|covariance| standard_errors(&covariance, 1.0)),
+            total_standard_errors: total
+                .filter(|_| self.by_shared.is_some() || self.by_groups.is_some())
+                .map(|covariance| standard_errors(&covariance, 1.0)),
             sigma0_mm: estimated.map(|sigma| sigma * focal_mm),
             sigma0_a_priori_mm: options.sigma0_mm,
             global_test: estimated.zip(options.sigma0_mm).map(|(sigma, known)| global_test(sigma * focal_mm / known, degrees_of_freedom)),
@@ -182,11 +178,19 @@ impl Outcome {
             spread,
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
             weaknesses: weaknesses(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
-            base_ellipse_mm: covariance.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
+            base_ellipse_mm: total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
             residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
             points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),
             rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
         }
+    }
+
+    /// Covariance for a σ, with what neighbours share and what the interior orientations add, where these are known.
+    fn total(&self, propagated: &Matrix5, sigma: f64) -> Matrix5 {
+        let independent = propagated * (sigma * sigma);
+        let ratio = sigma / self.adjusted.sigma.max(f64::MIN_POSITIVE);
+        let own = self.by_groups.map_or(independent, |by_groups| by_groups * (ratio * ratio));
+        own + self.by_shared.unwrap_or_else(Matrix5::zeros)
     }
 
     fn points(&self, observed: Weighted<'_>, sigma: f64, propagated: &Matrix5, noncentrality: f64) -> Vec<Option<PointStatistics>> {

@@ -29,7 +29,7 @@ impl Judgement<'_> {
         let pose = &self.adjusted.pose;
         let (at, distance) = pose.project(ray);
         let line = pose.linearise(&pose.tangents(), ray, &at)?;
-        let share = weight * share_of_unknowns(&line, self.adjusted);
+        let share = weight * if factor > 0.0 { factor } else { 1.0 } * share_of_unknowns(&line, self.adjusted);
         // A new observation has the whole of its own error and what the unknowns are off.
         let redundancy = if factor > 0.0 { (1.0 - share).clamp(0.0, 1.0) } else { 1.0 / (1.0 + share) };
         let spread = if factor > 0.0 { redundancy } else { 1.0 + share };
@@ -37,7 +37,9 @@ impl Judgement<'_> {
         let standard = self.sigma * (spread / weight).sqrt();
         let w = if standard > 0.0 && spread > 1e-6 { distance / standard } else { 0.0 };
         let blunder = self.noncentrality * self.sigma / (redundancy * weight).sqrt();
-        let change = derivatives(pose, self.base_mm) * (self.adjusted.cofactors * line.by_unknowns) * (weight * blunder);
+        // One that is added to the normal equations shares its effect with them.
+        let taking_part = if factor > 0.0 { factor } else { 1.0 / (1.0 + share) };
+        let change = derivatives(pose, self.base_mm) * (self.adjusted.cofactors * line.by_unknowns) * (weight * taking_part * blunder);
         let in_errors = |k: usize| change[k].abs() / (self.sigma * self.propagated[(k, k)].sqrt());
         let influence = (0..5).map(in_errors).filter(|v| v.is_finite()).fold(0.0, f64::max);
         Some(PointStatistics {

@@ -112,7 +112,8 @@ pub struct RelativeOrientation {
     pub method: OrientationMethod,
     /// With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
     pub standard_errors: Option<FiveParameters>,
-    /// The same with what the errors of the interior orientations add; absent where these are not known.
+    /// The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
+    /// share; absent where neither is known.
     pub total_standard_errors: Option<FiveParameters>,
     /// Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
     /// rejection has cut their distribution; absent without redundancy.

@@ -16,6 +16,8 @@ pub(super) const LARGEST_CONDITION: f64 = 2e4;
 const LEAST_PARALLAX: f64 = 0.002;
 /// The same in standard errors of a coordinate; a rotation alone leaves 1.7.
 const LEAST_PARALLAX_SIGMAS: f64 = 6.0;
+/// Below this, in focal lengths, deviations from a plane are rounding: a hundred-thousandth of a pixel.
+const LEAST_SIGMA: f64 = 1e-9;
 /// Fewer points than this do not tell a plane from anything else.
 const LEAST_POINTS: usize = 10;
 
@@ -40,9 +42,11 @@ pub(super) fn spread(rays: &[Ray]) -> f64 {
 /// # Source
 /// Hartley & Zisserman 2004, Multiple View Geometry, 4.1 (direct linear transformation, normalised).
 pub(super) fn plane_misfit(rays: &[Ray], sigma: f64) -> Option<f64> {
-    if rays.len() < LEAST_POINTS || !(sigma > 0.0) {
+    if rays.len() < LEAST_POINTS {
         return None;
     }
+    // Coordinates without any error still have rounding, which the map amplifies.
+    let sigma = sigma.max(LEAST_SIGMA);
     let (left, right) = (normalising(rays, 0), normalising(rays, 2));
     let mut normals = SMatrix::<f64, 9, 9>::zeros();
     for ray in rays {

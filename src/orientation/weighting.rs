@@ -42,22 +42,28 @@ impl Weighting {
 
 /// Adjusts again with weights that follow from the residuals, until they settle; gives the factors of the weights too.
 ///
-/// `adjusted` is the adjustment of the observations with their own weights; its σ stays. The cofactors are those of least squares times
-/// the asymptotic ratio of the variances of both estimates.
+/// `adjusted` is the adjustment of the observations with their own weights; `sigma` standardises the residuals. The cofactors are those of
+/// the weighted normal equations; the precision is that of least squares times the ratio of the variances of both estimates.
 ///
 /// # Errors
 /// Those of [`adjust`].
 ///
 /// # Source
 /// Huber 1981, Robust Statistics, 7.6 (cofactors of an M-estimate).
-pub(super) fn reweight(rays: &[Ray], weights: &[f64], adjusted: Adjusted, weighting: Weighting) -> Result<(Adjusted, Vec<f64>), Error> {
+pub(super) fn reweight(
+    rays: &[Ray],
+    weights: &[f64],
+    adjusted: Adjusted,
+    sigma: f64,
+    weighting: Weighting,
+) -> Result<(Adjusted, Vec<f64>), Error> {
     let mut factors = vec![1.0; rays.len()];
-    if weighting == Weighting::None || !(adjusted.sigma > 0.0) {
+    if weighting == Weighting::None || !(sigma > 0.0) {
         return Ok((adjusted, factors));
     }
     let mut current = adjusted.clone();
     for _ in 0..MAX_ROUNDS {
-        let standardised = standardised(rays, weights, &current, &adjusted);
+        let standardised = standardised(rays, weights, &current, &adjusted, sigma);
         let next: Vec<f64> = standardised.iter().map(|w| weighting.factor(*w)).collect();
         let change = next.iter().zip(&factors).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         factors = next;
@@ -67,7 +73,7 @@ pub(super) fn reweight(rays: &[Ray], weights: &[f64], adjusted: Adjusted, weight
         let products: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
         current = adjust(rays, &products, current.pose, |_| Ok(()))?;
     }
-    let standardised = standardised(rays, weights, &current, &adjusted);
+    let standardised = standardised(rays, weights, &current, &adjusted, sigma);
     let number = rays.len() as f64;
     let influence = standardised
         .iter()
@@ -76,21 +82,25 @@ pub(super) fn reweight(rays: &[Ray], weights: &[f64], adjusted: Adjusted, weight
             psi * psi
         })
         .sum::<f64>()
-        / (number - 5.0);
+        / number;
     let slope = standardised.iter().map(|w| weighting.slope(*w)).sum::<f64>() / number;
-    let ratio = influence / (slope * slope);
-    let result = Adjusted { cofactors: adjusted.cofactors * ratio, sigma: adjusted.sigma, ..current };
+    // What few observations add (Huber's K).
+    let spread = standardised.iter().map(|w| weighting.slope(*w) - slope).map(|d| d * d).sum::<f64>() / number;
+    let few = 1.0 + 5.0 / number * spread / (slope * slope);
+    let ratio = few * few * influence / (slope * slope);
+    let result =
+        Adjusted { precision: adjusted.precision * ratio, sensitivity: adjusted.sensitivity / slope, sigma: adjusted.sigma, ..current };
     Ok((result, factors))
 }
 
 /// Residuals at the pose of one adjustment by the standard errors that another gave them.
-fn standardised(rays: &[Ray], weights: &[f64], at: &Adjusted, of: &Adjusted) -> Vec<f64> {
+fn standardised(rays: &[Ray], weights: &[f64], at: &Adjusted, of: &Adjusted, sigma: f64) -> Vec<f64> {
     let tangents = of.pose.tangents();
     let one = |(ray, weight): (&Ray, &f64)| {
         let (projected, distance) = at.pose.project(ray);
         let Some(line) = of.pose.linearise(&tangents, ray, &projected) else { return 0.0 };
         let cofactor = 1.0 / weight - share_of_unknowns(&line, of);
-        if cofactor * weight > 1e-6 { distance / (cofactor.sqrt() * of.sigma) } else { 0.0 }
+        if cofactor * weight > 1e-6 { distance / (cofactor.sqrt() * sigma) } else { 0.0 }
     };
     rays.iter().zip(weights).map(one).collect()
 }

@@ -3,8 +3,8 @@
 use super::{PairInterior, PairSettings};
 use crate::math::median;
 use crate::{
-    EpipolarLines, Error, Expectation, Fit, Interior, Match, MatchImage, MatchSet, Observation, OffsetField, OrientationOptions,
-    RelativeOrientation, SharedErrors, match_images, orient_relative_with,
+    EpipolarLines, Error, ErrorModel, Expectation, Fit, Interior, Match, MatchImage, MatchSet, Observation, OffsetField,
+    OrientationOptions, RelativeOrientation, SharedErrors, match_images, orient_relative_with,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.
@@ -48,6 +48,17 @@ pub fn match_in_rounds(
     Ok(set)
 }
 
+/// Windows of points nearer than this overlap, or see the same edges and roofs.
+const NEIGHBOURHOOD_PX: f64 = 64.0;
+
+/// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
+const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
+
+/// Whether all four positions of a match lie at the centres of pixels.
+fn are_whole_pixels(positions: &[f64; 4]) -> bool {
+    positions.iter().all(|v| v - libm::floor(*v) == 0.5)
+}
+
 fn epipolar_lines(orientation: &RelativeOrientation, interior: &PairInterior) -> EpipolarLines {
     let p = orientation.parameters;
     let scatter_px = std::f64::consts::SQRT_2 * orientation.sigma0_mm.unwrap_or(0.0) / interior.right.pixel_mm();
@@ -60,8 +71,8 @@ fn epipolar_lines(orientation: &RelativeOrientation, interior: &PairInterior) ->
     )
 }
 
-/// Orients the right photo from matches, weighted by the precision that least squares matching gave them; where the interior orientations
-/// have covariances, the total standard errors hold these too.
+/// Orients the right photo from matches, weighted by the precision that least squares matching gave them. The total standard errors allow
+/// for what neighbouring matches share, and for the errors of the interior orientations where these have covariances.
 ///
 /// # Errors
 /// As [`orient_relative`](crate::orient_relative).
@@ -70,7 +81,13 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
     let mut observed = observations(&positions, &interior.left, &interior.right);
     let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
     observed.iter_mut().zip(match_weights(&fits)).for_each(|(observation, weight)| observation.weight = weight);
-    orient_relative_with(&observed, &interior_errors(&positions, interior), interior.focal_mm, options)
+    let pixel_mm = interior.left.pixel_mm();
+    let errors = ErrorModel {
+        shared: interior_errors(&positions, interior),
+        neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
+        resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
+    };
+    orient_relative_with(&observed, &errors, interior.focal_mm, options)
 }
 
 /// What errors of the interior orientations do to the observations: each row of either affine transformation has three parameters, which

@@ -26,6 +26,8 @@ pub struct ReportImage {
 #[derive(Debug, Clone)]
 pub struct ReportTruth {
     pub orientation: FiveParameters,
+    /// The true base component b, which by and bz of the truth are relative to.
+    pub base_mm: f64,
     /// As [`Sample::right_position`](crate::Sample::right_position).
     pub right_position: Vec<[f32; 2]>,
 }

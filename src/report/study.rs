@@ -61,7 +61,9 @@ pub fn study(
     });
     let errors = truth.zip(result.orientation.as_ref().ok()).map(|(truth, orientation)| {
         let (found, known) = (five(&orientation.parameters), five(&truth.orientation));
-        std::array::from_fn(|k| found[k] - known[k])
+        // by and bz have the scale of the base that was fixed.
+        let scale = orientation.base_mm / truth.base_mm;
+        std::array::from_fn(|k| found[k] - if k < 3 { known[k] } else { known[k] * scale })
     });
     Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
 }

@@ -1,0 +1,35 @@
+//! What is known of the errors of observations beside the independent part that their weights describe.
+
+use super::shared::SharedErrors;
+use crate::Error;
+use crate::parameters::refuse;
+
+/// How the errors of observations depend on each other, and how small they can be.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ErrorModel {
+    /// Errors that all observations share.
+    pub shared: Vec<SharedErrors>,
+    /// Points nearer to each other than this in the left photo, in mm, have errors that depend on each other, as matches whose windows
+    /// overlap; 0: none have.
+    pub neighbourhood_mm: f64,
+    /// The standard error that the resolution of the coordinates alone gives, in mm: 0.29 px where they are whole pixels; 0: not known.
+    pub resolution_mm: f64,
+}
+
+impl ErrorModel {
+    /// Refuses what does not fit the observations.
+    pub(super) fn check(&self, observations: usize) -> Result<(), Error> {
+        for (name, value) in [("neighbourhood_mm", self.neighbourhood_mm), ("resolution_mm", self.resolution_mm)] {
+            if !(value >= 0.0 && value.is_finite()) {
+                return Err(refuse(name, value, "0 or more"));
+            }
+        }
+        match self.shared.iter().find(|group| group.effects.len() != observations) {
+            None => Ok(()),
+            Some(group) => {
+                let got = format!("effects on {} of {observations} observations", group.effects.len());
+                Err(Error::InvalidInput { what: "shared errors", got, allowed: "one effect for each observation".into() })
+            }
+        }
+    }
+}
