@@ -8,7 +8,7 @@ import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
-const FOCAL = { ...real('focal-mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
+const FOCAL = { ...real('focal-mm', 'focal_mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
 const OPTIONS = [FOCAL, BASE, ...ORIENTATION_OPTIONS, JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
