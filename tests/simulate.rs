@@ -1,7 +1,7 @@
 //! The simulated flight: its truth against equations written here once more, its images against its truth, its bytes, its refusals.
 
 use nalgebra::{Matrix3, Vector2, Vector3};
-use tiepoint::{Error, Fiducial, Flight, GreyImage, SAMPLE_SEED, Sample, rotation_from_angles, sample_pair, simulate};
+use tiepoint::{Error, Fiducial, Flight, GreyImage, SAMPLE_SEED, Sample, check_flight, rotation_from_angles, sample_pair, simulate};
 
 /// A small flight over high buildings and hills with strong tilts, whose marks are measured without error.
 fn rough() -> Flight {
@@ -327,6 +327,7 @@ fn what_is_out_of_range_is_refused_by_name() {
 fn refused(flight: &Flight, name: &str) {
     let Err(Error::InvalidOption { field, .. }) = simulate(flight) else { panic!("{flight:?} is taken") };
     assert_eq!(field, name);
+    assert_eq!(check_flight(flight), simulate(flight).map(|_| ()));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use wasm_bindgen::{JsCast, JsValue};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** The known answer of a simulated pair, as `simulate` gives it. */
-export interface ReportTruth { orientation: FiveParameters; right_position: Float32Array }
+export interface ReportTruth { orientation: FiveParameters; base_mm: number; right_position: Float32Array }
 "#;
 
 /// The report of a pair in the making: `step` until it says false, then `html`.
@@ -59,11 +59,12 @@ fn read_truth(value: &JsValue) -> JsResult<Option<ReportTruth>> {
         return Ok(None);
     }
     let refused = |got: &str| {
-        let allowed = "an object {orientation, right_position} as simulate gives them".to_string();
+        let allowed = "an object {orientation, base_mm, right_position} as simulate gives them".to_string();
         thrown(Error::InvalidInput { what: "truth", got: got.to_string(), allowed })
     };
     let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refused("no object"));
     let orientation: FiveParameters = read("truth", &field("orientation")?)?;
+    let base_mm = field("base_mm")?.as_f64().ok_or_else(|| refused("no number as base_mm"))?;
     let flat = field("right_position")?.dyn_into::<Float32Array>().map_err(|_| refused("no Float32Array as right_position"))?.to_vec();
-    Ok(Some(ReportTruth { orientation, right_position: flat.as_chunks::<2>().0.to_vec() }))
+    Ok(Some(ReportTruth { orientation, base_mm, right_position: flat.as_chunks::<2>().0.to_vec() }))
 }
