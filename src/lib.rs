@@ -47,7 +47,8 @@ pub use points::{
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
-    DenseTruth, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, sample_pair, score_matches, simulate,
+    DenseTruth, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, check_flight, sample_pair, score_matches,
+    simulate,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 

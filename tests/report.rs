@@ -2,10 +2,17 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use tiepoint::{Flight, GreyImage, PairInput, PairSettings, PhotoInput, Preset, Report, ReportImage, ReportTruth, Sample, simulate};
+use tiepoint::{
+    Denominator, Flight, GreyImage, PairInput, PairSettings, PhotoInput, Preset, Report, ReportImage, ReportTruth, Sample, simulate,
+};
 
 /// The report of a flight, as `tiepoint simulate` and `tiepoint report` make it.
 fn report_of(flight: &Flight, name: &str) -> Report {
+    report_with(flight, name, |settings, base_mm| settings.orientation.base_mm = Some(base_mm))
+}
+
+/// The report of a flight by settings that `change` makes of the defaults and the true base in mm.
+fn report_with(flight: &Flight, name: &str, change: impl Fn(&mut PairSettings, f64)) -> Report {
     let Sample { left, right, camera, left_fiducials, right_fiducials, left_origin, right_origin, base_mm, truth, right_position } =
         simulate(flight).unwrap();
     let image = |side: &str, grey: GreyImage| ReportImage { name: format!("{name} {side}"), grey, exif: None };
@@ -17,7 +24,7 @@ fn report_of(flight: &Flight, name: &str) -> Report {
         offset: None,
     };
     let mut settings = PairSettings::default();
-    settings.orientation.base_mm = Some(base_mm);
+    change(&mut settings, base_mm);
     let truth = ReportTruth { orientation: truth, base_mm, right_position };
     Report::new([image("left", left), image("right", right)], input, settings, Some(truth))
 }
@@ -91,6 +98,7 @@ fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
     assert_eq!(steps, 5);
     let html = report.html().unwrap();
     assert!(html.contains("Not oriented: no camera") && !html.contains("against the truth"));
+    assert!(html.contains("there are no photo coordinates") && !html.contains("follow from the pixel size"));
     assert!(html.contains("&lt;b&gt;") && !html.contains("<b>&"));
 }
 
@@ -102,4 +110,35 @@ fn bad_settings_are_refused() {
     settings.matching.search = 4;
     let refused = Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None).html().unwrap_err();
     assert!(refused.is_usage() && refused.to_string().contains("search"), "{refused}");
+}
+
+/// The cells of the first row that begins with an unknown's symbol after a text.
+fn row_after<'a>(html: &'a str, text: &str, symbol: &str) -> Vec<&'a str> {
+    let rest = &html[html.find(text).unwrap()..];
+    let row = &rest[rest.find(&format!("<th><i>{symbol}</i>")).unwrap()..];
+    row[..row.find("</tr>").unwrap()].split("<td>").skip(1).collect()
+}
+
+#[test]
+fn true_errors_do_not_depend_on_the_base_but_by_scale() {
+    let of = |change: fn(&mut PairSettings, f64)| report_with(&small(), "small", change).html().unwrap();
+    let (own, double) = (of(|s, base| s.orientation.base_mm = Some(base)), of(|s, base| s.orientation.base_mm = Some(2.0 * base)));
+    // In standard errors, which follow the same scale, the true errors are the same.
+    let ratios = |html: &str| -> Vec<String> {
+        row_after(html, "true errors, and how many", "by").iter().map(|cell| cell[cell.find('(').unwrap()..].to_string()).collect()
+    };
+    assert_eq!(ratios(&own).len(), 5);
+    assert_eq!(ratios(&own), ratios(&double));
+    assert!(double.contains("at the scale of that base") && !own.contains("at the scale of that base"));
+}
+
+#[test]
+fn what_sets_the_report_apart_from_the_paper_follows_the_settings() {
+    let mut report = report_with(&small(), "small", |settings, _| {
+        settings.matching.denominator = Denominator::Floor;
+        settings.matching.parallax_neighbours = 0;
+    });
+    let html = report.html().unwrap();
+    assert!(html.contains("or the median magnitude of the moment where that is more, is the denominator"));
+    assert!(html.contains("are refused that are ambiguous or many to one: "));
 }

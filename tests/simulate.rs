@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector2, Vector3};
 use tiepoint::{
-    Error, Fiducial, Flight, GreyImage, PairImage, PairInput, PairSettings, PhotoInput, SAMPLE_SEED, Sample, match_pair,
+    Error, Fiducial, Flight, GreyImage, PairImage, PairInput, PairSettings, PhotoInput, SAMPLE_SEED, Sample, check_flight, match_pair,
     rotation_from_angles, sample_pair, simulate,
 };
 
@@ -330,6 +330,7 @@ fn what_is_out_of_range_is_refused_by_name() {
 fn refused(flight: &Flight, name: &str) {
     let Err(Error::InvalidOption { field, .. }) = simulate(flight) else { panic!("{flight:?} is taken") };
     assert_eq!(field, name);
+    assert_eq!(check_flight(flight), simulate(flight).map(|_| ()));
 }
 
 #[test]

@@ -25,6 +25,7 @@ import { isBusy, mountStatus } from './panel/status';
 import { mountTabs, showTab } from './panel/tabs';
 import { mountTheme } from './panel/theme';
 import { mountToolbar } from './panel/toolbar';
+import { readable } from './state/names';
 import { shownPair } from './state/select';
 import type { Side } from './state/state';
 import { Store } from './state/store';
@@ -103,8 +104,16 @@ function mountHeader(): void {
     set('export-json', !both || store.state.results.pointsLeft === undefined);
     set('export-report', !both || isBusy(store.state));
     set('export-png', images.left === null && images.right === null);
-    byId('welcome').hidden = images.left !== null || images.right !== null;
+    leaveWelcome(images.left !== null || images.right !== null);
   });
+}
+
+/** Hides the welcome; the keyboard goes on to the images where it was in there. */
+function leaveWelcome(left: boolean): void {
+  const welcome = byId('welcome');
+  const focused = welcome.contains(document.activeElement);
+  welcome.hidden = left;
+  if (left && focused) byId('view').focus();
 }
 
 /** Runs an action of the user's; what goes wrong is said in the status line. */
@@ -112,7 +121,7 @@ async function attempt(action: () => void | Promise<void>): Promise<void> {
   try {
     await action();
   } catch (error) {
-    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${error instanceof Error ? error.message : String(error)}.` } });
+    store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, error instanceof Error ? error.message : String(error))}.` } });
   }
 }
 

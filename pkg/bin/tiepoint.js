@@ -2,12 +2,14 @@
 // @ts-check
 /** The `tiepoint` command. Exit codes: 0 done, 1 bad data, 2 a bad call. */
 
+import { reasonOf } from '../command/files.js';
 import { main } from '../command/main.js';
 
-// A reader that has seen enough (`| head`) is no error.
 process.stdout.on('error', (/** @type {NodeJS.ErrnoException} */ error) => {
-  if (error.code !== 'EPIPE') throw error;
-  process.exit(0);
+  // A reader that has seen enough (`| head`) is no error.
+  if (error.code === 'EPIPE') process.exit(0);
+  process.stderr.write(`tiepoint: cannot write the output: ${reasonOf(error)}\n`);
+  process.exit(1);
 });
 
 process.exitCode = main(process.argv.slice(2));

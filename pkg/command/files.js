@@ -1,8 +1,8 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
 
@@ -19,13 +19,18 @@ const REASONS = {
   ERR_FS_FILE_TOO_LARGE: 'the file is larger than 2 GiB',
 };
 
+/** Why the system refused something, in words.  @param {unknown} error */
+export function reasonOf(error) {
+  const code = error instanceof Error && 'code' in error ? String(error.code) : '';
+  return REASONS[code] ?? (code || String(error));
+}
+
 /** @template T @param {string} what @param {string} path @param {() => T} action @returns {T} */
 function attempt(what, path, action) {
   try {
     return action();
   } catch (error) {
-    const code = error instanceof Error && 'code' in error ? String(error.code) : '';
-    throw new DataError(`cannot ${what} ${path}: ${REASONS[code] ?? (code || String(error))}`);
+    throw new DataError(`cannot ${what} ${path}: ${reasonOf(error)}`);
   }
 }
 
@@ -41,9 +46,27 @@ export function readPhoto(path) {
   return about(path, () => Photo.decode(bytes));
 }
 
-/** Makes a folder if it is not there, and says at once if nothing can be written to it.  @param {string} path */
+/** @param {string} path */
+export function isFolder(path) {
+  return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
+}
+
+/** Makes a folder and what is missing above it, and says at once if that cannot be.  @param {string} path */
 export function makeFolder(path) {
-  attempt('write to the folder', path, () => mkdirSync(path, { recursive: true }));
+  attempt('write to the folder', path, () => makeParts(path));
+}
+
+/** Part by part: where the system refuses a folder as not there, as below /proc, `recursive` would try again without end.  @param {string} path */
+function makeParts(path) {
+  if (isFolder(path)) return;
+  const above = dirname(path);
+  if (above !== path) makeParts(above);
+  try {
+    mkdirSync(path);
+  } catch (error) {
+    // Made by another program in between, or named twice, as in `out/.`.
+    if (!isFolder(path)) throw error;
+  }
 }
 
 /**

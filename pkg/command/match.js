@@ -1,14 +1,14 @@
 // @ts-check
 import { match_pair, matches_csv, points_csv } from '../node.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { JSON_FLAG, path, POINT_OPTIONS, settingsOf } from './options.js';
+import { JSON_FLAG, ORIENTING_OPTIONS, path, POINT_OPTIONS, settingsOf } from './options.js';
 import { describeOrientation, UNKNOWNS } from './orient.js';
-import { print, printJson, rows } from './output.js';
+import { note, print, printJson, rows } from './output.js';
 import { inputOf, PAIR_OPTIONS } from './pair.js';
 import { countTable } from './points.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
-import { readTruth, scoreOf } from './truth.js';
+import { checkPair, readTruth, scoreOf } from './truth.js';
 
 /**
  * @typedef {import('../node.js').PairOutput} PairOutput
@@ -41,15 +41,23 @@ export const match = {
     const progress = new Progress(4);
     const left = progress.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = progress.step(`reading ${rightPath}`, () => readPhoto(rightPath));
+    if (truth) checkPair(truth, left, right);
     const output = progress.step('matching', () => match_pair(left, right, input, settings));
-    const score = truth && scoreOf(output, truth, left, right);
+    const score = truth && scoreOf(output, truth, right);
     const result = { ...resultOf(output, settings), ...(score ? { score } : {}) };
     const written = progress.step('writing', () => (typeof out === 'string' ? write(out, output, result) : []));
     progress.end();
+    if (!output.interior) noteWithoutEffect(values);
     if (values.has('json')) printJson(result);
     else print(...describe(output), ...(score ? ['', ...describeScore(score, output)] : []), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
   },
 };
+
+/** Says which options did nothing for want of an interior orientation.  @param {import('./args.js').Call['values']} values */
+function noteWithoutEffect(values) {
+  const given = ORIENTING_OPTIONS.filter(({ name }) => values.has(name)).map(({ name }) => `--${name}`);
+  if (given.length > 0) note(`without effect, since the camera is not known: ${given.join(', ')}`);
+}
 
 /** The JSON form.  @param {PairOutput} output @param {import('../node.js').PairSettings} settings */
 function resultOf(output, settings) {

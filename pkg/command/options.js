@@ -11,7 +11,7 @@ import { UsageError } from './errors.js';
  * @property {string} name without the dashes
  * @property {string} placeholder of its value; empty for a flag
  * @property {string} help
- * @property {string} [key] the setting it stands for: `group.field`
+ * @property {string} [key] what it stands for, as messages of the crate name it: `group.field` of a setting or a flight, or an argument
  * @property {string} [range] what is allowed, in words, where no setting tells it
  * @property {boolean} [negates] the flag switches the setting off
  * @property {Readonly<Record<string, string>>} [words] other words for some values of the setting
@@ -62,9 +62,14 @@ function read(name, p, text) {
 }
 
 /** An option that stands for a parameter which is no setting of a pair.  @param {string} name @param {Parameter} p @returns {Option} */
-export const parameterOption = (name, p) => ({
-  name, placeholder: p.unit ? p.unit.toUpperCase().replaceAll(/[^A-Z]+/g, '') || 'N' : 'N', range: allowed(p), help: p.help, read: (text) => read(name, p, text),
-});
+export function parameterOption(name, p) {
+  const placeholder = PLACEHOLDERS[p.unit];
+  const help = placeholder ? p.help : `${p.help} Its unit is ${p.unit}.`;
+  return { name, placeholder: placeholder ?? 'N', key: p.key, range: allowed(p), help, read: (text) => read(name, p, text) };
+}
+
+/** Units that stand for a value in a call.  @type {Readonly<Record<string, string>>} */
+const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY' };
 
 /** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const word = (name, words, help) => ({
@@ -112,9 +117,9 @@ export const path = (name, placeholder, help) => ({
   },
 });
 
-/** @param {string} name @param {string} help @param {(value: number) => boolean} valid @param {string} range in words @returns {Option} */
-export const real = (name, help, valid, range) => ({
-  name, placeholder: 'N', help,
+/** A number that is no setting.  @param {string} name @param {string} key @param {string} help @param {(value: number) => boolean} valid @param {string} range in words @returns {Option} */
+export const real = (name, key, help, valid, range) => ({
+  name, placeholder: 'N', key, range, help,
   read: (text) => {
     const value = number(name, text);
     if (!valid(value)) throw new UsageError(`--${name} is ${text}; allowed: ${range}`);
@@ -173,6 +178,9 @@ export const STATISTICS_OPTIONS = [
 
 export const BASE = setting('base-mm', 'B', 'orientation.base_mm');
 
+/** Settings that act only where there is an interior orientation of both photos.  @type {Option[]} */
+export const ORIENTING_OPTIONS = [...MATCH_OPTIONS.filter(({ name }) => name === 'epipolar'), BASE, ...STATISTICS_OPTIONS];
+
 /** @type {Option[]} */
 export const ORIENTATION_OPTIONS = [
   setting('method', 'NAME', 'orientation.method'),
@@ -188,9 +196,14 @@ export function settingsOf(options, values) {
   const settings = defaults();
   /** @type {Record<string, Record<string, unknown>>} */
   const groups = Object.fromEntries(Object.entries(settings));
+  /** @type {Map<string, string>} */
+  const givenBy = new Map();
   for (const { name, key, negates } of options) {
     const given = values.get(name);
     if (!key || given === undefined) continue;
+    const other = givenBy.get(key);
+    if (other !== undefined) throw new UsageError(`--${other} and --${name} set the same; give one of them`);
+    givenBy.set(key, name);
     const [group = '', field = ''] = key.split('.');
     Object.assign(groups[group] ?? {}, { [field]: negates ? !given : given });
   }

@@ -8,7 +8,7 @@ import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
-const FOCAL = { ...real('focal-mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
+const FOCAL = { ...real('focal-mm', 'focal_mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
 const OPTIONS = [FOCAL, BASE, ...ORIENTATION_OPTIONS, JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
@@ -18,7 +18,7 @@ export const orient = {
   positionals: ['OBSERVATIONS.csv'],
   options: OPTIONS,
   details: 'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. '
-    + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with those of the interior orientations, null where not known), sigma0_mm, degrees_of_freedom, '
+    + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), sigma0_mm, degrees_of_freedom, '
     + 'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, weaknesses, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], '
     + 'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
   run({ positionals: [file = ''], values }) {
@@ -66,7 +66,7 @@ export function describeOrientation(o, pixelMm) {
   const sigma = pixelMm === null || o.sigma0_mm === null ? '' : ` = ${fixed(o.sigma0_mm / pixelMm, 3)} px`;
   return [
     table([
-      ['', 'value', 'std. error', ...(o.total_standard_errors ? ['with interior'] : [])],
+      ['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : [])],
       ...rows,
     ]),
     '',

@@ -7,6 +7,9 @@ export const printJson = (value) => void process.stdout.write(`${JSON.stringify(
 /** @param {string[]} lines */
 export const print = (...lines) => void process.stdout.write(`${lines.join('\n')}\n`);
 
+/** One line beside the result, on stderr.  @param {string} text */
+export const note = (text) => void process.stderr.write(`tiepoint: ${text}\n`);
+
 /** Typed arrays as plain ones, for JSON.  @param {string} _key @param {unknown} value */
 function plain(_key, value) {
   return ArrayBuffer.isView(value) && !(value instanceof DataView) ? Array.from(/** @type {Float64Array} */ (value)) : value;

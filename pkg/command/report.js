@@ -7,7 +7,7 @@ import { JSON_FLAG, path, POINT_OPTIONS, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
 import { inputOf, PAIR_OPTIONS } from './pair.js';
 import { Progress } from './progress.js';
-import { checkSize, readTruth } from './truth.js';
+import { checkPair, readTruth } from './truth.js';
 
 const OPTIONS = [
   path('out', 'DIR', 'Folder that receives report.html; required.'),
@@ -37,7 +37,7 @@ export const report = {
     const left = reading.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = reading.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     reading.end();
-    if (truth) checkSize(truth, left);
+    if (truth) checkPair(truth, left, right);
     const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth);
     const progress = new Progress(made.steps().length + 1);
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());

@@ -7,7 +7,7 @@ import { print, printJson } from './output.js';
 import { greyPng } from './png.js';
 import { Progress } from './progress.js';
 import { shellWord } from './text.js';
-import { denseMap } from './truth.js';
+import { denseMap, greyDigest } from './truth.js';
 
 /**
  * @typedef {import('../node.js').SamplePair} SamplePair
@@ -105,8 +105,8 @@ const truthOf = (made, flight) => ({
   f_mm: made.camera.focal_mm,
   patch_size: [made.left.width, made.left.height],
   right_patch_size: [made.right.width, made.right.height],
-  left: { patch_origin_col_row: made.left_origin },
-  right: { patch_origin_col_row: made.right_origin },
+  left: { patch_origin_col_row: made.left_origin, grey_sha256: greyDigest(made.left.grey) },
+  right: { patch_origin_col_row: made.right_origin, grey_sha256: greyDigest(made.right.grey) },
   flight,
 });
 
@@ -119,7 +119,9 @@ function matchCommand(files, made) {
   return [
     'tiepoint', 'match', file('left'), file('right'), '--camera', file('camera'),
     '--left-fiducials', file('left_fiducials'), '--right-fiducials', file('right_fiducials'),
-    '--left-origin', made.left_origin.join(','), '--right-origin', made.right_origin.join(','), '--base-mm', String(made.base_mm),
+    '--left-origin', made.left_origin.join(','), '--right-origin', made.right_origin.join(','),
+    // Photos from one place have no base that could give by and bz their scale.
+    ...(made.base_mm === 0 ? [] : ['--base-mm', String(made.base_mm)]),
     '--truth', file('truth'),
   ];
 }

@@ -1,20 +1,33 @@
 // @ts-check
 /** The truth of a simulated pair on disk: truth.json with the relative orientation, and the dense map beside it. */
 
-import { statSync } from 'node:fs';
+import { createHash } from 'node:crypto';
 import { dirname, join } from 'node:path';
 import { score_matches } from '../node.js';
 import { DataError } from './errors.js';
-import { readBytes, readText } from './files.js';
+import { isFolder, readBytes, readText } from './files.js';
 
 /**
  * @typedef {import('../node.js').PairOutput} PairOutput
  * @typedef {import('../node.js').FiveParameters} FiveParameters
- * @typedef {{ orientation: FiveParameters, base_mm: number, width: number, height: number, right_position: Float32Array }} Truth
+ * @typedef {object} Truth
+ * @property {FiveParameters} orientation
+ * @property {number} base_mm
+ * @property {number} width of the left image
+ * @property {number} height
+ * @property {Float32Array} right_position
+ * @property {Record<Side, string | null>} digests of both images' grey values; null where the file has none
+ * @typedef {'left' | 'right'} Side
+ * @typedef {{ width: number, height: number, grey: () => Uint8Array }} GreyPhoto
  */
 
 const MAP = 'map_row_col.f32';
 const NAMES = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']);
+
+const SIDES = /** @type {const} */ (['left', 'right']);
+
+/** Names an image by its grey values, row by row: whatever file holds them.  @param {Uint8Array} grey */
+export const greyDigest = (grey) => createHash('sha256').update(grey).digest('hex');
 
 /**
  * The map as a file (row and column, the centre of the top-left pixel at 0), and where it says something.
@@ -48,12 +61,16 @@ export function readTruth(path) {
   const [width, height] = Array.isArray(json.patch_size) ? json.patch_size : [];
   if (!Number.isInteger(width) || !Number.isInteger(height) || width < 1 || height < 1) throw new DataError(`${file}: patch_size must be [columns, rows]`);
   if (!Number.isFinite(json.b_mm)) throw new DataError(`${file}: b_mm, the photo base, is missing or no number`);
-  return { orientation, base_mm: json.b_mm, width, height, right_position: readMap(join(dirname(file), MAP), width, height) };
+  const digests = { left: readDigest(file, json, 'left'), right: readDigest(file, json, 'right') };
+  return { orientation, base_mm: json.b_mm, width, height, right_position: readMap(join(dirname(file), MAP), width, height), digests };
 }
 
-/** @param {string} path */
-function isFolder(path) {
-  return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
+/** Truths of other origin name no digest.  @param {string} file @param {any} json @param {Side} side @returns {string | null} */
+function readDigest(file, json, side) {
+  const digest = json[side]?.grey_sha256;
+  if (digest === undefined || digest === null) return null;
+  if (typeof digest !== 'string' || !/^[0-9a-f]{64}$/.test(digest)) throw new DataError(`${file}: ${side}.grey_sha256 must be 64 hexadecimal digits`);
+  return digest;
 }
 
 /** @param {string} path @param {number} width @param {number} height @returns {Float32Array} x and y in px */
@@ -69,23 +86,45 @@ function readMap(path, width, height) {
   return positions;
 }
 
-/** A truth is of one pair.  @param {Truth} truth @param {{ width: number, height: number }} left */
-export function checkSize(truth, left) {
-  if (left.width === truth.width && left.height === truth.height) return;
-  throw new DataError(`the truth is of ${truth.width} x ${truth.height} px; the left image has ${left.width} x ${left.height}`);
+/** A truth is of one pair, in its order.  @param {Truth} truth @param {GreyPhoto} left @param {GreyPhoto} right */
+export function checkPair(truth, left, right) {
+  if (left.width !== truth.width || left.height !== truth.height) {
+    throw new DataError(`the truth is of ${truth.width} x ${truth.height} px; the left image has ${left.width} x ${left.height}`);
+  }
+  const found = { left: greyDigest(left.grey()), right: greyDigest(right.grey()) };
+  if (found.left === truth.digests.right && found.right === truth.digests.left && found.left !== found.right) {
+    throw new DataError('the truth is of this pair in the other order; exchange the left and the right image');
+  }
+  for (const side of SIDES) {
+    const wanted = truth.digests[side];
+    if (wanted === null || wanted === found[side]) continue;
+    throw new DataError(`the truth is of another pair: the grey values of the ${side} image have the SHA-256 digest ${short(found[side])}; allowed: ${short(wanted)}`);
+  }
 }
+
+/** @param {string} digest */
+const short = (digest) => `${digest.slice(0, 12)}…`;
 
 /**
  * What a run is worth by the truth: right and missed matches, true errors of the orientation beside its standard errors.
- * @param {PairOutput} output @param {Truth} truth @param {{ width: number, height: number }} left @param {{ width: number, height: number }} right
+ * @param {PairOutput} output @param {Truth} truth @param {{ width: number, height: number }} right
  */
-export function scoreOf(output, truth, left, right) {
-  checkSize(truth, left);
+export function scoreOf(output, truth, right) {
   const score = score_matches(output.match.matches, output.left.points, truth.right_position, truth.width, truth.height, right.width, right.height);
   const { rightness, ...counts } = score;
   const o = output.orientation;
-  const errors = o && Object.fromEntries(NAMES.map((name) => [name, o[name] - truth.orientation[name]]));
+  const known = o && atBase(truth, o.base_mm);
+  const errors = o && known && Object.fromEntries(NAMES.map((name) => [name, o[name] - known[name]]));
   return { ...counts, strict_share: share(score.strict, score.matches), right_share: share(score.right, score.matches), errors, rightness: [...rightness] };
+}
+
+/**
+ * The true orientation with by and bz at the scale of another base; NaN where the true base is 0, which has no scale.
+ * @param {Truth} truth @param {number} baseMm @returns {FiveParameters}
+ */
+function atBase({ orientation, base_mm }, baseMm) {
+  const scale = base_mm === 0 ? NaN : baseMm / base_mm;
+  return { ...orientation, by_mm: scale * orientation.by_mm, bz_mm: scale * orientation.bz_mm };
 }
 
 /** @param {number} part @param {number} whole @returns {number | null} */

@@ -800,6 +800,11 @@ export class Report {
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
 
 /**
+ * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
+ */
+export function check_flight(flight: Given<Flight>): void;
+
+/**
  * The same offset (right minus left position, px) everywhere.
  */
 export function constant_offset(dx: number, dy: number): OffsetField;
@@ -971,6 +976,7 @@ export interface InitOutput {
     readonly __wbg_photo_free: (a: number, b: number) => void;
     readonly __wbg_report_free: (a: number, b: number) => void;
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+    readonly check_flight: (a: any) => [number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
     readonly defaults: () => any;
     readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];

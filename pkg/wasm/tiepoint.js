@@ -259,6 +259,17 @@ export function candidates(index, left_points, left_descriptors, right_points, r
 }
 
 /**
+ * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
+ * @param {Given<Flight>} flight
+ */
+export function check_flight(flight) {
+    const ret = wasm.check_flight(flight);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
  * The same offset (right minus left position, px) everywhere.
  * @param {number} dx
  * @param {number} dy

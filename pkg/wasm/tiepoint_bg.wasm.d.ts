@@ -4,6 +4,7 @@ export const memory: WebAssembly.Memory;
 export const __wbg_photo_free: (a: number, b: number) => void;
 export const __wbg_report_free: (a: number, b: number) => void;
 export const candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+export const check_flight: (a: any) => [number, number];
 export const constant_offset: (a: number, b: number) => [number, number, number];
 export const defaults: () => any;
 export const draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];

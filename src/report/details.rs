@@ -13,7 +13,13 @@ const ROWS: usize = 15;
 pub fn interior(report: &Report) -> Result<Markup, Error> {
     let [left, right] = [&report.input.left, &report.input.right];
     if left.fiducials.is_empty() && right.fiducials.is_empty() {
-        return Ok(html! { p { "No fiducial marks: photo coordinates follow from the pixel size." } });
+        let known = report.studies[0].result.interior.is_some();
+        return Ok(html! {
+            p {
+                @if known { "No fiducial marks: photo coordinates follow from the pixel size." }
+                @else { "Neither fiducial marks nor a camera with its pixel size are known: there are no photo coordinates." }
+            }
+        });
     }
     let row = |name: &str, photo: &PhotoInput| -> Result<Markup, Error> {
         if photo.fiducials.is_empty() {

@@ -26,10 +26,19 @@ pub struct ReportImage {
 #[derive(Debug, Clone)]
 pub struct ReportTruth {
     pub orientation: FiveParameters,
-    /// The true base component b, which by and bz of the truth are relative to.
+    /// The base that gives `by` and `bz` of the orientation their scale, in mm.
     pub base_mm: f64,
     /// As [`Sample::right_position`](crate::Sample::right_position).
     pub right_position: Vec<[f32; 2]>,
+}
+
+impl ReportTruth {
+    /// The orientation with `by` and `bz` at the scale of another base; they are not finite where the true base is 0, which has no scale.
+    fn orientation_at(&self, base_mm: f64) -> FiveParameters {
+        let scale = base_mm / self.base_mm;
+        let FiveParameters { by_mm, bz_mm, .. } = self.orientation;
+        FiveParameters { by_mm: scale * by_mm, bz_mm: scale * bz_mm, ..self.orientation }
+    }
 }
 
 /// A report in the making: each step matches the pair in one way.

@@ -14,7 +14,7 @@ pub struct Study {
     pub result: PairResult,
     /// Where the truth is known.
     pub score: Option<MatchScore>,
-    /// Estimated minus true, likewise.
+    /// Estimated minus true, likewise; `by` and `bz` at the scale of the estimated base.
     pub errors: Option<[f64; 5]>,
 }
 
@@ -60,10 +60,8 @@ pub fn study(
         score_matches(&matches, &points, &truth)
     });
     let errors = truth.zip(result.orientation.as_ref().ok()).map(|(truth, orientation)| {
-        let (found, known) = (five(&orientation.parameters), five(&truth.orientation));
-        // by and bz have the scale of the base that was fixed.
-        let scale = orientation.base_mm / truth.base_mm;
-        std::array::from_fn(|k| found[k] - if k < 3 { known[k] } else { known[k] * scale })
+        let (found, known) = (five(&orientation.parameters), five(&truth.orientation_at(orientation.base_mm)));
+        std::array::from_fn(|k| found[k] - known[k])
     });
     Ok(Study { name, settings: settings.clone(), result, score: score.transpose()?, errors })
 }

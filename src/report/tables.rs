@@ -4,7 +4,7 @@ use super::paper::{PIXEL_MM, SIGMA0_MM, TABLE_1, TABLE_2, TABLE_3};
 use super::study::Study;
 use super::text::{UNKNOWNS, count, five, fixed, percent};
 use super::{Report, ReportTruth};
-use crate::{FiveParameters, MatchScore, Rule};
+use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule};
 use maud::{Markup, html};
 
 /// Table 1: how many points each phase left.
@@ -125,7 +125,7 @@ pub fn standard_errors(report: &Report) -> Markup {
             }
             @if with_interior {
                 tbody {
-                    tr.subhead { th colspan=(report.studies.len() + 2) { "with the errors of the measured fiducial marks" } }
+                    tr.subhead { th colspan=(report.studies.len() + 2) { "in total: with what neighbouring matches share, and the errors of the measured fiducial marks" } }
                     (parameter_rows(&report.studies, total, None))
                 }
             }
@@ -166,7 +166,18 @@ pub fn orientations(report: &Report) -> Markup {
                 }
             }
         }
+        @if let Some(truth) = report.truth.as_ref().filter(|truth| has_other_base(report, truth)) {
+            p.note {
+                "by and bz of the truth belong to its base of " (fixed(truth.base_mm, 3)) " mm. Where a strategy was oriented with another base, its true "
+                "errors are those against the truth at the scale of that base."
+            }
+        }
     }
+}
+
+/// Whether an orientation has another base than the truth, and with it another scale of its by and bz.
+fn has_other_base(report: &Report, truth: &ReportTruth) -> bool {
+    report.studies.iter().any(|study| study.result.orientation.as_ref().is_ok_and(|o| o.base_mm != truth.base_mm))
 }
 
 fn true_error(study: &Study, k: usize, digits: usize) -> Markup {
@@ -226,12 +237,26 @@ fn difference_of_pairs(truth: Option<&ReportTruth>) -> Markup {
 
 fn difference_of_matches(moments: &Study) -> Markup {
     let points = moments.result.left.points.len();
+    let denominator = match moments.settings.matching.denominator {
+        Denominator::Maxabs => "the larger magnitude is the denominator",
+        Denominator::Floor => "the larger magnitude, or the median magnitude of the moment where that is more, is the denominator",
+    };
     html! {
         "Matches. The paper accepts the smallest measure below 3 in the search window. As printed, its measure has a denominator that can vanish, and "
-        "a best candidate of many is below 3 nearly always. Here the larger magnitude is the denominator, and ambiguous, many-to-one and "
-        "y-parallax rules refuse what is not consistent: " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
+        "a best candidate of many is below 3 nearly always. Here " (denominator) ", and matches "
+        "are refused that are " (inconsistent(&moments.settings.matching)) ": " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
         (percent(moments.result.matching.matches.len(), points)) ") are matched; in the paper " (count(TABLE_1[2][0])) " of " (count(TABLE_1[1][0])) " ("
         (percent(TABLE_1[2][0], TABLE_1[1][0])) ")."
+    }
+}
+
+/// Which matches the rules of consistency refuse, of those that are switched on.
+fn inconsistent(options: &MatchOptions) -> &'static str {
+    match (options.ambiguity < 1.0, options.parallax_neighbours > 0) {
+        (true, true) => "ambiguous, many to one, or off the y-parallax of their neighbours",
+        (true, false) => "ambiguous or many to one",
+        (false, true) => "many to one, or off the y-parallax of their neighbours",
+        (false, false) => "many to one",
     }
 }
 

@@ -20,5 +20,5 @@ mod truth;
 mod view;
 
 pub use flight::{Flight, Preset};
-pub use sample::{SAMPLE_SEED, Sample, sample_pair, simulate};
+pub use sample::{SAMPLE_SEED, Sample, check_flight, sample_pair, simulate};
 pub use score::{DenseTruth, MatchScore, RIGHT_WITHIN_PX, Rightness, score_matches};

@@ -80,6 +80,14 @@ pub fn simulate(flight: &Flight) -> Result<Sample, Error> {
     })
 }
 
+/// Refuses what [`simulate`] refuses, at once: nothing is built or rendered.
+///
+/// # Errors
+/// As [`simulate`].
+pub fn check_flight(flight: &Flight) -> Result<(), Error> {
+    Placed::new(flight).map(|_| ())
+}
+
 /// A flight before the shutter opens.
 pub(super) struct Stage {
     pub(super) scene: Scene,
@@ -89,14 +97,30 @@ pub(super) struct Stage {
 }
 
 impl Stage {
-    /// Checks a flight, places its photos and builds its scene.
+    /// Places the photos of a flight and builds its scene.
     pub(super) fn new(flight: &Flight) -> Result<Self, Error> {
+        let Placed { photos, scan_random, area } = Placed::new(flight)?;
+        Ok(Self { scene: Scene::new(flight, area), photos, scan_random })
+    }
+}
+
+/// The photos of a flight over ground that is not built yet.
+struct Placed {
+    photos: [Photo; 2],
+    scan_random: [Random; 2],
+    /// The ground that has to be built.
+    area: Rectangle,
+}
+
+impl Placed {
+    /// Checks a flight and places its photos.
+    fn new(flight: &Flight) -> Result<Self, Error> {
         flight.check()?;
         let mut scan_random = [Stream::LeftScan, Stream::RightScan].map(|stream| Random::new(flight.seed, stream));
         let scans = scan_random.each_mut().map(|random| Scan::new(flight.pixel_mm, random));
         let photos = photos(flight, scans, cut_px(&mut Random::new(flight.seed, Stream::Cut)));
-        let scene = Scene::new(flight, ground_area(flight, photos.each_ref())?);
-        Ok(Self { scene, photos, scan_random })
+        let area = ground_area(flight, photos.each_ref())?;
+        Ok(Self { photos, scan_random, area })
     }
 }
 

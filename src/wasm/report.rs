@@ -59,12 +59,12 @@ fn read_truth(value: &JsValue) -> JsResult<Option<ReportTruth>> {
         return Ok(None);
     }
     let refused = |got: &str| {
-        let allowed = "an object {orientation, right_position} with base_mm as simulate gives them".to_string();
+        let allowed = "an object {orientation, base_mm, right_position} as simulate gives them".to_string();
         thrown(Error::InvalidInput { what: "truth", got: got.to_string(), allowed })
     };
     let field = |name: &str| Reflect::get(value, &name.into()).map_err(|_| refused("no object"));
     let orientation: FiveParameters = read("truth", &field("orientation")?)?;
+    let base_mm = field("base_mm")?.as_f64().ok_or_else(|| refused("no number as base_mm"))?;
     let flat = field("right_position")?.dyn_into::<Float32Array>().map_err(|_| refused("no Float32Array as right_position"))?.to_vec();
-    let base_mm = field("base_mm")?.as_f64().filter(|b| b.is_finite() && *b != 0.0).ok_or_else(|| refused("no base_mm other than 0"))?;
     Ok(Some(ReportTruth { orientation, base_mm, right_position: flat.as_chunks::<2>().0.to_vec() }))
 }

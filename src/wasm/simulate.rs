@@ -1,7 +1,10 @@
 //! Simulated flights, and the score of matches by their truth.
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
-use crate::{DenseTruth, FLIGHT_PARAMETERS, Flight, GreyImage, Preset, Rightness, score_matches as score_by_truth, simulate as fly};
+use crate::{
+    DenseTruth, FLIGHT_PARAMETERS, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth,
+    simulate as fly,
+};
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -57,6 +60,12 @@ pub fn flight_presets() -> JsValue {
 #[wasm_bindgen(unchecked_return_type = "Flight")]
 pub fn flight_preset(#[wasm_bindgen(unchecked_param_type = "Preset")] name: &JsValue) -> JsResult<JsValue> {
     Ok(pack(&read::<Preset>("preset", name)?.flight()))
+}
+
+/// Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
+#[wasm_bindgen]
+pub fn check_flight(#[wasm_bindgen(unchecked_param_type = "Given<Flight>")] flight: &JsValue) -> JsResult<()> {
+    check(&read_options::<Flight>("flight", flight)?).map_err(thrown)
 }
 
 /// Renders the pair of a flight; parameters that are absent are those of the sample.

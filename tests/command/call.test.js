@@ -1,8 +1,8 @@
 /** How the command is called: help, exit codes, and one line that says what to change. */
 
 import assert from 'node:assert/strict';
-import { spawn } from 'node:child_process';
-import { mkdirSync, readFileSync } from 'node:fs';
+import { spawn, spawnSync } from 'node:child_process';
+import { closeSync, existsSync, mkdirSync, openSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { file, folder, image, json, PROGRAM, speckle, tiepoint } from './command.js';
@@ -108,6 +108,31 @@ test('a folder that cannot be written to is named before the work starts', () =>
   refuses(1, /cannot write to the folder .*taken/, 'sample', '--out', join(taken, 'below'));
   mkdirSync(join(at, 'left.png'), { recursive: true });
   refuses(1, /cannot write .*left\.png: it is a folder/, 'sample', '--out', at);
+});
+
+test('a folder that the system refuses to make is an error, not a search without end', { skip: !existsSync('/proc/self') && 'there is no /proc' }, () => {
+  refuses(1, /cannot write to the folder \/proc\/nothing\/below: /, 'sample', '--out', '/proc/nothing/below');
+});
+
+test('folders are made with all that is missing above them', () => {
+  const out = join(at, 'made', 'by', 'parts');
+  const { code, stderr } = tiepoint('simulate', '--out', `${out}/.`, '--width-px', '40', '--height-px', '40');
+  assert.deepEqual([code, stderr], [0, '']);
+  assert.ok(existsSync(join(out, 'truth.json')));
+});
+
+test('output that cannot be written is told in one line', { skip: !existsSync('/dev/full') && 'there is no /dev/full' }, () => {
+  const full = openSync('/dev/full', 'w');
+  const { status, stderr } = spawnSync(process.execPath, [PROGRAM, 'points', picture, '--json'], { encoding: 'utf8', stdio: ['ignore', full, 'pipe'] });
+  closeSync(full);
+  assert.deepEqual([status, stderr], [1, 'tiepoint: cannot write the output: the disk is full\n']);
+});
+
+test('help names a unit only where the value is given in it', () => {
+  const help = tiepoint('simulate', '--help').stdout;
+  assert.match(help, /--distortion N\n[^]*?Its unit is mm⁻²/);
+  assert.match(help, /--offset-grey GREY\n/);
+  assert.match(help, /--kappa-deg DEG\n/);
 });
 
 test('values may start with a minus sign or follow an equals sign', () => {

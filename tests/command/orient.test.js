@@ -76,6 +76,11 @@ test('too few observations and points on a line are refused with the reason', ()
   assert.match(degenerate.stderr, /^tiepoint: [^\n]+\n$/);
 });
 
+test('what the crate refuses has the name of its option', () => {
+  const { code, stderr } = tiepoint('orient', file(at, 'small.csv', observations(20)), '--focal-mm', '0.00001', '--base-mm', '92');
+  assert.deepEqual([code, stderr], [2, 'tiepoint: --focal-mm is 0.00001; allowed: 0.001 to 100000\n']);
+});
+
 test('the table shows values with their standard errors', () => {
   const { code, stdout } = tiepoint('orient', file(at, 'exact.csv', observations(40)), ...CALL);
   assert.equal(code, 0);

@@ -46,10 +46,12 @@ test('a flight that cannot be flown is refused by name', () => {
     [['--noise-grey', 'much'], /--noise-grey is much; allowed: a number/],
     [['--preset', 'easy'], /--preset is easy; allowed: sample, paper, hard, lively/],
     [['--width-px', '4000'], /overlap|columns|width/i],
+    [['--base-mm', '200', '--width-px', '450'], /--width-px is 450; allowed: 16 to 118$/],
   ])) {
-    const { code, stderr } = tiepoint('simulate', '--out', folder(), ...SMALL.filter((_, i) => !options[0].startsWith('--width') || i > 1), ...options);
+    const { code, stderr } = tiepoint('simulate', '--out', folder(), ...SMALL.filter((_, i) => !options.some((option) => option === '--width-px') || i > 1), ...options);
     assert.ok(code === 1 || code === 2, stderr);
-    assert.match(stderr, pattern);
+    assert.match(stderr.trimEnd(), pattern);
+    assert.doesNotMatch(stderr, /flight\./);
   }
   assert.match(tiepoint('simulate').stderr, /--out is missing/);
 });
@@ -64,6 +66,41 @@ test('a truth that does not fit, or is damaged, is refused by name', () => {
   assert.match(against(at).stderr, /map_row_col\.f32: it has 5 bytes; allowed: 352000/);
   writeFileSync(join(at, 'truth.json'), '{}');
   assert.match(against(at).stderr, /relative_orientation\.omega_deg is missing/);
+});
+
+test('a truth is taken for its own pair alone, in its own order', () => {
+  const { at, files, match } = made();
+  const truth = ['--truth', at];
+  assert.match(tiepoint('match', files.right, files.left, ...truth).stderr, /the truth is of this pair in the other order/);
+  const other = made('--seed', '7');
+  const refused = tiepoint('report', files.left, other.files.right, ...truth, '--out', at);
+  assert.equal(refused.code, 1);
+  assert.match(refused.stderr, /the truth is of another pair: the grey values of the right image have the SHA-256 digest [0-9a-f]{12}…; allowed: [0-9a-f]{12}…/);
+  // A truth without digests is taken by its size.
+  const path = join(at, 'truth.json');
+  const json_ = JSON.parse(readFileSync(path, 'utf8'));
+  delete json_.left.grey_sha256;
+  delete json_.right;
+  writeFileSync(path, JSON.stringify(json_));
+  assert.ok(json(...match).score.right_share > 0.8);
+  writeFileSync(path, JSON.stringify({ ...json_, left: { grey_sha256: 'none' } }));
+  assert.match(tiepoint(...match).stderr, /left\.grey_sha256 must be 64 hexadecimal digits/);
+});
+
+test('true errors of by and bz are at the scale of the base that was used', () => {
+  const { match } = made();
+  const place = match.indexOf('--base-mm') + 1;
+  const [own, double] = [1, 2].map((factor) => json(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? String(factor * Number(word)) : word))));
+  for (const [name, scale] of /** @type {const} */ ([['omega_deg', 1], ['kappa_deg', 1], ['by_mm', 2], ['bz_mm', 2]])) {
+    assert.ok(Math.abs(double.score.errors[name] - scale * own.score.errors[name]) < 1e-6, `${name}: ${own.score.errors[name]}, ${double.score.errors[name]}`);
+  }
+});
+
+test('a flight without a base names no base to match with', () => {
+  const { match } = made('--base-mm', '0', '--by-mm', '0', '--bz-mm', '0');
+  assert.ok(!match.includes('--base-mm'));
+  const { code, stderr } = tiepoint('match', ...match.slice(1));
+  assert.equal(code, 0, stderr);
 });
 
 test('the report of a flight is one file that holds everything', () => {

@@ -52,8 +52,10 @@ test('the limits of the strategies act', () => {
 test('matching along epipolar lines needs a camera and finds more that is right', () => {
   const along = run('--epipolar');
   assert.ok(along.score.right > moments.score.right && along.score.right_share > moments.score.right_share);
-  const bare = [...call.slice(0, 3), '--epipolar'];
-  assert.deepEqual(json(...bare).matches, json(...call.slice(0, 3)).matches);
+  const { code, stdout, stderr } = tiepoint(...call.slice(0, 3), '--epipolar', '--base-mm', '92', '--json');
+  assert.equal(code, 0);
+  assert.deepEqual(JSON.parse(stdout).matches, json(...call.slice(0, 3)).matches);
+  assert.equal(stderr, 'tiepoint: without effect, since the camera is not known: --epipolar, --base-mm\n');
 });
 
 test('the old names of the measures are the strategies', () => {
@@ -82,6 +84,7 @@ test('the statistics follow the options', () => {
 test('bad values are usage errors that name what is allowed', () => {
   const pair = call.slice(0, 3);
   for (const [options, pattern] of /** @type {const} */ ([
+    [['--strategy', 'correlation', '--measure', 'dm'], /--strategy and --measure set the same; give one of them/],
     [['--strategy', 'sift'], /--strategy is sift; allowed: moments, invariants, correlation, least-squares/],
     [['--refine', 'yes'], /--refine is yes; allowed: none, least-squares/],
     [['--template', '12'], /--template is 12; allowed: odd whole numbers from 5 to 63/],

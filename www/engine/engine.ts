@@ -129,7 +129,7 @@ export class Engine implements Workers {
       return;
     }
     const ended = error instanceof CallError && error.ended;
-    this.store.dispatch({ type: 'stageFailed', stage, failure: { key, ended, message: plainMessage(stage, error) } });
+    this.store.dispatch({ type: 'stageFailed', stage, failure: { key, ended, message: plainMessage(stage, error, this.store.state.catalogue) } });
   }
 }
 

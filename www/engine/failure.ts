@@ -1,5 +1,7 @@
 /** What the page says when a stage has no result: what happened, what is kept, what to try. */
+import { readable } from '../state/names';
 import type { StageName } from '../state/state';
+import type { Catalogue } from './wasm';
 import { CallError } from './client';
 import { STAGES } from './stages';
 
@@ -23,8 +25,8 @@ function advice(stage: StageName): string {
 }
 
 /** A sentence or two for the user. */
-export function plainMessage(stage: StageName, error: unknown): string {
-  const text = error instanceof Error ? error.message : String(error);
+export function plainMessage(stage: StageName, error: unknown, catalogue: Catalogue | null): string {
+  const text = readable(catalogue, error instanceof Error ? error.message : String(error));
   if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
   switch (error.failure.kind) {
     case 'refused':

@@ -1,6 +1,7 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
 import type { GivenImage, PointWindow, Side, StageName, StageValues, State } from '../state/state';
 import { comparesGreyValues, isCurrent, pairCameras } from '../state/keys';
+import { readable } from '../state/names';
 import { truthOf } from '../state/truth';
 import type { PairInterior } from './wasm';
 import type { MatchInput, Output } from './calls';
@@ -161,7 +162,7 @@ async function windowAt(workers: Workers, state: State, side: Side, [x, y]: Posi
     return { col, row, report: await worker.call('moments', { col, row, window: comparedWindow(state) }), problem: null };
   } catch (error) {
     // A window that leaves the image or is constant is an answer, not a failure.
-    if (error instanceof CallError && error.failure.kind === 'refused') return { col, row, report: null, problem: error.message };
+    if (error instanceof CallError && error.failure.kind === 'refused') return { col, row, report: null, problem: readable(state.catalogue, error.message) };
     throw error;
   }
 }

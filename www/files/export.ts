@@ -88,9 +88,15 @@ export function everything(state: State): object {
       right: state.results.interiorRight?.value ?? null,
     },
     orientation: orientation === null ? null : { ...orientation, points: rows(orientation.points, 9).map((point) => point.map(finite)) },
-    truth: truthOf(state)?.orientation ?? null,
+    truth: trueOrientation(state),
     score: scoreOf(state),
   };
+}
+
+/** The true orientation with the base that its by and bz belong to. */
+function trueOrientation(state: State) {
+  const truth = truthOf(state);
+  return truth === null ? null : { ...truth.orientation, base_mm: truth.baseMm };
 }
 
 /** How right the matches are, where the truth is known. */

@@ -2,6 +2,7 @@
 import { CallError, Cancelled } from '../engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../engine/wasm';
+import { readable } from '../state/names';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { sortFiles } from './sort';
@@ -57,7 +58,7 @@ export class Files {
       this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled. Nothing was changed.' } });
       return;
     }
-    this.problem(`${what}: ${error instanceof Error ? error.message : String(error)}. What was open is kept.`);
+    this.problem(`${what}: ${readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error))}. What was open is kept.`);
   }
 
   /** Fiducials named "right", or the second of two tables, belong right. */
@@ -71,7 +72,7 @@ export class Files {
     try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${String(fiducials.length)} fiducial marks of the ${side} image from ${file.name}.` } });
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${String(fiducials.length)} fiducial ${fiducials.length === 1 ? 'mark' : 'marks'} of the ${side} image from ${file.name}.` } });
     } catch (error) {
       this.failed(`${file.name} holds no fiducial marks`, error);
     }

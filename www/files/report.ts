@@ -19,7 +19,7 @@ function inputOf(state: State): ReportInput | null {
     names: [left.name, right.name],
     input: { camera, offset, left: photo('left'), right: photo('right') },
     settings,
-    truth: truth === null ? null : { orientation: truth.orientation, right_position: truth.rightPosition },
+    truth: truth === null ? null : { orientation: truth.orientation, base_mm: truth.baseMm, right_position: truth.rightPosition },
   };
 }
 

@@ -1,72 +1,60 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
+import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
 import type { Camera, ExifCamera } from '../engine/wasm';
 import { pairCameras } from '../state/keys';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from './dom';
 import { significant } from './format';
+import { numberField, problemLine, readNumber, readPair, showNumber } from './numberfield';
 
-interface NumberField {
-  element: HTMLElement;
-  input: HTMLInputElement;
+/** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
+interface CameraNumber {
+  label: string;
+  unit: string;
+  testid: string;
+  of: (camera: Camera) => number | null | undefined;
+  alone: (value: number) => Partial<Camera>;
 }
 
-function numberField(label: string, unit: string, testid: string, onChange: () => void): NumberField {
-  const id = `c-${testid}`;
-  const input = h('input', { id, type: 'number', testid });
-  input.step = 'any';
-  input.inputMode = 'decimal';
-  input.addEventListener('change', onChange);
-  const name = h('label', { for: id }, label, unit === '' ? null : h('span', { class: 'unit' }, ` ${unit}`));
-  return { input, element: h('div', { class: 'control compact' }, name, input) };
-}
+const NUMBERS = [
+  { label: 'Focal length', unit: 'mm', testid: 'camera-focal', of: (c) => c.focal_mm, alone: (v) => ({ focal_mm: v }) },
+  { label: 'Pixel size', unit: 'mm', testid: 'camera-pixel', of: (c) => c.pixel_mm, alone: (v) => ({ pixel_mm: v }) },
+  { label: 'Principal pt x', unit: 'mm', testid: 'camera-x0', of: (c) => c.principal_point_mm?.[0], alone: (v) => ({ principal_point_mm: [v, 0] }) },
+  { label: 'Principal pt y', unit: 'mm', testid: 'camera-y0', of: (c) => c.principal_point_mm?.[1], alone: (v) => ({ principal_point_mm: [0, v] }) },
+  { label: 'k1', unit: 'mm⁻²', testid: 'camera-k1', of: (c) => c.radial_distortion?.[0], alone: (v) => ({ radial_distortion: [v, 0, 0] }) },
+  { label: 'k2', unit: 'mm⁻⁴', testid: 'camera-k2', of: (c) => c.radial_distortion?.[1], alone: (v) => ({ radial_distortion: [0, v, 0] }) },
+  { label: 'k3', unit: 'mm⁻⁶', testid: 'camera-k3', of: (c) => c.radial_distortion?.[2], alone: (v) => ({ radial_distortion: [0, 0, v] }) },
+] as const satisfies readonly CameraNumber[];
 
-/** The number typed; undefined where the field is empty or no number. */
-function typed({ input }: NumberField): number | undefined {
-  return Number.isFinite(input.valueAsNumber) ? input.valueAsNumber : undefined;
+/** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): Camera | null {
+  if (focal === undefined) return null;
+  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), radial_distortion: [k1, k2, k3] };
 }
 
 export function mountCamera(host: HTMLElement, store: Store, loadFile: () => void): void {
-  const change = () => { store.dispatch({ type: 'camera', camera: read() }); };
-  const fields = {
-    focal: numberField('Focal length', 'mm', 'camera-focal', change),
-    pixel: numberField('Pixel size', 'mm', 'camera-pixel', change),
-    x0: numberField('Principal pt x', 'mm', 'camera-x0', change),
-    y0: numberField('Principal pt y', 'mm', 'camera-y0', change),
-    k1: numberField('k1', 'mm⁻²', 'camera-k1', change),
-    k2: numberField('k2', 'mm⁻⁴', 'camera-k2', change),
-    k3: numberField('k3', 'mm⁻⁶', 'camera-k3', change),
+  const change = () => {
+    const last = store.state.camera;
+    const camera = cameraOf(fields.map((field, i) => {
+      const number = NUMBERS[i];
+      return number === undefined ? undefined : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? undefined);
+    }));
+    // A field whose value is not taken goes on showing it.
+    const same = NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null));
+    if (!same) store.dispatch({ type: 'camera', camera });
   };
-  const read = (): Camera | null => {
-    const focal = typed(fields.focal);
-    if (focal === undefined) return null;
-    const pixel = typed(fields.pixel);
-    return {
-      focal_mm: focal,
-      principal_point_mm: [typed(fields.x0) ?? 0, typed(fields.y0) ?? 0],
-      ...(pixel === undefined ? {} : { pixel_mm: pixel }),
-      radial_distortion: [typed(fields.k1) ?? 0, typed(fields.k2) ?? 0, typed(fields.k3) ?? 0],
-    };
-  };
+  const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
   const source = h('p', { class: 'note', testid: 'camera-source' });
   const load = button('Load camera.json …', 'load-camera', loadFile);
   const clear = button('Clear', 'clear-camera', () => { store.dispatch({ type: 'camera', camera: null }); });
   host.append(h('fieldset', { class: 'group' }, h('legend', {}, 'Camera'), source,
-    h('div', { class: 'pairs' }, ...Object.values(fields).map(({ element }) => element)), h('div', { class: 'buttons' }, load, clear)), offsetGroup(store));
+    h('div', { class: 'pairs' }, ...fields.map(({ element }) => element)), h('div', { class: 'buttons' }, load, clear)), offsetGroup(store));
   store.watch((s) => [s.camera] as const, ([camera]) => {
-    show(fields.focal, camera?.focal_mm);
-    show(fields.pixel, camera?.pixel_mm);
-    [fields.x0, fields.y0].forEach((field, i) => { show(field, camera?.principal_point_mm?.[i]); });
-    [fields.k1, fields.k2, fields.k3].forEach((field, i) => { show(field, camera?.radial_distortion?.[i]); });
+    fields.forEach((field, i) => { showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera)); });
     clear.disabled = camera === null;
   });
   store.watch((s) => [s.camera, s.results.openLeft, s.results.openRight, s.photos, s.truth] as const, () => { fill(source, sourceText(store.state)); });
-}
-
-/** Shows a number, unless the field already says the same. */
-function show({ input }: NumberField, value: number | null | undefined): void {
-  if (value == null) input.value = '';
-  else if (input.valueAsNumber !== value) input.value = String(value);
 }
 
 function exifText(name: string, exif: ExifCamera): string {
@@ -91,17 +79,16 @@ function sourceText(state: State): string {
 /** The offset of the right image: estimated, or given. */
 function offsetGroup(store: Store): HTMLElement {
   const change = () => {
-    const [x, y] = [typed(dx), typed(dy)];
-    store.dispatch({ type: 'offset', offset: x === undefined || y === undefined ? null : [x, y] });
+    const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
+    if (offset !== undefined) store.dispatch({ type: 'offset', offset });
   };
-  const dx = numberField('dx', 'px', 'offset-dx', change);
-  const dy = numberField('dy', 'px', 'offset-dy', change);
+  const problem = problemLine('offset');
+  const dx = numberField('dx', 'px', 'offset-dx', change, problem);
+  const dy = numberField('dy', 'px', 'offset-dy', change, problem);
   const found = h('p', { class: 'note', testid: 'offset-found' });
   store.watch((s) => [s.offset] as const, ([offset]) => {
-    if (offset !== null) {
-      show(dx, offset[0]);
-      show(dy, offset[1]);
-    }
+    showNumber(dx, offset?.[0]);
+    showNumber(dy, offset?.[1]);
   });
   store.watch((s) => [s.results.offset, s.offset] as const, ([result, given]) => {
     if (given !== null || result === undefined) {
@@ -112,5 +99,5 @@ function offsetGroup(store: Store): HTMLElement {
     const correlation = result.value.correlation;
     fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low, so the images may not overlap; a given offset may help' : ''}.`);
   });
-  return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element));
+  return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
 }

@@ -17,6 +17,8 @@ export interface Control {
   parameter: Parameter;
   element: HTMLElement;
   show: (value: Value) => void;
+  /** Says that the value shown is not allowed beside the others. */
+  refuse: (text: string) => void;
 }
 
 /** Beyond this many steps, or this range of a real number, a slider is too coarse to be of use. */
@@ -43,7 +45,11 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
     reset.hidden = binding.standard() === value;
   };
   field.onProblem((text) => { problem.textContent = text; });
-  return { parameter, element, show };
+  const refuse = (text: string) => {
+    problem.textContent = text;
+    element.querySelector(`[id="${id}"]`)?.setAttribute('aria-invalid', 'true');
+  };
+  return { parameter, element, show, refuse };
 }
 
 function helpButton(parameter: Parameter, help: HTMLElement): HTMLButtonElement {

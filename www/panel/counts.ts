@@ -5,7 +5,7 @@ import { GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
 import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import { fill, h, row, section } from './dom';
+import { fill, h, markStale, row, section } from './dom';
 import { count, percent, significant } from './format';
 import { swatch } from './swatch';
 import { styleOf } from '../view/palette';
@@ -33,13 +33,17 @@ export function mountCounts(host: HTMLElement, store: Store): void {
   const points = section('Points', 'counts-section', phases);
   const matches = section('Matches', 'matches-section', rules);
   host.append(points, matches);
-  store.watch((s) => [s.results, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset] as const, () => {
+  store.watch((s) => [s.results, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
     const { state } = store;
-    points.classList.toggle('is-stale', isStale(state, 'pointsLeft') || isStale(state, 'pointsRight'));
+    points.classList.toggle('is-stale', pointsAreStale(state));
     matches.classList.toggle('is-stale', isStale(state, 'match'));
     fill(phases, phaseTable(state));
     fill(rules, ruleTable(state, store), scoreLines(state));
   });
+}
+
+function pointsAreStale(state: State): boolean {
+  return isStale(state, 'pointsLeft') || isStale(state, 'pointsRight');
 }
 
 function cell(testid: string, text: string): HTMLTableCellElement {
@@ -61,8 +65,8 @@ function phaseTable(state: State): HTMLElement {
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Phase'), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right'),
       h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r'))),
     h('tbody', {}, ...body,
-      row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)),
-        h('td', { class: 'number paper' }, [PAPER_MATCHES, PAPER_MATCHES].map(count).join(' / '))),
+      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)),
+        h('td', { class: 'number paper' }, [PAPER_MATCHES, PAPER_MATCHES].map(count).join(' / '))), isStale(state, 'match') && !pointsAreStale(state)),
       row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), h('td', { class: 'number paper' }, '40 / 40'))));
 }
 
@@ -78,7 +82,8 @@ function ruleTable(state: State, store: Store): HTMLElement {
   return h('table', { aria: { label: 'What became of the left points' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Left points'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'), h('th', { scope: 'col' }, 'Show'))),
     h('tbody', {}, ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
-      ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
+      markStale(ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
+        gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match')),
       h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Refused by')), ...refused));
 }
 

@@ -71,6 +71,15 @@ export function section(title: string, testid: string, ...children: Child[]): HT
   return h('section', { class: 'section', testid, aria: { labelledby: id } }, h('h3', { id }, title), ...children);
 }
 
+/** Marks a row or a figure, within a panel that is up to date, whose numbers other settings made. */
+export function markStale<E extends HTMLElement>(element: E, stale: boolean): E {
+  if (stale) {
+    element.classList.add('is-earlier');
+    element.querySelector('th, figcaption')?.append(h('span', { class: 'earlier' }, 'earlier settings'));
+  }
+  return element;
+}
+
 /** A table row: a heading and cells. */
 export function row(heading: Child, ...cells: (Child | HTMLTableCellElement)[]): HTMLTableRowElement {
   return h(

@@ -1,9 +1,11 @@
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
+import { allowedOfOrigin } from '../engine/checks';
 import type { Fiducial } from '../engine/wasm';
 import type { PhotoData, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from './dom';
 import { fixed } from './format';
+import { numberInput, problemLine, readPair, showNumber } from './numberfield';
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const HEADS: Record<(typeof FIELDS)[number], string> = { col: 'col px', row: 'row px', x_mm: 'x mm', y_mm: 'y mm' };
@@ -16,7 +18,7 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
   });
   store.watch((s) => [s.fiducialModel] as const, ([value]) => { model.value = value; });
   host.append(h('fieldset', { class: 'group' }, h('legend', {}, 'Interior orientation'),
-    h('div', { class: 'control compact' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
+    h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
     photo('left', store, loadFile), photo('right', store, loadFile)));
 }
 
@@ -99,19 +101,19 @@ function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals
 
 /** Where the image lies in the scan whose marks were measured. */
 function originFields(side: Side, store: Store): HTMLElement {
-  const inputs = [0, 1].map((axis) => {
-    const input = h('input', { type: 'number', testid: `origin-${side}-${axis === 0 ? 'col' : 'row'}`, aria: { label: `${side} image in the scan, ${axis === 0 ? 'column' : 'row'}, px` } });
-    input.step = 'any';
-    return input;
-  });
+  const problem = problemLine(`origin-${side}`);
   const change = () => {
-    const [col = NaN, row = NaN] = inputs.map((input) => input.valueAsNumber);
-    store.dispatch({ type: 'photo', side, photo: { origin: Number.isFinite(col) && Number.isFinite(row) ? [col, row] : null } });
+    const origin = readPair(inputs, problem, allowedOfOrigin);
+    if (origin !== undefined) store.dispatch({ type: 'photo', side, photo: { origin } });
   };
-  for (const input of inputs) input.addEventListener('change', change);
+  const field = (name: string, testid: string) => {
+    const input = numberInput(testid, problem, change);
+    input.setAttribute('aria-label', `${side} image in the scan, ${name}, px`);
+    return input;
+  };
+  const inputs = [field('column', `origin-${side}-col`), field('row', `origin-${side}-row`)] as const;
   store.watch((s) => [s.photos[side].origin] as const, ([origin]) => {
-    if (origin !== null) inputs.forEach((input, axis) => { input.value = String(origin[axis] ?? ''); });
-    else if (inputs.every((input) => input !== document.activeElement)) for (const input of inputs) input.value = '';
+    inputs.forEach((input, axis) => { showNumber({ input, problem }, origin?.[axis]); });
   });
-  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row, in the scan whose marks were measured, of this image’s top-left corner. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs);
+  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row, in the scan whose marks were measured, of this image’s top-left corner. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs, problem);
 }

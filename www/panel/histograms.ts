@@ -6,7 +6,7 @@ import type { Histogram } from '../state/histogram';
 import { remember, shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
-import { fill, h, section, svg } from './dom';
+import { fill, h, markStale, section, svg } from './dom';
 import { count, significant } from './format';
 
 const BINS = 40;
@@ -23,7 +23,7 @@ export function mountHistograms(host: HTMLElement, store: Store): void {
   const panel = section('Histograms', 'histograms-section', body);
   host.append(panel);
   let round = 0;
-  store.watch((s) => [s.results, s.images, s.settings] as const, () => {
+  store.watch((s) => [s.results, s.images, s.settings, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
     panel.classList.toggle('is-stale', isStale(store.state, 'match'));
     round += 1;
     void update(body, store, () => round, round);
@@ -51,7 +51,8 @@ const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
     const { orientation } = shownPair(state);
     const interior = state.results.interiorLeft?.value.interior;
     if (orientation === null || interior === undefined) return null;
-    return chart('y-parallax residuals of the matches used', 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
+    const figure = chart('y-parallax residuals of the matches used', 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
+    return markStale(figure, isStale(state, 'orientation') && !isStale(state, 'match'));
   },
   (state) => {
     const { left } = shownPair(state);

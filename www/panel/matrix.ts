@@ -7,6 +7,9 @@ import { UNKNOWNS } from './unknowns';
 const CELL = 44;
 const HEAD = 26;
 
+/** The part of a cell that the number takes, below the square: a small square would strike it through. */
+const FOOT = 12;
+
 /** The matrix of correlations: the larger the square the stronger, filled where positive and hatched by its outline where negative. */
 export function correlationPicture({ correlations }: RelativeOrientation): HTMLElement {
   const size = HEAD + CELL * UNKNOWNS.length;
@@ -23,13 +26,14 @@ export function correlationPicture({ correlations }: RelativeOrientation): HTMLE
 
 /** The area of the square stands for the magnitude. */
 function cellOf(value: number, row: number, column: number): SVGGElement {
-  const side = (CELL - 4) * Math.sqrt(Math.min(1, Math.abs(value)));
+  const side = (CELL - FOOT - 4) * Math.sqrt(Math.min(1, Math.abs(value)));
   const x = HEAD + CELL * (column + 0.5);
   const y = HEAD + CELL * (row + 0.5);
+  const middle = y - FOOT / 2;
   return svg('g', { 'data-testid': `correlation-${String(row)}-${String(column)}` },
     svg('rect', { x: x - CELL / 2, y: y - CELL / 2, width: CELL, height: CELL, class: 'matrix-cell' }),
-    svg('rect', { x: x - side / 2, y: y - side / 2, width: side, height: side, class: value < 0 ? 'negative' : 'positive' }),
-    svg('text', { x, y: y + 4, class: 'matrix-value' }, fixed(value, 2)));
+    svg('rect', { x: x - side / 2, y: middle - side / 2, width: side, height: side, class: value < 0 ? 'negative' : 'positive' }),
+    svg('text', { x, y: y + CELL / 2 - 3, class: 'matrix-value' }, fixed(value, 2)));
 }
 
 const PLOT = 150;
@@ -44,7 +48,7 @@ export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number
   const truth = deviation === null ? [] : [svg('path', { d: cross(-deviation[0] * scale, deviation[1] * scale), class: 'truth' })];
   const half = PLOT / 2;
   return h('figure', { testid: 'ellipse' },
-    h('figcaption', { title: words }, `by, bz: ellipse ${significant(1000 * major)} × ${significant(1000 * minor)} µm${deviation === null ? '' : '; cross: truth'}`),
+    h('figcaption', { title: words }, `by, bz: ellipse ${significant(1000 * major)} × ${significant(1000 * minor)} µm; dashed: twice as large, 2 standard errors${deviation === null ? '' : '; cross: truth'}`),
     svg('svg', { viewBox: `${String(-half)} ${String(-half)} ${String(PLOT)} ${String(PLOT)}`, class: 'ellipse', role: 'img', 'aria-label': words },
       svg('path', { d: `M${String(-half)} 0h${String(PLOT)}M0 ${String(-half)}v${String(PLOT)}`, class: 'axis' }),
       svg('ellipse', { rx: major * scale, ry: minor * scale, transform: `rotate(${String(-angle)})`, class: 'outline' }),

@@ -1,8 +1,8 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
-import type { RelativeOrientation, Weakness } from '../engine/wasm';
+import type { FiveParameters, RelativeOrientation, Weakness } from '../engine/wasm';
 import { isStale, pairCameras, wantedKeys } from '../state/keys';
 import { pixelMm } from '../state/residuals';
-import { truthOf } from '../state/truth';
+import { orientationAt, truthOf } from '../state/truth';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, row, section } from './dom';
@@ -19,7 +19,7 @@ export function mountOrientation(host: HTMLElement, store: Store): void {
   const body = h('div', {});
   const panel = section('Relative orientation', 'orientation-section', body);
   host.append(panel);
-  store.watch((s) => [s.results, s.settings, s.images, s.failures, s.camera, s.photos, s.offset] as const, () => {
+  store.watch((s) => [s.results, s.settings, s.images, s.failures, s.camera, s.photos, s.offset, s.fiducialModel] as const, () => {
     const { state } = store;
     panel.classList.toggle('is-stale', isStale(state, 'orientation'));
     fill(body, ...content(state));
@@ -49,8 +49,14 @@ export function whyNotOriented(state: State): string | null {
   return null;
 }
 
+/** The true orientation at the scale of a result's base; null where it is not known. */
+function truthFor(state: State, { base_mm: base }: RelativeOrientation): FiveParameters | null {
+  const truth = truthOf(state);
+  return truth === null ? null : orientationAt(truth, base);
+}
+
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
-  const truth = truthOf(state)?.orientation ?? null;
+  const truth = truthFor(state, result);
   const { standard_errors: errors, total_standard_errors: total } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
@@ -66,10 +72,10 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const heads: [string, string][] = [
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
     ['Std error', 'What the scatter of the matches leaves uncertain.'],
-    ...(total === null ? [] : [['with interior', 'The same with what the measured fiducial marks leave uncertain: the errors of the interior orientations do not average out over the matches.'] satisfies [string, string]]),
+    ...(total === null ? [] : [['In total', 'The same with what does not average out over the matches: neighbouring ones share errors, since their windows see the same, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
     ...(truth === null
       ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][]
-      : [['True error', 'Value minus truth.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
+      : [['True error', 'Value minus truth, that of by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
   ];
   const paper = truth === null ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
   return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
@@ -136,8 +142,8 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
 }
 
 function pictures(state: State, result: RelativeOrientation): HTMLElement {
-  const truth = truthOf(state)?.orientation ?? null;
-  const deviation: [number, number] | null = truth === null ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+  const truth = truthFor(state, result);
+  const deviation: [number, number] | null = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
   const ellipse = result.base_ellipse_mm;
   return h('div', { class: 'precision-pictures' }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
 }

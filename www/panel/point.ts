@@ -24,7 +24,10 @@ export function mountPoint(host: HTMLElement, store: Store, select: (side: 'left
   store.watch((s) => [s.selection, s.results, s.images, s.settings, s.failures] as const, () => {
     const { state } = store;
     body.classList.toggle('is-stale', state.selection !== null && state.results.match !== undefined && !isCurrent(state, 'match'));
+    const focused = body.contains(document.activeElement);
     fill(body, ...content(state, select));
+    // A candidate that was chosen is no longer there; the keyboard stays in the panel.
+    if (focused) host.focus({ preventScroll: true });
   });
 }
 

@@ -1,7 +1,9 @@
 /** A flight to simulate: presets, a control for each of its parameters, and a small picture of the pair that follows every change. */
+import { problemOfFlight } from '../engine/checks';
 import type { Engine } from '../engine/engine';
 import { CallError, Cancelled } from '../engine/client';
 import type { Catalogue, Flight, SampleImage } from '../engine/wasm';
+import { readable } from '../state/names';
 import type { Store } from '../state/store';
 import { makeControl } from './control';
 import type { Control, Value } from './control';
@@ -10,6 +12,8 @@ import { button, h } from './dom';
 /** Longest side of the preview's images, in px, and the coarsest pixel that a flight may have, in mm. */
 const PREVIEW_SIDE = 240;
 const COARSEST_PIXEL_MM = 1;
+/** The shortest side that a flight may have, in px. */
+const LEAST_SIDE = 16;
 /** Quiet time after a change before the preview is rendered, in ms. */
 const DEBOUNCE_MS = 120;
 
@@ -69,7 +73,7 @@ class SimulatePanel {
     }, 'The next seed');
     host.append(
       h('p', { class: 'note' }, 'A flight over a made town. Its truth is known, so that matches and orientation are scored and errors shown beside their standard errors.'),
-      h('div', { class: 'control compact' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
+      h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
       h('div', { class: 'previews' }, ...this.pictures), this.problem, h('div', { class: 'buttons' }, go, another), ...this.groups());
     store.watch((s) => [s.flight] as const, ([flight]) => {
       if (flight === null) return;
@@ -105,29 +109,39 @@ class SimulatePanel {
   private async preview(): Promise<void> {
     const { flight } = this.store.state;
     if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
-    this.rendering = true;
     this.shown = flight;
+    const problem = problemOfFlight(flight);
+    this.say(problem);
+    if (problem !== null) {
+      // The preview's own problems would be those of its coarser pixels.
+      this.controls.find(({ control }) => problem.startsWith(`${control.parameter.key} is `))?.control.refuse(`${readable(this.catalogue, problem)}.`);
+      return;
+    }
+    this.rendering = true;
     try {
       const { left, right } = await this.engine.client('preview').call('simulate', reduced(flight));
       paint(this.pictures[0], left, 'Preview of the left image');
       paint(this.pictures[1], right, 'Preview of the right image');
-      this.problem.textContent = '';
     } catch (error) {
-      if (error instanceof CallError) this.problem.textContent = `${error.message}.`;
+      if (error instanceof CallError) this.say(`no preview: ${error.message}`);
       else if (!(error instanceof Cancelled)) throw error;
     } finally {
       this.rendering = false;
     }
     if (this.store.state.flight !== flight) this.later();
   }
+
+  private say(problem: string | null): void {
+    this.problem.textContent = problem === null ? '' : `${readable(this.catalogue, problem)}.`;
+  }
 }
 
 /** The same flight with coarser pixels. */
 function reduced(flight: Flight): Flight {
-  const wanted = Math.ceil(Math.max(flight.width_px, flight.height_px) / PREVIEW_SIDE);
-  const factor = Math.max(1, Math.min(wanted, Math.floor(COARSEST_PIXEL_MM / flight.pixel_mm)));
-  const side = (px: number) => Math.max(16, Math.round(px / factor));
-  return { ...flight, pixel_mm: flight.pixel_mm * factor, width_px: side(flight.width_px), height_px: side(flight.height_px) };
+  const { width_px: width, height_px: height } = flight;
+  const wanted = Math.ceil(Math.max(width, height) / PREVIEW_SIDE);
+  const factor = Math.max(1, Math.min(wanted, Math.floor(COARSEST_PIXEL_MM / flight.pixel_mm), Math.floor(Math.min(width, height) / LEAST_SIDE)));
+  return { ...flight, pixel_mm: flight.pixel_mm * factor, width_px: Math.floor(width / factor), height_px: Math.floor(height / factor) };
 }
 
 function paint(canvas: HTMLCanvasElement, { width, height, grey }: SampleImage, words: string): void {

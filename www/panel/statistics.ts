@@ -24,6 +24,8 @@ export function mountStatistics(host: HTMLElement, store: Store, select: (side: 
 class StatisticsTable {
   private readonly filter = h('select', { testid: 'statistics-filter', aria: { label: 'Matches to show' } });
   private readonly caption = h('p', { class: 'note', testid: 'statistics-caption' });
+  /** More columns than the panel is wide are found by scrolling, which a scrollbar that hides does not tell. */
+  private readonly sideways = h('p', { class: 'note', hidden: true, testid: 'statistics-sideways' }, 'Scroll sideways for more columns →');
   private readonly help = h('p', { class: 'help', hidden: true, testid: 'statistics-help' });
   private readonly head = h('thead', {});
   private readonly body = h('tbody', {});
@@ -35,18 +37,19 @@ class StatisticsTable {
 
   constructor(host: HTMLElement, private readonly store: Store, private readonly select: (side: Side, index: number) => void) {
     this.scroller = h('div', { class: 'rows', tabindex: 0, role: 'region', aria: { label: 'Table of matches' } }, this.table);
-    host.append(h('div', { class: 'statistics-head' }, this.filter, this.caption), this.help, this.scroller);
+    host.append(h('div', { class: 'statistics-head' }, this.filter, this.caption), this.sideways, this.help, this.scroller);
     this.filter.addEventListener('change', () => { this.sort({ ...this.order, filter: this.filter.value as Filter }); });
     this.scroller.addEventListener('scroll', () => { this.showRows(); });
     new ResizeObserver(() => { this.showRows(); }).observe(this.scroller);
-    store.watch((s) => [s.results, s.images, s.settings] as const, () => { this.update(); });
+    new ResizeObserver(() => { this.sideways.hidden = this.scroller.scrollWidth <= this.scroller.clientWidth; }).observe(this.table);
+    store.watch((s) => [s.results, s.images, s.settings, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => { this.update(); });
     store.watch((s) => [s.selection] as const, () => { this.reveal(); });
   }
 
   private update(): void {
     const { state } = this.store;
     const statistics = statisticsOfState(state);
-    this.scroller.classList.toggle('is-stale', isStale(state, 'match'));
+    this.scroller.classList.toggle('is-stale', isStale(state, 'match') || (shownPair(state).orientation !== null && isStale(state, 'orientation')));
     if (statistics === this.statistics && this.head.hasChildNodes()) return;
     this.statistics = statistics;
     fill(this.filter, ...FILTERS.filter(([value]) => value !== 'wrong' || statistics?.rightness != null).map(([value, text]) => new Option(text, value)));
@@ -74,7 +77,7 @@ class StatisticsTable {
       fill(this.head);
       return;
     }
-    const plain = (text: string) => h('th', { scope: 'col' }, text);
+    const plain = (text: string) => h('th', { scope: 'col', class: 'word' }, text);
     fill(this.head, h('tr', {}, this.headCell({ key: '', label: 'Match', unit: '', help: 'Number of the match, in the order of its left points.' }),
       ...statistics.columns.map((column) => this.headCell(column)), plain('state'), ...(statistics.rightness === null ? [] : [plain('truth')])));
   }
@@ -101,11 +104,24 @@ class StatisticsTable {
     const last = Math.min(rows.length, Math.ceil((this.scroller.scrollTop + this.scroller.clientHeight) / ROW) + MARGIN);
     const selected = selectedMatch(this.store.state);
     const seen = Array.from(rows.subarray(first, last), (match) => this.row(statistics, match, match === selected));
+    const focused = this.focusedMatch();
     fill(this.body, filler(first), ...seen, filler(rows.length - last));
+    if (focused !== null) this.focusMatch(focused);
+  }
+
+  /** The match whose button has the keyboard; null where none has. */
+  private focusedMatch(): string | null {
+    const { activeElement } = document;
+    return activeElement instanceof HTMLElement && this.body.contains(activeElement) ? (activeElement.dataset['key'] ?? '') : null;
+  }
+
+  /** Gives the keyboard back to a match that was built anew, or to the table where the match is out of sight. */
+  private focusMatch(match: string): void {
+    (this.body.querySelector<HTMLElement>(`button[data-key="${match}"]`) ?? this.scroller).focus({ preventScroll: true });
   }
 
   private row(statistics: Statistics, match: number, selected: boolean): HTMLElement {
-    const go = h('button', { type: 'button', class: 'link', aria: { label: `Select match ${String(match + 1)}` } }, count(match + 1));
+    const go = h('button', { type: 'button', class: 'link', key: String(match), aria: { label: `Select match ${String(match + 1)}` } }, count(match + 1));
     const line = h('tr', { class: selected ? 'best' : '', testid: selected ? 'statistics-selected' : 'statistics-row' }, h('td', {}, go),
       ...statistics.columns.map(({ value, digits }) => h('td', { class: 'number' }, fixed(value(match), digits))),
       h('td', {}, statistics.rejected[match] === 1 ? 'gross error' : 'used'),

@@ -64,9 +64,10 @@ function lineOf(state: State): Line {
   if (running.length > 0) return { text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join('; ')}`, kind: 'busy' };
   if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
   if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
-  if (failure !== null && !isOrientation(failure)) return { text: failure.message, kind: 'problem' };
-  if (state.notice !== null) return { text: state.notice.text, kind: 'idle' };
-  return resting(state, wanted, done);
+  if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };
+  const line = resting(state, wanted, done);
+  if (state.notice === null) return line;
+  return line.kind === 'done' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
 }
 
 function resting(state: State, wanted: number, done: number): Line {
@@ -80,7 +81,13 @@ function resting(state: State, wanted: number, done: number): Line {
   return { text: `Done: ${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work. ${whyNotOriented(state) ?? ''}`.trimEnd(), kind: 'done' };
 }
 
-/** Matches without an orientation are a result all the same. */
+/** Matches that determine no orientation are a result all the same. */
 function isOrientation({ stage, ended }: { stage: StageName; ended: boolean }): boolean {
-  return !ended && (stage === 'interiorLeft' || stage === 'interiorRight' || stage === 'orientation');
+  return !ended && stage === 'orientation';
+}
+
+/** Without an interior orientation there are matches, but no more. */
+function matchedAllTheSame(state: State, failed: StageName): string {
+  const matches = summary(state);
+  return (failed === 'interiorLeft' || failed === 'interiorRight') && matches !== '' ? `Not oriented: ${matches}.` : '';
 }

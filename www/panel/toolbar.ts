@@ -23,7 +23,7 @@ function toggle(label: string, testid: string, title: string, onChange: (on: boo
 export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigator): void {
   const set = (display: Partial<Display>) => { store.dispatch({ type: 'display', display }); };
   const [points, pointSelect] = choice('Points', 'layer-points', [['all', 'all'], ['matched', 'matched'], ['none', 'none']], (value) => { set({ points: value as PointLayer }); });
-  const [lines, lineSelect] = choice('Lines', 'layer-lines', [['none', 'none'], ['some', `up to ${String(SOME_LINES)}`], ['all', 'all']], (value) => { set({ lines: value as LineLayer }); });
+  const [lines, lineSelect] = choice('Lines', 'layer-lines', [['none', 'none'], ['some', `≤ ${String(SOME_LINES)}`], ['all', 'all']], (value) => { set({ lines: value as LineLayer }); });
   const [vectors, vectorSelect] = choice('Residuals', 'layer-vectors', VECTOR_FACTORS.map((f) => [String(f), f === 0 ? 'none' : `× ${String(f)}`] as const), (value) => { set({ vectors: Number(value) }); });
   const linked = toggle('Linked', 'linked', 'Pan and zoom both images together (L)', (on) => { set({ linked: on }); });
   const magnifier = toggle('Magnifier', 'magnifier', 'Enlarge what is under the pointer (M)', (on) => { set({ magnifier: on }); });

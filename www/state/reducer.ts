@@ -5,7 +5,19 @@ import type { Display, PhotoData, Results, Side, State } from './state';
 
 const NO_DATA: PhotoData = { fiducials: [], origin: null };
 
+/** What a user does; what was said of an earlier deed is then over. Looking at points or moving the view is none of it. */
+const DEEDS: ReadonlySet<Action['type']> = new Set([
+  'images', 'simulated', 'flight', 'swap', 'settings', 'camera', 'photo', 'fiducialModel', 'offset', 'display', 'resume',
+]);
+
 export function reduce(state: State, action: Action): State {
+  const next = changed(state, action);
+  // What is busy says itself when it ends.
+  const over = DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== 'busy';
+  return over ? { ...next, notice: null } : next;
+}
+
+function changed(state: State, action: Action): State {
   switch (action.type) {
     case 'ready':
       return { ...state, catalogue: action.catalogue, settings: action.catalogue.defaults, flight: action.catalogue.flights[0]?.flight ?? null };
@@ -106,7 +118,8 @@ function withSimulated(state: State, { left, right, pair }: Extract<Action, { ty
   const given = withImages({ ...state, truth: null }, { left, right });
   return {
     ...given,
-    settings: withBase(given, pair.base_mm),
+    // Photos from one place have no base that could give by and bz their scale.
+    settings: withBase(given, pair.base_mm === 0 ? null : pair.base_mm),
     camera: pair.camera,
     photos: {
       left: { fiducials: pair.left_fiducials, origin: pair.left_origin },
@@ -117,6 +130,7 @@ function withSimulated(state: State, { left, right, pair }: Extract<Action, { ty
       leftId: left.id,
       rightId: right.id,
       orientation: pair.truth,
+      baseMm: pair.base_mm,
       rightPosition: pair.right_position,
       leftWidth: pair.left.width,
       leftHeight: pair.left.height,

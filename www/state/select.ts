@@ -1,6 +1,7 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../engine/wasm';
 import type { GivenImage, Side, StageName, State } from './state';
+import { STAGES } from '../engine/stages';
 import { GROSS_ERROR, MATCHED, UNDECIDED } from './codes';
 import { isStale, wantedKeys } from './keys';
 
@@ -26,14 +27,16 @@ export interface ShownPair {
 
 /**
  * The points, matches and orientation that fit each other and the images on the screen. Matches refer to points by index: once points are
- * newer than the matches, the matches are no longer shown on them.
+ * newer than the matches, the matches are no longer shown on them. An orientation is shown while another is on its way, and not where
+ * none will come.
  */
 export function shownPair(state: State): ShownPair {
   const left = pointsOfShownImage(state, 'left');
   const right = pointsOfShownImage(state, 'right');
   const match = state.results.match?.value ?? null;
   const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(match, left, right);
-  const orientation = state.results.orientation?.value ?? null;
+  const comes = wantedKeys(state).orientation !== null && !isBarred(state, 'orientation');
+  const orientation = comes ? (state.results.orientation?.value ?? null) : null;
   const oriented = fits && orientation !== null && orientation.residuals_mm.length * 5 === match.matches.length;
   return { left, right, match: fits ? match : null, orientation: oriented ? orientation : null };
 }
@@ -108,13 +111,19 @@ const RUN_STAGES: readonly StageName[] = [
   'interiorRight', 'orientation', 'score',
 ];
 
-/** How far the run is: stages that are wanted, and those of them that are there. */
+/** Whether a stage failed for what is wanted now, or cannot be reached since one that it needs did. */
+function isBarred(state: State, stage: StageName): boolean {
+  const failure = state.failures[stage];
+  return (failure !== undefined && failure.key === wantedKeys(state)[stage]) || STAGES[stage].needs.some((needed) => isBarred(state, needed));
+}
+
+/** How far the run is: stages that are wanted, and those of them that are there or will not come. */
 export function progress(state: State): { wanted: number; done: number; running: StageName[] } {
   const keys = wantedKeys(state);
   const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
   return {
     wanted: wanted.length,
-    done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || state.failures[stage]?.key === keys[stage]).length,
+    done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
     running: RUN_STAGES.filter((stage) => state.running[stage] !== undefined),
   };
 }

@@ -31,6 +31,8 @@ export interface FlightTruth {
   leftId: number;
   rightId: number;
   orientation: FiveParameters;
+  /** The base that gives by and bz of the orientation their scale. */
+  baseMm: number;
   /** x, y in the right image of each left pixel, row by row; NaN where it is not seen there. */
   rightPosition: Float32Array;
   leftWidth: number;

@@ -1,0 +1,192 @@
+/** What goes wrong, where it is said and when it is over; and that the keyboard is never lost. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { done, hosted, number, open, part, sample, SKIP } from './page.js';
+
+hosted();
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until a part says something.  @param {Page} page @param {string} id @param {RegExp} pattern */
+async function says(page, id, pattern) {
+  const given = { id, source: pattern.source, flags: pattern.flags };
+  await page.waitForFunction((p) => new RegExp(p.source, p.flags).test(document.querySelector(`[data-testid="${p.id}"]`)?.textContent ?? ''), given, { timeout: 20_000 })
+    .catch(async () => assert.match((await part(page, id).textContent()) ?? '', pattern));
+}
+
+/** Types into a field as a user does.  @param {Page} page @param {string} id @param {string} text */
+async function type(page, id, text) {
+  await part(page, id).fill(text);
+  await part(page, id).press('Enter');
+}
+
+/** @param {Page} page @param {string} id */
+const invalid = (page, id) => part(page, id).getAttribute('aria-invalid');
+
+/** The test id of what has the keyboard, or its id.  @param {Page} page */
+const focused = (page) => page.evaluate(() => document.activeElement?.getAttribute('data-testid') ?? document.activeElement?.tagName);
+
+/** @param {Page} page */
+const broken = (page) => part(page, 'file-input').setInputFiles([{ name: 'bad.png', mimeType: 'image/png', buffer: Buffer.from('no image') }]);
+
+test('what was said of a bad file is over with the next deed', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await broken(page);
+  await says(page, 'status', /bad\.png cannot be opened/);
+  await part(page, 'view').focus();
+  await page.keyboard.press('n');
+  await says(page, 'status', /bad\.png/);
+  await page.locator('select[data-key="matching.strategy"]').selectOption('invariants');
+  await done(page);
+  await broken(page);
+  await says(page, 'status', /bad\.png cannot be opened/);
+  await part(page, 'swap').click();
+  await done(page);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('what is told of a file stands beside the result of the run', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await part(page, 'file-input').setInputFiles([{ name: 'camera.json', mimeType: 'application/json', buffer: Buffer.from('{"focal_mm": 153.4}') }]);
+  await says(page, 'status', /^Done: .*Camera data from camera\.json\.$/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('one mark is told as one', { skip: SKIP }, async () => {
+  const { page, close } = await open();
+  await says(page, 'status', /^Ready/);
+  await part(page, 'file-input').setInputFiles([{ name: 'left.csv', mimeType: 'text/csv', buffer: Buffer.from('col,row,x_mm,y_mm\n1,2,3,4\n') }]);
+  await says(page, 'status', /^1 fiducial mark of the left image from left\.csv\.$/);
+  await close();
+});
+
+test('numbers of the camera, the offset and the origin that are not allowed are said at their fields, and the last valid ones stay', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await part(page, 'tab-camera').click();
+  for (const [id, text, pattern] of /** @type {const} */ ([
+    ['camera-focal', '-5', /^Allowed: above 0, up to 100000, or empty\. The last valid value stays/],
+    ['camera-pixel', '0', /^Allowed: 0\.000001 to 10, or empty/],
+    ['camera-x0', '1e6', /^Allowed: two numbers from -10000 to 10000/],
+  ])) {
+    await type(page, id, text);
+    assert.equal(await invalid(page, id), 'true', id);
+    await says(page, `${id}-problem`, pattern);
+  }
+  await type(page, 'origin-left-col', '1e12');
+  assert.deepEqual([await invalid(page, 'origin-left-col'), await invalid(page, 'origin-left-row')], ['true', null]);
+  await says(page, 'origin-left-problem', /^Allowed: two numbers of px from -10000000 to 10000000/);
+  await type(page, 'offset-dx', '3');
+  assert.deepEqual([await invalid(page, 'offset-dx'), await invalid(page, 'offset-dy')], [null, 'true']);
+  await says(page, 'offset-problem', /^Give both numbers, or empty both/);
+  // Nothing of it was taken.
+  await page.waitForTimeout(400);
+  assert.match((await part(page, 'status').textContent()) ?? '', /^Done/);
+  await type(page, 'camera-focal', '150');
+  assert.equal(await invalid(page, 'camera-focal'), null);
+  assert.equal(await part(page, 'camera-focal-problem').textContent(), '');
+  assert.equal(await part(page, 'camera-pixel').inputValue(), '');
+  await says(page, 'base', /150\.0 mm/);
+  await type(page, 'offset-dy', '1');
+  await says(page, 'offset-found', /^Given/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('an interior orientation that fails is the status, and figures of the earlier orientation go', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  assert.ok(await number(page, 'count-gross-errors') > 0);
+  await part(page, 'histogram-residuals').waitFor();
+  await part(page, 'tab-camera').click();
+  // Its coordinates are empty yet.
+  await part(page, 'add-fiducial-left').click();
+  await says(page, 'status', /Not oriented: 1\u202f\d+ matches/);
+  assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
+  assert.equal(await part(page, 'count-gross-errors').textContent(), '–');
+  await part(page, 'histogram-measure').waitFor();
+  await page.waitForFunction(() => document.querySelector('[data-testid="histogram-residuals"]') === null);
+  await part(page, 'remove-fiducial-left-8').click();
+  await done(page);
+  assert.ok(await number(page, 'count-gross-errors') > 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('true errors of by and bz are at the scale of the base that was used', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const errors = async () => ({ by: await number(page, 'deviation-by_mm'), ratio: await number(page, 'deviation-ratio-by_mm') });
+  const own = await errors();
+  await page.locator('input[data-key="orientation.base_mm"]').fill('184');
+  await says(page, 'base', /184\.0 mm/);
+  const double = await errors();
+  assert.ok(Math.abs(double.by - 2 * own.by) < 2e-4, JSON.stringify([own, double]));
+  assert.equal(double.ratio, own.ratio);
+  await page.locator('input[data-key="orientation.base_mm"]').fill('0');
+  await says(page, 'orientation-reason', /“Photo base” is 0; allowed/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('what is wrong with a flight is said of the flight itself, by the label of its field', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await says(page, 'status', /^Ready/);
+  await part(page, 'tab-simulate').click();
+  const columns = page.locator('input[data-key="flight.width_px"]');
+  await columns.fill('4000');
+  await says(page, 'flight-problem', /^“Columns” is 4000; allowed: 16 to 543\.$/);
+  assert.equal(await columns.getAttribute('aria-invalid'), 'true');
+  await part(page, 'render-flight').click();
+  await says(page, 'status', /^The pair could not be rendered: “Columns” is 4000; allowed: 16 to 543\./);
+  // As thin as may be: the preview is not coarser than the thinner side allows.
+  await columns.fill('16');
+  await page.locator('input[data-key="flight.height_px"]').fill('900');
+  await page.waitForFunction(() => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="preview-left"]')).width === 16);
+  assert.equal(await part(page, 'flight-problem').textContent(), '');
+  assert.equal(await columns.getAttribute('aria-invalid'), null);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the keyboard stays where it was when what it was on is built anew', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.waitForFunction(() => document.querySelector('[data-testid="sample-first"]:enabled') !== null);
+  await part(page, 'sample-first').focus();
+  await page.keyboard.press('Enter');
+  await done(page);
+  assert.equal(await focused(page), 'view');
+  await part(page, 'tab-matches').click();
+  const row = page.locator('[data-testid="statistics"] tbody button[data-key="4"]');
+  await row.focus();
+  await page.keyboard.press('Enter');
+  await part(page, 'statistics-selected').waitFor();
+  assert.ok(await row.evaluate((button) => button === document.activeElement));
+  // Out of sight it gives the keyboard to the table, which scrolls.
+  await page.locator('.rows').evaluate((rows) => { rows.scrollTop = 12_000; });
+  await page.waitForFunction(() => document.activeElement?.classList.contains('rows'));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('all is in sight: one row of tools at 1280 px, wrapped bars at 360 px, wide choices', { skip: SKIP }, async () => {
+  const { page, close } = await open();
+  await says(page, 'status', /^Ready/);
+  const box = async (/** @type {string} */ id) => (await part(page, id).boundingBox()) ?? assert.fail(id);
+  assert.ok(Math.abs((await box('next-point')).y - (await box('layer-points')).y) < 6);
+  await part(page, 'tab-simulate').click();
+  assert.ok((await box('flight-preset')).width > 200);
+  await part(page, 'tab-camera').click();
+  assert.ok((await box('fiducial-model')).width > 200);
+  await page.setViewportSize({ width: 360, height: 740 });
+  for (const id of ['export-png', 'export-report', 'swap', 'next-point', 'magnifier']) {
+    const { x, width } = await box(id);
+    assert.ok(x >= 0 && x + width <= 360, id);
+  }
+  await close();
+});
