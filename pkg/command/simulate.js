@@ -32,7 +32,7 @@ export const simulate = {
   summary: 'Flies over a made town and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
   positionals: [],
   options: [OUT, word('preset', flight_presets(), 'The flight that the other options change (default: sample).'), ...OPTIONS, JSON_FLAG],
-  details: 'truth.json holds the relative orientation and the flight; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the '
+  details: 'truth.json holds the relative orientation, the flight, and digests that name both images; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the '
     + 'top-left pixel at 0, at which each left pixel is seen in the right image (NaN: nowhere); visible.png is 255 where it is seen. JSON: files, and match, the '
     + 'command to try next as a list of words.',
   run: ({ values }) => { make(values, /** @type {Preset} */ (values.get('preset') ?? 'sample')); },

@@ -141,7 +141,7 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
         Weakness::Clustered => "the points cover a small part of the photo",
         Weakness::IllConditioned => "the unknowns can hardly be told apart, as over a critical cylinder",
     });
-    let base_errors = study.errors.map(|e| [e[3], e[4]]);
+    let base_errors = study.errors.map(|e| [e[3], e[4]]).filter(|e| e.iter().all(|v| v.is_finite()));
     html! {
         dl {
             dt { "σ₀ of a photo coordinate" } dd { (fixed(orientation.sigma0_mm.map(|s| 1000.0 * s), 2)) " µm = " (fixed(study.sigma0_px(), 3)) " px" }

@@ -36,6 +36,8 @@ pub fn histogram(values: &[f64], reach: f64, unit: &str, words: &str) -> Markup 
 
 const CELL: f64 = 46.0;
 const HEAD: f64 = 28.0;
+/// The part of a cell that the number takes, below the square: a small square would strike it through.
+const FOOT: f64 = 14.0;
 
 /// The matrix of correlations: the area of a square stands for the magnitude, its colour for the sign.
 pub fn correlations(matrix: &[[f64; 5]; 5]) -> Markup {
@@ -51,10 +53,10 @@ pub fn correlations(matrix: &[[f64; 5]; 5]) -> Markup {
                 }
                 @for (i, row) in matrix.iter().enumerate() {
                     @for (j, value) in row.iter().enumerate() {
-                        @let side = (CELL - 4.0) * value.abs().min(1.0).sqrt();
+                        @let side = (CELL - FOOT - 4.0) * value.abs().min(1.0).sqrt();
                         rect class=(if *value < 0.0 { "negative" } else { "positive" })
-                            x=(format!("{:.1}", at(j) - side / 2.0)) y=(format!("{:.1}", at(i) - side / 2.0)) width=(format!("{side:.1}")) height=(format!("{side:.1}")) {}
-                        text.middle x=(at(j)) y=(at(i) + 4.0) { (fixed(*value, 2)) }
+                            x=(format!("{:.1}", at(j) - side / 2.0)) y=(format!("{:.1}", at(i) - 0.5 * FOOT - side / 2.0)) width=(format!("{side:.1}")) height=(format!("{side:.1}")) {}
+                        text.middle x=(at(j)) y=(at(i) + 0.5 * CELL - 4.0) { (fixed(*value, 2)) }
                     }
                 }
             }
@@ -71,7 +73,7 @@ pub fn ellipse(ellipse: &ErrorEllipse, error: Option<[f64; 2]>) -> Markup {
         format!("by, bz: standard error ellipse {} × {} µm", fixed(1000.0 * ellipse.semi_major, 1), fixed(1000.0 * ellipse.semi_minor, 1));
     html! {
         figure {
-            figcaption { (words) @if error.is_some() { "; cross: truth" } }
+            figcaption { (words) "; dashed: twice as large, 2 standard errors" @if error.is_some() { "; cross: truth" } }
             svg.ellipse viewBox="-80 -80 160 160" role="img" aria-label=(words) {
                 path.axis d="M-80 0h160M0 -80v160" {}
                 @for (factor, class) in [(1.0, "outline"), (2.0, "outline faint")] {

@@ -285,5 +285,5 @@ fn worst_ratio(report: &Report) -> Option<(String, f64)> {
         let pairs = study.errors.zip(standard).into_iter();
         pairs.flat_map(move |(e, s)| (0..5).map(move |k| (format!("{}, {}", UNKNOWNS[k].0, study.name), (e[k] / s[k]).abs())))
     });
-    ratios.max_by(|a, b| a.1.total_cmp(&b.1))
+    ratios.filter(|(_, ratio)| ratio.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
 }

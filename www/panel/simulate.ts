@@ -9,11 +9,8 @@ import { makeControl } from './control';
 import type { Control, Value } from './control';
 import { button, h } from './dom';
 
-/** Longest side of the preview's images, in px, and the coarsest pixel that a flight may have, in mm. */
+/** Longest side of the preview's images, in px. */
 const PREVIEW_SIDE = 240;
-const COARSEST_PIXEL_MM = 1;
-/** The shortest side that a flight may have, in px. */
-const LEAST_SIDE = 16;
 /** Quiet time after a change before the preview is rendered, in ms. */
 const DEBOUNCE_MS = 120;
 
@@ -119,7 +116,7 @@ class SimulatePanel {
     }
     this.rendering = true;
     try {
-      const { left, right } = await this.engine.client('preview').call('simulate', reduced(flight));
+      const { left, right } = await this.engine.client('preview').call('simulate', reduced(flight, this.catalogue));
       paint(this.pictures[0], left, 'Preview of the left image');
       paint(this.pictures[1], right, 'Preview of the right image');
     } catch (error) {
@@ -136,12 +133,16 @@ class SimulatePanel {
   }
 }
 
-/** The same flight with coarser pixels. */
-function reduced(flight: Flight): Flight {
-  const { width_px: width, height_px: height } = flight;
-  const wanted = Math.ceil(Math.max(width, height) / PREVIEW_SIDE);
-  const factor = Math.max(1, Math.min(wanted, Math.floor(COARSEST_PIXEL_MM / flight.pixel_mm), Math.floor(Math.min(width, height) / LEAST_SIDE)));
-  return { ...flight, pixel_mm: flight.pixel_mm * factor, width_px: Math.floor(width / factor), height_px: Math.floor(height / factor) };
+/** The same flight with coarser pixels: as coarse as the preview is small, within what the crate flies. */
+function reduced(flight: Flight, { flightParameters }: Catalogue): Flight {
+  const { pixel_mm: pixel, width_px: width, height_px: height } = flight;
+  const range = (field: Field) => {
+    const parameter = flightParameters.find(({ key }) => key === `flight.${field}`);
+    return parameter?.kind === 'integer' || parameter?.kind === 'real' ? parameter : { min: 1, max: Infinity };
+  };
+  const thinnest = Math.min(width / range('width_px').min, height / range('height_px').min);
+  const factor = Math.max(1, Math.floor(Math.min(Math.ceil(Math.max(width, height) / PREVIEW_SIDE), range('pixel_mm').max / pixel, thinnest)));
+  return { ...flight, pixel_mm: pixel * factor, width_px: Math.floor(width / factor), height_px: Math.floor(height / factor) };
 }
 
 function paint(canvas: HTMLCanvasElement, { width, height, grey }: SampleImage, words: string): void {
