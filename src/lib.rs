@@ -24,7 +24,10 @@ pub use camera::{
     Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
     rotation_from_angles,
 };
-pub use descriptors::{Brightness, Descriptor, Measure, WindowMoments, WindowOptions, WindowShape, describe, window_moments};
+pub use descriptors::{
+    Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
+    features, gradient_features, window_moments,
+};
 pub use error::Error;
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
@@ -40,10 +43,10 @@ pub use pair::{
     PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
     orient_matches, photo_interior,
 };
-pub use parameters::{FLIGHT_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
+pub use parameters::{FEATURE_PARAMETERS, FLIGHT_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
 pub use points::{
-    Candidates, InterestPoint, LEAST_FRACTION, Operator, PointCounts, PointOptions, PointSet, Selection, Ties, detect, forstner, ground1,
-    ground2, moravec, suppress_non_maxima,
+    Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
+    ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{

@@ -5,6 +5,7 @@
 mod about;
 mod convert;
 mod draw;
+mod features;
 mod matching;
 mod orientation;
 mod photo;
