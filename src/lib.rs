@@ -7,6 +7,7 @@
 mod camera;
 mod descriptors;
 mod error;
+mod geometry;
 mod image;
 mod matches;
 mod math;
@@ -29,11 +30,16 @@ pub use descriptors::{
     features, gradient_features, window_moments,
 };
 pub use error::Error;
+pub use geometry::{
+    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
+    homography_direct, two_view,
+};
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
-    Candidate, Denominator, Described, EpipolarLines, Expectation, Fit, Match, MatchCounts, MatchImage, MatchOptions, MatchSet,
-    OffsetField, Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, match_images,
-    match_points,
+    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, EpipolarLines, Expectation, Fit, Guide, GuidedOptions, Located,
+    Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField, Refinement, Rule, Strategy,
+    Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, guided_matches, match_images, match_points, nearest,
+    nearest_matches, nearest_of,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
@@ -43,7 +49,7 @@ pub use pair::{
     PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
     orient_matches, photo_interior,
 };
-pub use parameters::{FEATURE_PARAMETERS, FLIGHT_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
+pub use parameters::{FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
     ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,

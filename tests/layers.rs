@@ -15,6 +15,7 @@ const ORDER: [&str; 14] = [
     "descriptors",
     "matches",
     "orientation",
+    "geometry",
     "pair",
     "tables",
     "simulate",
