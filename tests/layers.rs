@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 14] = [
+const ORDER: [&str; 16] = [
     "error",
     "parameters",
     "math",
@@ -17,6 +17,8 @@ const ORDER: [&str; 14] = [
     "orientation",
     "geometry",
     "pair",
+    "block",
+    "formats",
     "tables",
     "simulate",
     "report",
