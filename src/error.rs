@@ -43,6 +43,12 @@ pub enum Error {
     /// An adjustment that did not settle.
     #[error("{what} did not converge in {iterations} iterations: {reason}")]
     NotConverged { what: &'static str, iterations: usize, reason: String },
+    /// A file that is not what it should be, is damaged, or is of a newer version.
+    #[error("{what} cannot be read: {place}: {reason}")]
+    UnreadableFile { what: &'static str, place: String, reason: String },
+    /// A sink that takes no more text.
+    #[error("{what} cannot be written: its sink takes no more text")]
+    NotWritten { what: &'static str },
 }
 
 impl Error {
@@ -62,6 +68,8 @@ impl Error {
             Error::TooFew { .. } => "too-few",
             Error::Degenerate { .. } => "degenerate",
             Error::NotConverged { .. } => "not-converged",
+            Error::UnreadableFile { .. } => "unreadable-file",
+            Error::NotWritten { .. } => "not-written",
         }
     }
 

@@ -4,9 +4,12 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+mod block;
 mod camera;
 mod descriptors;
 mod error;
+mod formats;
+mod geometry;
 mod image;
 mod matches;
 mod math;
@@ -20,18 +23,37 @@ mod tables;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use block::{
+    BlockMatches, BlockOptions, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
+    MatchReliability, MultiRayPoints, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints, alike_pairs, all_pairs,
+    merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
+};
 pub use camera::{
     Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
     rotation_from_angles,
 };
-pub use descriptors::{Brightness, Descriptor, Measure, WindowMoments, WindowOptions, WindowShape, describe, window_moments};
+pub use descriptors::{
+    Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
+    features, gradient_features, window_moments,
+};
 pub use error::Error;
+pub use formats::{
+    BlockModel, ColmapFeature, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay, PROJECT_VERSION,
+    Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_surveyed_points, read_colmap_model, read_project,
+    write_project,
+};
+pub use geometry::{
+    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
+    homography_direct, two_view,
+};
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
-    Candidate, Denominator, Described, EpipolarLines, Expectation, Fit, Match, MatchCounts, MatchImage, MatchOptions, MatchSet,
-    OffsetField, Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, match_images,
-    match_points,
+    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, EpipolarLines, Expectation, Fit, Guide, GuidedOptions, Located,
+    Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField, Refinement, Rule, Strategy,
+    Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, guided_matches, match_images, match_points, nearest,
+    nearest_matches, nearest_of,
 };
+pub use math::{geographic_from_local, local_from_geographic};
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
     RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
@@ -40,15 +62,18 @@ pub use pair::{
     PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
     orient_matches, photo_interior,
 };
-pub use parameters::{FLIGHT_PARAMETERS, PARAMETERS, Parameter, ParameterKind};
+pub use parameters::{
+    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS, PARAMETERS, Parameter,
+    ParameterKind,
+};
 pub use points::{
-    Candidates, InterestPoint, LEAST_FRACTION, Operator, PointCounts, PointOptions, PointSet, Selection, Ties, detect, forstner, ground1,
-    ground2, moravec, suppress_non_maxima,
+    Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
+    ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
-    DenseTruth, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, check_flight, sample_pair, score_matches,
-    simulate,
+    BlockFlight, BlockView, DenseTruth, Exposure, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample,
+    SimulatedBlock, check_flight, sample_pair, score_matches, simulate, simulate_block,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 

@@ -21,7 +21,7 @@ pub enum ParameterKind {
 /// One tunable.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Parameter {
-    /// Its place in [`PairSettings`](crate::PairSettings): `group.field`.
+    /// Its place in the settings, as [`PairSettings`](crate::PairSettings): `group.field`.
     pub key: &'static str,
     pub label: &'static str,
     /// Empty where it has none.
@@ -274,6 +274,80 @@ pub const PARAMETERS: &[Parameter] = &[
     ),
 ];
 
+/// The parameters of multi-scale points and their gradient descriptors.
+pub const FEATURE_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "multiscale.number",
+        "Number of points",
+        "",
+        integer(1.0, 1000000.0),
+        "Multi-scale points: most points of an image. They are distributed over it, so that dull regions keep their share.",
+    ),
+    parameter(
+        "multiscale.levels",
+        "Levels an octave",
+        "",
+        integer(1.0, 8.0),
+        "Multi-scale points: steps of the pyramid in which points are sought while the scale doubles.",
+    ),
+    parameter(
+        "multiscale.contrast",
+        "Least contrast",
+        "grey values",
+        real(0.0, 255.0),
+        "Multi-scale points: least contrast of a point to its surroundings. Lower finds more, noisier points.",
+    ),
+    parameter(
+        "multiscale.roundness",
+        "Roundness q",
+        "",
+        real(0.0, 1.0),
+        "Multi-scale points: least roundness of the error ellipse at the point's scale: 1 is a corner or spot, 0 an edge.",
+    ),
+    parameter(
+        "multiscale.cells",
+        "Cells",
+        "",
+        integer(1.0, 256.0),
+        "Multi-scale points: cells on the image's longer side; each has an equal share of the points. 1 keeps the best of the whole image.",
+    ),
+    parameter(
+        "multiscale.position",
+        "Position",
+        "",
+        choice(&["quadratic", "forstner"]),
+        "Multi-scale points: the maximum of a quadratic through the responses, or the corner or circle's centre by least squares (Förstner).",
+    ),
+    parameter(
+        "gradient.upright",
+        "Upright",
+        "",
+        ParameterKind::Flag,
+        "Gradient descriptors: no dominant direction is sought. Better and faster where the images are not rotated against each other.",
+    ),
+    parameter(
+        "gradient.orientations",
+        "Most directions",
+        "",
+        integer(1.0, 4.0),
+        "Gradient descriptors: a point with several dominant directions gets a descriptor for each, up to this many.",
+    ),
+    parameter(
+        "gradient.cell",
+        "Cell",
+        "scales",
+        real(0.5, 20.0),
+        "Gradient descriptors: side of one of the 4 x 4 cells in scales of the point. Larger ones tell more points apart and stand less relief.",
+    ),
+    parameter(
+        "gradient.roots",
+        "Square roots",
+        "",
+        ParameterKind::Flag,
+        "Gradient descriptors: compares square roots of the histograms, so that strong gradients do not outweigh the others.",
+    ),
+];
+
 /// The parameters of a simulated flight, in the order in which a panel shows them.
 pub const FLIGHT_PARAMETERS: &[Parameter] = &[
     parameter(
@@ -372,9 +446,178 @@ pub const FLIGHT_PARAMETERS: &[Parameter] = &[
     parameter("flight.fiducial_noise_px", "Fiducial noise", "px", real(0.0, 10.0), "Standard deviation of a measured fiducial coordinate."),
 ];
 
+/// The parameters of matching by descriptors and of the geometry of two views, in the order of the pipeline.
+pub const GEOMETRY_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "nearest.ratio",
+        "Ratio",
+        "",
+        real(0.0, 1.0),
+        "A match is ambiguous unless its distance is below this share of that of the second nearest descriptor. Lower keeps fewer, surer matches.",
+    ),
+    parameter(
+        "nearest.mutual",
+        "Mutual",
+        "",
+        ParameterKind::Flag,
+        "A match stands only where each of its two descriptors is the nearest of the other.",
+    ),
+    parameter(
+        "nearest.largest_distance",
+        "Largest distance",
+        "",
+        real(0.0, 3000.0),
+        "Euclidean distance of two descriptors beyond which they never match. Empty: any distance.",
+    ),
+    parameter(
+        "guided.radius_px",
+        "Guided: distance",
+        "px",
+        real(0.0, 1000.0),
+        "Once the geometry is known, candidates lie within this distance of the epipolar line, or of the place a plane gives.",
+    ),
+    parameter(
+        "guided.ratio",
+        "Guided: ratio",
+        "",
+        real(0.0, 1.0),
+        "The ratio among the candidates near the epipolar line: it may be looser, since these are few.",
+    ),
+    parameter(
+        "guided.largest_distance",
+        "Guided: largest distance",
+        "",
+        real(0.0, 3000.0),
+        "Euclidean distance of two descriptors beyond which they never match. Empty: any distance.",
+    ),
+    parameter(
+        "geometry.focal_px",
+        "Focal length",
+        "px",
+        real(1.0, 1e7),
+        "Of the camera. Empty: unknown, the same in both images, and estimated where the matches determine it.",
+    ),
+    parameter(
+        "geometry.principal_px",
+        "Principal point",
+        "px",
+        real(-1e6, 1e6),
+        "Of the camera; the image's centre where nothing else is known.",
+    ),
+    parameter(
+        "geometry.threshold_px",
+        "Threshold",
+        "px",
+        real(0.001, 100.0),
+        "Largest distance of a good match from the geometry. Empty: it follows from the precision of the matches.",
+    ),
+    parameter(
+        "geometry.largest_threshold_px",
+        "Largest threshold",
+        "px",
+        real(0.01, 100.0),
+        "Bound of the threshold that follows from the matches. Raise it for coarse matches.",
+    ),
+    parameter(
+        "geometry.confidence",
+        "Confidence",
+        "",
+        real(0.5, 0.999999),
+        "Probability of drawing at least one sample of good matches only. Higher draws more samples.",
+    ),
+    parameter("geometry.max_samples", "Most samples", "", integer(1.0, 1e6), "Bound of the time where few matches are good."),
+    parameter("geometry.seed", "Seed", "", integer(0.0, 4294967295.0), "Start of the random numbers: the same seed gives the same result."),
+];
+
+/// The parameters of a block's multi-ray points.
+pub const BLOCK_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "block.conflicts",
+        "Conflicts",
+        "",
+        choice(&["resolve", "drop"]),
+        "What is done where matches give a point two rays in one image: the least probable ones are cut, or the point is left out.",
+    ),
+    parameter(
+        "block.impure",
+        "Impure points",
+        "",
+        real(0.0, 0.5),
+        "Share of points that may be expected to have a ray which does not belong to them. Matches that third images confirm too little are left out: more gives more points of two rays where the overlap is small.",
+    ),
+    parameter("block.min_rays", "Least rays", "", integer(2.0, 100.0), "Points seen in fewer images are left out."),
+    parameter(
+        "block.expected_right",
+        "Expected right matches",
+        "",
+        real(0.01, 0.9999),
+        "Share of right matches that is taken where no third image tells, as in a block of two images.",
+    ),
+    parameter(
+        "selection.per_image",
+        "Points an image",
+        "",
+        integer(1.0, 10000.0),
+        "How many of its points an image keeps, spread evenly; more where its connections need them.",
+    ),
+    parameter(
+        "selection.per_connection",
+        "Points a connection",
+        "",
+        integer(0.0, 1000.0),
+        "How many common points two overlapping images keep, or all where they have fewer.",
+    ),
+];
+
+/// The parameters of a simulated block.
+pub const BLOCK_FLIGHT_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "block_flight.view",
+        "View",
+        "",
+        choice(&["nadir", "oblique", "two-heights"]),
+        "Straight down; one camera down and four tilted by 45°; or straight down with every other strip at 1.5 times the height.",
+    ),
+    parameter("block_flight.strips", "Strips", "", integer(1.0, 1000.0), "Flown side by side."),
+    parameter(
+        "block_flight.exposures",
+        "Exposures a strip",
+        "",
+        integer(1.0, 1000.0),
+        "Each by one camera, or by five in an oblique block.",
+    ),
+    parameter("block_flight.forward_overlap", "Forward overlap", "", real(0.0, 0.95), "Of photos that follow one another in a strip."),
+    parameter("block_flight.side_overlap", "Side overlap", "", real(0.0, 0.95), "Of neighbouring strips."),
+    parameter("block_flight.width_px", "Columns", "px", integer(16.0, 100000.0), "Across the flight."),
+    parameter("block_flight.height_px", "Rows", "px", integer(16.0, 100000.0), "Along the flight."),
+    parameter("block_flight.pixel_mm", "Pixel", "mm", real(0.0005, 1.0), "Side of a pixel; the principal distances are 85 mm and 65 mm."),
+    parameter("block_flight.flying_height_m", "Flying height", "m", real(10.0, 10000.0), "Above the mean ground."),
+    parameter("block_flight.relief_m", "Relief", "m", real(0.0, 1000.0), "Range of the ground's heights."),
+    parameter("block_flight.features", "Features an image", "", integer(1.0, 100000.0), "On average."),
+    parameter("block_flight.clutter", "Lone features", "", real(0.0, 0.9), "Share of the features that no other image shows."),
+    parameter(
+        "block_flight.matched",
+        "Matched",
+        "",
+        real(0.0, 1.0),
+        "Probability that a feature which two images show is matched between them.",
+    ),
+    parameter("block_flight.wrong", "Wrong matches", "", real(0.0, 1.0), "Share of the matches that join different places."),
+    parameter(
+        "block_flight.repeated",
+        "Repeated structures",
+        "",
+        real(0.0, 1.0),
+        "Share of the wrong matches that join the same two places in every pair of images.",
+    ),
+    parameter("block_flight.noise_px", "Noise", "px", real(0.0, 10.0), "Standard deviation of a feature's coordinate."),
+    parameter("block_flight.seed", "Seed", "", integer(0.0, 4294967295.0), "The same seed gives the same block."),
+];
+
 /// Finds a parameter by its key.
 pub(crate) fn parameter_of(key: &str) -> &'static Parameter {
-    PARAMETERS.iter().find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
+    let mut all = PARAMETERS.iter().chain(FEATURE_PARAMETERS).chain(GEOMETRY_PARAMETERS).chain(BLOCK_PARAMETERS);
+    all.find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
 }
 
 /// Refuses a number outside the range of its parameter.

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 14] = [
+const ORDER: [&str; 17] = [
     "error",
     "parameters",
     "math",
@@ -15,7 +15,10 @@ const ORDER: [&str; 14] = [
     "descriptors",
     "matches",
     "orientation",
+    "geometry",
     "pair",
+    "block",
+    "formats",
     "tables",
     "simulate",
     "report",

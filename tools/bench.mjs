@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed sizes page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry sizes page`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -7,6 +7,8 @@ const PARTS = {
   calibration: async () => (await import('./bench/calibration.mjs')).calibration(),
   accuracy: async () => (await import('./bench/accuracy.mjs')).accuracy(),
   speed: async () => (await import('./bench/speed.mjs')).speed(),
+  features: async () => (await import('./bench/features.mjs')).featureBench(),
+  geometry: async () => (await import('./bench/geometry.mjs')).geometry(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   page: async () => (await import('./bench/page.mjs')).page(),
 };

@@ -35,6 +35,16 @@ export interface MatchScore {
 
 
 
+/** Matches of descriptors. */
+export interface DescriptorMatches {
+    /** Index of the left and of the right descriptor of each match; stride 2. */
+    indices: Uint32Array;
+    /** Square of the distance of each match, and that of the second nearest right descriptor, 4294967295 where there is none; stride 2. */
+    squares: Uint32Array;
+}
+
+
+
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
@@ -304,6 +314,25 @@ export interface PointOptions {
      */
     suppression_window: number;
     ties: Ties;
+}
+
+/**
+ * Options of [`nearest_matches`].
+ */
+export interface NearestOptions {
+    /**
+     * A match is ambiguous, and none, unless its distance is below this share of that of the second nearest (0 to 1; 1: no test but that
+     * it is nearer).
+     */
+    ratio: number;
+    /**
+     * Whether the left descriptor must be the nearest of the right one too.
+     */
+    mutual: boolean;
+    /**
+     * Largest distance of two descriptors; absent: any.
+     */
+    largest_distance: number | null;
 }
 
 /**
@@ -866,6 +895,11 @@ export function flight_presets(): Preset[];
 export function interior(camera: Camera, photo: PhotoGeometry): Interior;
 
 /**
+ * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
+ */
+export function match_descriptors(left: Uint8Array | number[], right: Uint8Array | number[], options: Given<NearestOptions>): DescriptorMatches;
+
+/**
  * Matches and orients a pair on one thread.
  */
 export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>): PairOutput;
@@ -987,6 +1021,7 @@ export interface InitOutput {
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
     readonly interior: (a: any, b: any) => [number, number, number];
+    readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: any, l: any, m: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];

@@ -485,6 +485,32 @@ export function interior(camera, photo) {
 }
 
 /**
+ * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
+ * @param {Uint8Array | number[]} left
+ * @param {Uint8Array | number[]} right
+ * @param {Given<NearestOptions>} options
+ * @returns {DescriptorMatches}
+ */
+export function match_descriptors(left, right, options) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.match_descriptors(ptr0, len0, ptr1, len1, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Matches and orients a pair on one thread.
  * @param {Photo} left
  * @param {Photo} right

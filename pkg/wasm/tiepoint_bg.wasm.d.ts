@@ -15,6 +15,7 @@ export const flight_parameters: () => any;
 export const flight_preset: (a: any) => [number, number, number];
 export const flight_presets: () => any;
 export const interior: (a: any, b: any) => [number, number, number];
+export const match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
 export const match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
 export const match_photos: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: any, l: any, m: any) => [number, number, number];
 export const match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];

@@ -1,9 +1,11 @@
 //! What describes a point: the moments of its window, or their invariants.
 
+mod gradient;
 mod kernel;
 mod moments;
 mod options;
 
+pub use gradient::{Feature, FeatureOptions, GradientOptions, features, gradient_features};
 pub use moments::{WindowMoments, window_moments};
 pub use options::{Brightness, Measure, WindowOptions, WindowShape};
 

@@ -51,11 +51,26 @@ impl PositionIndex {
 
     /// Gives the points with |x - `x`| and |y - `y`| up to `reach`, row by row.
     pub fn within(&self, x: f64, y: f64, reach: f64, mut visit: impl FnMut(usize)) {
+        self.around([x - reach, y - reach, x + reach, y + reach], |point, px, py| {
+            if (px - x).abs() <= reach && (py - y).abs() <= reach {
+                visit(point);
+            }
+        });
+    }
+
+    /// The rectangle `[left, top, right, bottom]` that holds all points.
+    pub fn bounds(&self) -> [f64; 4] {
+        let rows = (self.starts.len() - 1) / self.strips;
+        [self.left, self.top, self.left + self.strips as f64 * self.strip[0], self.top + rows as f64 * self.strip[1]]
+    }
+
+    /// Gives the points of a rectangle `[left, top, right, bottom]` and some around it with their positions, row by row.
+    pub fn around(&self, [left, top, right, bottom]: [f64; 4], mut visit: impl FnMut(usize, f64, f64)) {
         let rows = (self.starts.len() - 1) / self.strips;
         let [width, height] = self.strip;
-        let first_row = ((y - reach - self.top) / height).floor().max(0.0) as usize;
-        let first_strip = ((x - reach - self.left) / width).floor().max(0.0) as usize;
-        let (last_row, last_strip) = (((y + reach - self.top) / height).floor(), ((x + reach - self.left) / width).floor());
+        let first_row = ((top - self.top) / height).floor().max(0.0) as usize;
+        let first_strip = ((left - self.left) / width).floor().max(0.0) as usize;
+        let (last_row, last_strip) = (((bottom - self.top) / height).floor(), ((right - self.left) / width).floor());
         if !(last_row >= 0.0 && last_strip >= 0.0) || first_strip >= self.strips {
             return;
         }
@@ -64,9 +79,7 @@ impl PositionIndex {
             let cells = row * self.strips;
             let (start, end) = (self.starts[cells + first_strip], self.starts[cells + last_strip + 1]);
             for (point, px, py) in &self.entries[start as usize..end as usize] {
-                if (px - x).abs() <= reach && (py - y).abs() <= reach {
-                    visit(*point as usize);
-                }
+                visit(*point as usize, *px, *py);
             }
         }
     }

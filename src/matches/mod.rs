@@ -1,17 +1,21 @@
 //! From described points to matches: expected offset, search window, dissimilarity, rules of consistency.
 
 mod area;
+mod blocks;
 mod coarse_to_fine;
 mod correlation;
 mod cross_correlation;
+mod guided;
 mod index;
 mod lanes;
 mod least_squares;
+mod nearest;
 mod neighbours;
 mod offset;
 mod options;
 mod parallax;
 mod products;
+mod quad;
 mod refine;
 mod region;
 mod rules;
@@ -23,6 +27,9 @@ mod surface;
 mod texture;
 mod window_model;
 
+pub use blocks::DESCRIPTOR_BYTES;
+pub use guided::{Guide, GuidedOptions, Located, guided_matches};
+pub use nearest::{DescriptorMatch, Nearest, NearestOptions, NearestTable, nearest, nearest_matches, nearest_of};
 pub use offset::{OffsetField, estimate_offset, estimate_offset_of_reduced};
 pub use options::{Denominator, MatchOptions, Refinement, Strategy};
 pub use region::{EpipolarLines, Expectation};

@@ -1,11 +1,19 @@
-//! What nalgebra lacks: quantiles, real roots of polynomials, order statistics, seeded random numbers.
+//! What nalgebra lacks: quantiles, real roots of polynomials, order statistics, seeded random numbers, consensus; places on the earth.
 
+mod consensus;
 mod distribution;
+mod geodesy;
+mod lanes;
+mod null_space;
 mod polynomial;
 mod random;
 mod statistics;
 
-pub(crate) use distribution::{chi_square_quantile, normal_median_within, normal_quantile, normal_spread_within};
+pub(crate) use consensus::{BLOCK, Candidate, Problem, Search, consensus};
+pub(crate) use distribution::{chi_square_quantile, normal_density, normal_median_within, normal_quantile, normal_spread_within};
+pub use geodesy::{geographic_from_local, local_from_geographic};
+pub(crate) use lanes::Lanes;
+pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{median, smallest};

@@ -29,9 +29,9 @@ impl Roots {
 
 /// The real roots of odd multiplicity, each once; those of magnitude up to 1 first, each group in ascending order of z or of -1/z.
 ///
-/// Between neighbouring roots of its derivative a polynomial is monotone, so that a change of sign encloses exactly one root; the roots of
-/// the derivatives follow in the same way from degree 1 upwards. Roots beyond ±1 are the reciprocals of those of the reversed polynomial:
-/// no value then exceeds the sum of the coefficients. A polynomial of zeros, or with a coefficient that is no number, has none.
+/// Sturm's chain counts the roots of an interval, which is halved until each part holds one. Roots beyond ±1 are the reciprocals of those of
+/// the reversed polynomial: no value then exceeds the sum of the coefficients. A polynomial of zeros, or with a coefficient that is no
+/// number, has none.
 pub(crate) fn real_roots(polynomial: &Polynomial) -> Roots {
     let mut roots = Roots::default();
     let Some(degree) = polynomial.iter().rposition(|c| *c != 0.0).filter(|_| polynomial.iter().all(|c| c.is_finite())) else {
@@ -52,47 +52,124 @@ pub(crate) fn real_roots(polynomial: &Polynomial) -> Roots {
     roots
 }
 
+/// Halvings of the unit interval: parts are then at the resolution of numbers.
+const HALVINGS: u32 = 45;
+/// Coefficients of a remainder below this share of those before it are rounding: what is left has multiple roots.
+const ROUNDING: f64 = 1e-13;
+
 /// Roots in -1..1, both included, in ascending order.
 fn roots_in_unit_interval(polynomial: &Polynomial, degree: usize) -> Roots {
-    let chain = derivatives(polynomial, degree);
-    let mut turning = Roots::default();
-    for level in 1..=degree {
-        // The turning points need only separate the roots; the roots themselves are found to the last bits.
-        let tolerance = if level == degree { 1e-16 } else { 1e-10 };
-        turning = roots_between(&chain[level][..=level], turning.as_slice(), tolerance);
-    }
-    turning
-}
-
-/// In place `k` the derivative of degree `k`, divided by a factorial to keep its coefficients of one size.
-fn derivatives(polynomial: &Polynomial, degree: usize) -> [Polynomial; MAX_DEGREE + 1] {
-    let mut chain = [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1];
-    chain[degree] = *polynomial;
-    for level in (1..degree).rev() {
-        let order = (degree - level) as f64;
-        for power in 0..=level {
-            chain[level][power] = chain[level + 1][power + 1] * (power + 1) as f64 / order;
-        }
-    }
-    chain
-}
-
-fn roots_between(coefficients: &[f64], turning: &[f64], tolerance: f64) -> Roots {
+    let chain = Chain::new(polynomial, degree);
+    let at = |z: f64| End { z, value: evaluate(&polynomial[..=degree], z).0, changes: chain.changes(z) };
     let mut roots = Roots::default();
-    let mut left = (-1.0, evaluate(coefficients, -1.0).0);
-    for &end in turning.iter().chain(&[1.0]) {
-        let right = (end, evaluate(coefficients, end).0);
-        if left.1 == 0.0 {
-            roots.push(left.0);
-        } else if right.1 != 0.0 && (left.1 < 0.0) != (right.1 < 0.0) {
-            roots.push(root_in_bracket(coefficients, left, right, tolerance));
-        }
-        left = right;
+    let (low, high) = (at(-1.0), at(1.0));
+    if low.value == 0.0 {
+        roots.push(low.z);
     }
-    if left.1 == 0.0 {
-        roots.push(left.0);
+    // Parts still to look at, the leftmost on top.
+    let mut parts = [(low, high, 0); HALVINGS as usize + 2];
+    let mut waiting = 1;
+    while waiting > 0 {
+        waiting -= 1;
+        let (low, high, halvings) = parts[waiting];
+        let count = low.changes.saturating_sub(high.changes);
+        let changes_sign = low.value != 0.0 && high.value != 0.0 && (low.value < 0.0) != (high.value < 0.0);
+        if count == 0 {
+            continue;
+        } else if high.value == 0.0 && count == 1 {
+            roots.push(high.z);
+        } else if changes_sign && (count == 1 || halvings == HALVINGS) {
+            roots.push(root_in_bracket(&polynomial[..=degree], (low.z, low.value), (high.z, high.value), 1e-16));
+        } else if halvings < HALVINGS {
+            let middle = at(0.5 * (low.z + high.z));
+            parts[waiting] = (middle, high, halvings + 1);
+            parts[waiting + 1] = (low, middle, halvings + 1);
+            waiting += 2;
+        }
     }
     roots
+}
+
+/// An end of an interval.
+#[derive(Clone, Copy)]
+struct End {
+    z: f64,
+    value: f64,
+    /// Changes of sign along the chain.
+    changes: usize,
+}
+
+/// A polynomial, its derivative, and the negative remainders of their divisions: between two places the number of changes of sign falls by
+/// the number of different roots.
+///
+/// # Source
+/// Sturm 1835, Mémoire sur la résolution des équations numériques.
+struct Chain {
+    polynomials: [Polynomial; MAX_DEGREE + 1],
+    degrees: [usize; MAX_DEGREE + 1],
+    length: usize,
+}
+
+impl Chain {
+    fn new(polynomial: &Polynomial, degree: usize) -> Self {
+        let mut chain = Self { polynomials: [[0.0; MAX_DEGREE + 1]; MAX_DEGREE + 1], degrees: [0; MAX_DEGREE + 1], length: 0 };
+        let mut derivative = [0.0; MAX_DEGREE + 1];
+        for power in 1..=degree {
+            derivative[power - 1] = polynomial[power] * power as f64;
+        }
+        chain.push(polynomial, degree);
+        if degree > 0 {
+            chain.push(&derivative, degree - 1);
+        }
+        while chain.length >= 2 && chain.degrees[chain.length - 1] > 0 {
+            let last = chain.length - 1;
+            let Some((remainder, degree)) = negative_remainder(
+                (&chain.polynomials[last - 1], chain.degrees[last - 1]),
+                (&chain.polynomials[last], chain.degrees[last]),
+            ) else {
+                break;
+            };
+            chain.push(&remainder, degree);
+        }
+        chain
+    }
+
+    /// Appends a polynomial, its largest coefficient made 1 in magnitude.
+    fn push(&mut self, polynomial: &Polynomial, degree: usize) {
+        let largest = polynomial[..=degree].iter().fold(0.0f64, |largest, c| largest.max(c.abs()));
+        self.polynomials[self.length] = polynomial.map(|c| c / largest);
+        self.degrees[self.length] = degree;
+        self.length += 1;
+    }
+
+    fn changes(&self, z: f64) -> usize {
+        let mut last = 0.0;
+        let mut changes = 0;
+        for (polynomial, degree) in self.polynomials.iter().zip(self.degrees).take(self.length) {
+            let value = polynomial[..=degree].iter().rev().fold(0.0, |value, c| value * z + c);
+            if value != 0.0 {
+                changes += usize::from(last != 0.0 && (value < 0.0) != (last < 0.0));
+                last = value;
+            }
+        }
+        changes
+    }
+}
+
+/// Minus the remainder of a division, and its degree; `None` where nothing but rounding is left.
+fn negative_remainder((dividend, from): (&Polynomial, usize), (divisor, to): (&Polynomial, usize)) -> Option<(Polynomial, usize)> {
+    let mut rest = *dividend;
+    let leading = 1.0 / divisor[to];
+    for degree in (to..=from).rev() {
+        let factor = rest[degree] * leading;
+        for power in 0..=to {
+            rest[degree - to + power] -= factor * divisor[power];
+        }
+        rest[degree] = 0.0;
+    }
+    let degree = rest[..to].iter().rposition(|c| c.abs() > ROUNDING)?;
+    rest[degree + 1..].fill(0.0);
+    Some((rest.map(|c| -c), degree))
 }
 
 /// Newton's iteration, halving the bracket where a step would leave it.
@@ -176,6 +253,25 @@ mod tests {
     fn roots_at_zero_and_at_the_ends_of_the_interval_count_once() {
         assert_roots(&with_roots(&[-1.0, 0.0, 1.0], &[]), &[-1.0, 0.0, 1.0], 1e-15);
         assert_roots(&with_roots(&[1.0, 1.0, 1.0], &[]), &[1.0], 1e-5);
+    }
+
+    #[test]
+    fn every_root_of_many_polynomials_is_found() {
+        let mut random = crate::math::Random::new(5);
+        for turn in 0..500 {
+            let mut uniform = || random.below(1 << 20) as f64 / (1 << 19) as f64 - 1.0;
+            let pairs: Vec<[f64; 2]> = (0..turn % 4).map(|_| [1.5 * uniform(), 0.3 + uniform().abs()]).collect();
+            let mut roots: Vec<f64> = Vec::new();
+            while roots.len() < 10 - 2 * pairs.len() {
+                // Half of them beyond ±1.
+                let root = if roots.len().is_multiple_of(2) { uniform() } else { 1.0 / uniform() };
+                if roots.iter().all(|other| (root - other).abs() > 0.02 * root.abs().max(0.5)) && root.abs() < 20.0 {
+                    roots.push(root);
+                }
+            }
+            roots.sort_by(f64::total_cmp);
+            assert_roots(&with_roots(&roots, &pairs), &roots, 1e-5);
+        }
     }
 
     #[test]

@@ -28,17 +28,15 @@ impl Random {
         }
     }
 
-    /// `N` different whole numbers from 0 to `bound` - 1; `bound` is at least `N`.
-    pub(crate) fn different<const N: usize>(&mut self, bound: usize) -> [usize; N] {
-        let mut drawn = [usize::MAX; N];
-        for place in 0..N {
+    /// Fills `drawn` with different whole numbers from 0 to `bound` - 1; `bound` is at least as many.
+    pub(crate) fn draw(&mut self, bound: usize, drawn: &mut [usize]) {
+        for place in 0..drawn.len() {
             let mut candidate = self.below(bound);
             while drawn[..place].contains(&candidate) {
                 candidate = self.below(bound);
             }
             drawn[place] = candidate;
         }
-        drawn
     }
 }
 
@@ -63,7 +61,8 @@ mod tests {
         let mut random = Random::new(1);
         let mut counts = [0; 6];
         for _ in 0..6000 {
-            let drawn: [usize; 5] = random.different(6);
+            let mut drawn = [0; 5];
+            random.draw(6, &mut drawn);
             for (place, value) in drawn.iter().enumerate() {
                 assert!(!drawn[..place].contains(value));
                 counts[*value] += 1;

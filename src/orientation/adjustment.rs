@@ -38,6 +38,11 @@ impl Adjusted {
 
 const MAX_ITERATIONS: usize = 50;
 
+/// What a step may be, in units of [`step_tolerance`], where the adjustment is final.
+pub(super) const SETTLED: f64 = 1.0;
+/// The same where it only tells gross errors from others: a hundredth of σ.
+pub(super) const NEARLY_SETTLED: f64 = 1e4;
+
 /// No single step turns the photo or the base by more than this (radians): a longer one is beyond what a linearisation means.
 const LONGEST_STEP: f64 = 0.2;
 
@@ -55,7 +60,7 @@ pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknown
 /// Adjusts the pose to `rays` of these weights by least squares of the corrections of their coordinates, linearised at the adjusted coordinates until the
 /// steps vanish.
 ///
-/// `bounds` tells for each pose whether it is still believable; plain iteration from a poor start may run away.
+/// The last step is below `settled` times [`step_tolerance`]. `bounds` tells for each pose whether it is still believable; plain iteration from a poor start may run away.
 ///
 /// # Errors
 /// [`Error::Degenerate`] where the normal equations are singular, and where it does not settle because the unknowns can hardly be told
@@ -64,7 +69,13 @@ pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknown
 /// # Source
 /// Mikhail & Ackermann 1976, Observations and Least Squares, on conditions with unknowns; Lenzmann & Lenzmann 2004 on linearising at the
 /// adjusted observations.
-pub(super) fn adjust(rays: &[Ray], weights: &[f64], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
+pub(super) fn adjust(
+    rays: &[Ray],
+    weights: &[f64],
+    start: Pose,
+    settled: f64,
+    bounds: impl Fn(&Pose) -> Result<(), String>,
+) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
     let mut adjusted = rays.to_vec();
@@ -92,7 +103,7 @@ pub(super) fn adjust(rays: &[Ray], weights: &[f64], start: Pose, bounds: impl Fn
         (last_sigma, last_cofactors) = (sigma, solution.cofactors);
         last_step = solution.size / step_tolerance(sigma);
         bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
-        if last_step < 1.0 {
+        if last_step < settled {
             let cofactors = solution.cofactors;
             return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
         }

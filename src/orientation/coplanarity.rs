@@ -6,14 +6,14 @@
 use nalgebra::{Matrix3, SVector, Vector3};
 
 /// Observed or adjusted coordinates of one point: x and y in the left photo, x and y in the right photo, divided by the focal length.
-pub(super) type Ray = [f64; 4];
+pub(crate) type Ray = [f64; 4];
 
 /// One number for each unknown: three small turns of the right photo, two small shifts of the base's direction.
 pub(super) type Unknowns = SVector<f64, 5>;
 
 /// The relative orientation without its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pose {
+pub(crate) struct Pose {
     /// M: from model space to the right photo.
     pub rotation: Matrix3<f64>,
     /// t: the direction of the base in model space, of length 1.
@@ -22,7 +22,7 @@ pub(super) struct Pose {
 
 /// The condition of one point, linearised at its adjusted coordinates and scaled so that a misclosure is a distance.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Linearised {
+pub(crate) struct Linearised {
     /// Derivatives by the unknowns.
     pub by_unknowns: Unknowns,
     /// Derivatives by the four coordinates: a vector of length 1.
@@ -36,6 +36,11 @@ pub(super) struct Linearised {
 /// Left and right direction of a point in their own photos.
 fn directions(ray: &Ray) -> (Vector3<f64>, Vector3<f64>) {
     (Vector3::new(ray[0], ray[1], -1.0), Vector3::new(ray[2], ray[3], -1.0))
+}
+
+/// The coefficients by which the entries of E, row by row, enter q₂ᵀ E q₁.
+pub(crate) fn condition(&[xl, yl, xr, yr]: &Ray) -> [f64; 9] {
+    [xr * xl, xr * yl, -xr, yr * xl, yr * yl, -yr, -xl, -yl, 1.0]
 }
 
 impl Pose {
@@ -197,7 +202,7 @@ mod tests {
 
     const RAY: Ray = [0.3, -0.2, 0.15, 0.4];
 
-    fn condition(pose: &Pose, ray: &Ray) -> f64 {
+    fn misclosure(pose: &Pose, ray: &Ray) -> f64 {
         let (left, right) = directions(ray);
         right.dot(&(pose.essential() * left))
     }
@@ -206,16 +211,16 @@ mod tests {
     fn derivatives_are_those_of_small_differences() {
         let pose = pose();
         let line = pose.linearise(&pose.tangents(), &RAY, &RAY).unwrap();
-        assert!((line.misclosure * line.gradient - condition(&pose, &RAY)).abs() < 1e-15);
+        assert!((line.misclosure * line.gradient - misclosure(&pose, &RAY)).abs() < 1e-15);
         let h = 1e-6;
         for k in 0..5 {
             let step = |sign: f64| pose.moved(&Unknowns::from_fn(|row, _| if row == k { sign * h } else { 0.0 }));
-            let numeric = (condition(&step(1.0), &RAY) - condition(&step(-1.0), &RAY)) / (2.0 * h);
+            let numeric = (misclosure(&step(1.0), &RAY) - misclosure(&step(-1.0), &RAY)) / (2.0 * h);
             assert!((line.by_unknowns[k] * line.gradient - numeric).abs() < 1e-9, "unknown {k}: {} {numeric}", line.by_unknowns[k]);
         }
         for k in 0..4 {
             let shifted = |sign: f64| std::array::from_fn(|j| if j == k { RAY[j] + sign * h } else { RAY[j] });
-            let numeric = (condition(&pose, &shifted(1.0)) - condition(&pose, &shifted(-1.0))) / (2.0 * h);
+            let numeric = (misclosure(&pose, &shifted(1.0)) - misclosure(&pose, &shifted(-1.0))) / (2.0 * h);
             assert!((line.by_coordinates[k] * line.gradient - numeric).abs() < 1e-9, "coordinate {k}");
         }
     }
@@ -224,7 +229,7 @@ mod tests {
     fn projected_coordinates_fulfil_the_condition_and_are_the_nearest() {
         let pose = pose();
         let (adjusted, distance) = pose.project(&RAY);
-        assert!(condition(&pose, &adjusted).abs() < 1e-15);
+        assert!(misclosure(&pose, &adjusted).abs() < 1e-15);
         let correction: [f64; 4] = std::array::from_fn(|k| adjusted[k] - RAY[k]);
         let length = correction.iter().map(|v| v * v).sum::<f64>().sqrt();
         assert!((length - distance.abs()).abs() < 1e-14);

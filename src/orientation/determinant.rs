@@ -52,7 +52,7 @@ pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Po
 }
 
 /// Normal equations of the determinants divided by b·f², and the mean square of their gradients.
-fn determinants(pose: &Pose, rays: &[Ray]) -> Result<(Normals, f64), Error> {
+fn determinants(pose: &Pose, rays: &[Ray]) -> Result<(Normals<5>, f64), Error> {
     let tangents = pose.tangents();
     let along_x = pose.base.x;
     if along_x.abs() < 1e-6 {

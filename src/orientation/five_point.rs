@@ -1,7 +1,7 @@
 //! The relative orientations of five points.
 
-use super::coplanarity::Ray;
-use crate::math::{MAX_DEGREE, real_roots};
+use super::coplanarity::{Ray, condition};
+use crate::math::{MAX_DEGREE, null_space, real_roots};
 use nalgebra::Matrix3;
 
 /// Up to ten essential matrices.
@@ -51,7 +51,7 @@ const CUBIC: [[usize; 4]; 10] = [
 /// by enclosure between those of its derivatives instead of Sturm sequences.
 pub(super) fn five_point(sample: &[Ray; 5]) -> Essentials {
     let mut essentials = Essentials { matrices: [Matrix3::zeros(); MAX_DEGREE], count: 0 };
-    let Some(basis) = null_space(sample) else { return essentials };
+    let Some(basis) = null_space(sample.map(|ray| condition(&ray))) else { return essentials };
     let Some(rows) = eliminated(constraints(&basis)) else {
         return essentials;
     };
@@ -67,41 +67,6 @@ pub(super) fn five_point(sample: &[Ray; 5]) -> Essentials {
         }
     }
     essentials
-}
-
-/// Four orthonormal vectors at right angles to the five conditions, by Householder reflections.
-fn null_space(sample: &[Ray; 5]) -> Option<[[f64; 9]; 4]> {
-    let mut columns = sample.map(|[xl, yl, xr, yr]| [xr * xl, xr * yl, -xr, yr * xl, yr * yl, -yr, -xl, -yl, 1.0]);
-    let mut reflectors = [[0.0; 9]; 5];
-    for k in 0..5 {
-        let whole = norm_from(&columns[k], 0);
-        let rest = norm_from(&columns[k], k);
-        if rest.is_nan() || rest <= 1e-12 * whole {
-            return None;
-        }
-        let mut reflector = [0.0; 9];
-        reflector[k..].copy_from_slice(&columns[k][k..]);
-        reflector[k] += if reflector[k] < 0.0 { -rest } else { rest };
-        let length = norm_from(&reflector, k);
-        reflector.iter_mut().for_each(|v| *v /= length);
-        columns[k + 1..].iter_mut().for_each(|column| reflect(column, &reflector));
-        reflectors[k] = reflector;
-    }
-    let mut basis = [[0.0; 9]; 4];
-    for (index, vector) in basis.iter_mut().enumerate() {
-        vector[5 + index] = 1.0;
-        reflectors.iter().rev().for_each(|reflector| reflect(vector, reflector));
-    }
-    Some(basis)
-}
-
-fn norm_from(vector: &[f64; 9], first: usize) -> f64 {
-    vector[first..].iter().map(|v| v * v).sum::<f64>().sqrt()
-}
-
-fn reflect(vector: &mut [f64; 9], reflector: &[f64; 9]) {
-    let twice = 2.0 * vector.iter().zip(reflector).map(|(a, b)| a * b).sum::<f64>();
-    vector.iter_mut().zip(reflector).for_each(|(v, r)| *v -= twice * r);
 }
 
 /// The ten cubic conditions of an essential matrix E = xX + yY + zZ + W: (EEᵀ - ½ tr(EEᵀ) I) E = 0 and det E = 0.

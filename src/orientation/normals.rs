@@ -1,40 +1,39 @@
-//! Normal equations of the five unknowns.
+//! Normal equations of a few unknowns: five of a relative orientation.
 
-use super::coplanarity::Unknowns;
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector};
 
 /// A square matrix over the five unknowns.
 pub(super) type Matrix5 = SMatrix<f64, 5, 5>;
 
 /// N and the right-hand side, summed row by row.
 #[derive(Debug, Clone)]
-pub(super) struct Normals {
-    matrix: [[f64; 5]; 5],
-    right: [f64; 5],
+pub(crate) struct Normals<const N: usize> {
+    matrix: [[f64; N]; N],
+    right: [f64; N],
     /// Weighted sum of the squared misclosures before the step.
     pub square_sum: f64,
 }
 
 /// The step that the normal equations give.
 #[derive(Debug, Clone)]
-pub(super) struct Solution {
-    pub step: Unknowns,
+pub(crate) struct Solution<const N: usize> {
+    pub step: SVector<f64, N>,
     /// N⁻¹.
-    pub cofactors: Matrix5,
-    /// √(δᵀNδ / 5): the step's size in the unit of the misclosures.
+    pub cofactors: SMatrix<f64, N, N>,
+    /// √(δᵀNδ / number of unknowns): the step's size in the unit of the misclosures.
     pub size: f64,
 }
 
-impl Normals {
+impl<const N: usize> Normals<N> {
     pub fn new() -> Self {
-        Self { matrix: [[0.0; 5]; 5], right: [0.0; 5], square_sum: 0.0 }
+        Self { matrix: [[0.0; N]; N], right: [0.0; N], square_sum: 0.0 }
     }
 
     /// Adds an equation `row` · δ + `misclosure` = 0.
-    pub fn add(&mut self, row: &Unknowns, misclosure: f64, weight: f64) {
-        for i in 0..5 {
+    pub fn add(&mut self, row: &SVector<f64, N>, misclosure: f64, weight: f64) {
+        for i in 0..N {
             let weighted = weight * row[i];
-            for j in i..5 {
+            for j in i..N {
                 self.matrix[i][j] += weighted * row[j];
             }
             self.right[i] -= weighted * misclosure;
@@ -44,28 +43,28 @@ impl Normals {
 
     /// Solves for the step. `Err` with the smallest share 1 - R² of an unknown that the others do not explain, where that is nothing but
     /// rounding: the unknowns are not determined.
-    pub fn solve(&self) -> Result<Solution, f64> {
-        let full = Matrix5::from_fn(|i, j| self.matrix[i.min(j)][i.max(j)]);
-        let scale = Unknowns::from_fn(|i, _| 1.0 / self.matrix[i][i].sqrt());
+    pub fn solve(&self) -> Result<Solution<N>, f64> {
+        let full = SMatrix::<f64, N, N>::from_fn(|i, j| self.matrix[i.min(j)][i.max(j)]);
+        let scale = SVector::<f64, N>::from_fn(|i, _| 1.0 / self.matrix[i][i].sqrt());
         if !scale.iter().all(|s| s.is_finite()) {
             return Err(0.0);
         }
-        let scaled = Matrix5::from_fn(|i, j| full[(i, j)] * scale[i] * scale[j]);
+        let scaled = SMatrix::<f64, N, N>::from_fn(|i, j| full[(i, j)] * scale[i] * scale[j]);
         let factor = scaled.cholesky().ok_or(0.0)?;
-        let least = (0..5).map(|i| factor.l_dirty()[(i, i)]).fold(f64::INFINITY, f64::min);
+        let least = (0..N).map(|i| factor.l_dirty()[(i, i)]).fold(f64::INFINITY, f64::min);
         if !(least * least > LEAST_SHARE) {
             return Err(least * least);
         }
         let inverse = factor.inverse();
-        let cofactors = Matrix5::from_fn(|i, j| inverse[(i, j)] * scale[i] * scale[j]);
-        let step = cofactors * Unknowns::from_row_slice(&self.right);
-        let size = (step.dot(&(full * step)) / 5.0).max(0.0).sqrt();
+        let cofactors = SMatrix::<f64, N, N>::from_fn(|i, j| inverse[(i, j)] * scale[i] * scale[j]);
+        let step = cofactors * SVector::<f64, N>::from_row_slice(&self.right);
+        let size = (step.dot(&(full * step)) / N as f64).max(0.0).sqrt();
         Ok(Solution { step, cofactors, size })
     }
 }
 
 #[cfg(test)]
-impl Normals {
+impl<const N: usize> Normals<N> {
     /// The largest difference of two sets of normal equations.
     pub fn difference(&self, other: &Self) -> f64 {
         let coefficients = self.matrix.iter().flatten().zip(other.matrix.iter().flatten());
@@ -94,6 +93,7 @@ pub(super) fn correlations(cofactors: &Matrix5) -> [[f64; 5]; 5] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::coplanarity::Unknowns;
     use super::*;
 
     /// Rows with some correlation between the unknowns.
@@ -119,6 +119,6 @@ mod tests {
             normals.add(&row, 1.0, 1.0);
         }
         assert!(normals.solve().is_err());
-        assert!(Normals::new().solve().is_err());
+        assert!(Normals::<5>::new().solve().is_err());
     }
 }

@@ -1,6 +1,6 @@
 //! Rejection of gross errors by standardised residuals.
 
-use super::adjustment::{Adjusted, adjust};
+use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
 use super::consensus::{Consensus, least_agreement};
 use super::coplanarity::{Linearised, Pose, Ray};
 use crate::Error;
@@ -59,6 +59,8 @@ const LEAST_SCALE: f64 = 1e-11;
 
 /// Adjusts, rejects what exceeds the limit of standardised residuals, and adjusts again until nothing changes.
 ///
+/// The first rounds take residuals to first order, from adjustments that have nearly settled; what these leave is judged by final ones.
+///
 /// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. For a rejected one,
 /// q_vv is that of a new observation. σ is that of those that agree (within 3 σ, more where few of them make σ uncertain),
 /// made consistent; each of these is tested by it as by a σ that it took part in estimating. A least σ that is known holds where the estimated one is
@@ -73,18 +75,16 @@ const LEAST_SCALE: f64 = 1e-11;
 pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
     let mut agreeing = first_agreement(observed, start, limits);
     let mut accepted = agreeing.clone();
-    let mut pose = start.pose;
+    let mut pose = start.model;
+    let mut last = false;
     for round in 0..MAX_ROUNDS {
         let (kept, weights) = observed.kept(&accepted);
         if kept.len() < 5 {
             return Err(Error::TooFew { what: "observations that agree on a relative orientation", got: kept.len(), needed: 5 });
         }
-        let adjusted = adjust(&kept, &weights, pose, |_| Ok(()))?;
+        let adjusted = adjust(&kept, &weights, pose, if last { SETTLED } else { NEARLY_SETTLED }, |_| Ok(()))?;
         pose = adjusted.pose;
-        if kept.len() == 5 {
-            return Ok(Clean { adjusted, accepted });
-        }
-        let standardised = standardised_residuals(observed, &accepted, &adjusted);
+        let standardised = standardised_residuals(observed, &accepted, &adjusted, last);
         let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma);
         let redundancy = agreeing.iter().filter(|agrees| **agrees).count().saturating_sub(5);
         let within = sigma * internal_limit(limits.rejection, redundancy);
@@ -92,10 +92,14 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
         let free = round < FREE_ROUNDS;
         let tested = standardised.iter().zip(&agreeing).zip(&accepted);
         let next: Vec<bool> = tested.map(|((t, agrees), was)| t.size <= if *agrees { within } else { beyond } && (*was || free)).collect();
-        if next == accepted {
-            return Ok(Clean { adjusted, accepted });
+        if next == accepted || kept.len() == 5 {
+            if last {
+                return Ok(Clean { adjusted, accepted });
+            }
+            last = true;
+        } else {
+            accepted = next;
         }
-        accepted = next;
     }
     Err(super::refusal::diverged(MAX_ROUNDS, "the rejection of gross errors did not settle".into()))
 }
@@ -141,7 +145,7 @@ fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least
 fn first_agreement(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Vec<bool> {
     let rays = observed.rays;
     let distances: Vec<f64> =
-        rays.iter().zip(observed.weights).map(|(ray, weight)| start.pose.project(ray).1.abs() * weight.sqrt()).collect();
+        rays.iter().zip(observed.weights).map(|(ray, weight)| start.model.project(ray).1.abs() * weight.sqrt()).collect();
     let least = smallest(&mut distances.clone(), least_agreement(rays.len()) - 1);
     let reach = student_limit(START, least_agreement(rays.len()).saturating_sub(5)).min(FURTHEST_START);
     let threshold = (reach * start.scale.max(limits.least_sigma).max(LEAST_SCALE)).max(least);
@@ -168,14 +172,15 @@ pub(super) fn student_limit(limit: f64, redundancy: usize) -> f64 {
     (freedom * libm::expm1(stretched * stretched / freedom)).sqrt()
 }
 
-/// |v| / √q_vv of every observation, in units of the focal length.
-fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted) -> Vec<Standardised> {
+/// |v| / √q_vv of every observation, in units of the focal length; to first order where not `exact`.
+fn standardised_residuals(observed: Weighted<'_>, accepted: &[bool], adjusted: &Adjusted, exact: bool) -> Vec<Standardised> {
     let tangents = adjusted.pose.tangents();
     let standardise = |((ray, weight), accepted): ((&Ray, &f64), &bool)| {
-        let (at, distance) = adjusted.pose.project(ray);
-        let Some(line) = adjusted.pose.linearise(&tangents, ray, &at) else {
+        let projected = exact.then(|| adjusted.pose.project(ray));
+        let Some(line) = adjusted.pose.linearise(&tangents, ray, &projected.map_or(*ray, |(at, _)| at)) else {
             return Standardised { size: 0.0, share: 0.0 };
         };
+        let distance = projected.map_or(line.misclosure, |(_, distance)| distance);
         let of_unknowns = share_of_unknowns(&line, adjusted);
         let cofactor = if *accepted { 1.0 / weight - of_unknowns } else { 1.0 / weight + of_unknowns };
         // An observation without redundancy has no residual to judge.

@@ -1,6 +1,6 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
-use super::adjustment::{Adjusted, adjust};
+use super::adjustment::{Adjusted, SETTLED, adjust};
 use super::consensus::{consensus, median_parallax};
 use super::coplanarity::{Pose, Ray};
 use super::determinant::adjust_determinants;
@@ -107,7 +107,7 @@ fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &O
 fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
     let start = Pose::vertical(median_parallax(observed.rays));
     let adjusted = match options.method {
-        OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, near_vertical)?,
+        OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, SETTLED, near_vertical)?,
         OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
     };
     Ok(Clean { adjusted, accepted: vec![true; observed.rays.len()] })

@@ -1,6 +1,6 @@
 //! Robust weights: what the residuals of an adjustment make of the weights of the next.
 
-use super::adjustment::{Adjusted, adjust};
+use super::adjustment::{self, Adjusted, adjust};
 use super::coplanarity::Ray;
 use super::options::Weighting;
 use super::rejection::share_of_unknowns;
@@ -71,7 +71,7 @@ pub(super) fn reweight(
             break;
         }
         let products: Vec<f64> = weights.iter().zip(&factors).map(|(weight, factor)| weight * factor).collect();
-        current = adjust(rays, &products, current.pose, |_| Ok(()))?;
+        current = adjust(rays, &products, current.pose, adjustment::SETTLED, |_| Ok(()))?;
     }
     let standardised = standardised(rays, weights, &current, &adjusted, sigma);
     let number = rays.len() as f64;

@@ -4,6 +4,7 @@ mod box_sums;
 mod forstner;
 mod ground;
 mod moravec;
+mod multiscale;
 mod options;
 mod suppression;
 mod threshold;
@@ -11,9 +12,12 @@ mod threshold;
 pub use forstner::forstner;
 pub use ground::{ground1, ground2};
 pub use moravec::moravec;
+pub use multiscale::{MultiscaleOptions, Position, ScalePoint, ScaleSpace, multiscale_points};
 pub use options::{Operator, PointOptions, Ties};
 pub use suppression::suppress_non_maxima;
 pub use threshold::{LEAST_FRACTION, Selection};
+
+pub(crate) use multiscale::Level;
 
 use crate::{Error, GreyView};
 use serde::{Deserialize, Serialize};

@@ -20,6 +20,10 @@ pub(super) enum Stream {
     LeftGrain,
     RightGrain,
     River,
+    BlockFlight,
+    BlockGround,
+    BlockFeatures,
+    BlockMatches,
 }
 
 /// A stream of random numbers.

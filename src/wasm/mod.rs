@@ -4,7 +4,10 @@
 
 mod about;
 mod convert;
+mod descriptors;
 mod draw;
+mod features;
+mod geometry;
 mod matching;
 mod orientation;
 mod photo;

@@ -1,0 +1,62 @@
+//! Writes a simulated block in every format, for other programs to read: `cargo run --example export_block -- FOLDER`.
+
+use std::path::Path;
+use tiepoint::{
+    BlockFlight, BlockModel, BlockOptions, BlockView, Error, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPose,
+    MultiRayPoints, SelectOptions, SimulatedBlock, export_block, multi_ray_points, select_points, simulate_block,
+};
+
+fn main() -> Result<(), Error> {
+    let folder = std::env::args().nth(1).unwrap_or_else(|| "export".into());
+    let block = simulate_block(&BlockFlight { view: BlockView::Oblique, strips: 3, exposures: 4, ..BlockFlight::default() })?;
+    let (points, _) = multi_ray_points(&block.matches()?, &BlockOptions::default())?;
+    let chosen = select_points(&points, &block.image_features(), &SelectOptions::default())?;
+    let model = model_of(&block, &points, &chosen.points)?;
+    for format in ExportFormat::ALL {
+        let name = format!("{format:?}").to_lowercase();
+        let mut files = 0;
+        export_block(&model, format, &mut |path, text| {
+            let path = Path::new(&folder).join(&name).join(path);
+            let made = path.parent().map_or(Ok(()), std::fs::create_dir_all);
+            files += 1;
+            made.and_then(|()| std::fs::write(&path, text)).map_err(|_| Error::NotWritten { what: "the export" })
+        })?;
+        println!("{name}: {files} files");
+    }
+    Ok(())
+}
+
+/// The block with its true orientations and points.
+fn model_of(block: &SimulatedBlock, points: &MultiRayPoints, chosen: &[u32]) -> Result<BlockModel, Error> {
+    let (width_px, height_px) = (block.width_px, block.height_px);
+    let count = block.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
+    let camera = |number: u32| ModelCamera {
+        width_px,
+        height_px,
+        focal_px: block.exposures.iter().find(|exposure| exposure.camera == number).map_or(1.0, |exposure| exposure.focal_px),
+        principal_point_px: [0.5 * f64::from(width_px), 0.5 * f64::from(height_px)],
+        radial: [0.0; 3],
+        tangential: [0.0; 2],
+        pixel_mm: Some(0.009),
+    };
+    let image = |(index, exposure): (usize, &tiepoint::Exposure)| ModelImage {
+        name: format!("photo_{index:04}.jpg"),
+        camera: exposure.camera as usize,
+        pose: Some(ModelPose {
+            rotation: std::array::from_fn(|i| std::array::from_fn(|j| exposure.rotation[(i, j)])),
+            position: exposure.centre,
+        }),
+    };
+    let mut model = BlockModel {
+        cameras: (0..count).map(camera).collect(),
+        images: block.exposures.iter().enumerate().map(image).collect(),
+        points: Vec::new(),
+        origin: Some(GeographicOrigin { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 0.0 }),
+    };
+    model.add_points(points, chosen, &block.image_features())?;
+    for (point, index) in model.points.iter_mut().zip(chosen) {
+        let owner = points.rays(*index as usize).iter().find_map(|ray| block.owners[ray.image as usize][ray.feature as usize]);
+        point.position = owner.map(|owner| block.ground[owner as usize]);
+    }
+    Ok(model)
+}

@@ -1,0 +1,175 @@
+//! The pairwise matches of a whole block, kept small: twelve bytes a match.
+
+use crate::Error;
+use std::collections::BTreeMap;
+
+/// A match of two features.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FeatureMatch {
+    /// Indices of the features in the first and in the second image.
+    pub features: [u32; 2],
+    /// How good the match is, larger is better, in any unit that is the same for all matches of the block. It decides only between matches
+    /// that are equally probable by the matches around them.
+    pub strength: f32,
+}
+
+/// A match between nodes: the features of all images, numbered through.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Edge {
+    pub nodes: [u32; 2],
+    pub strength: f32,
+}
+
+/// The matches of all pairs of a block.
+///
+/// In whatever order the pairs are added, the same points come out.
+#[derive(Debug, Clone, Default)]
+pub struct BlockMatches {
+    /// The first node of each image, and the number of all nodes.
+    starts: Vec<u32>,
+    image_of: Vec<u32>,
+    edges: Vec<Edge>,
+    /// Where the edges of a pair begin, by pair.
+    pairs: BTreeMap<[u32; 2], usize>,
+    /// The same, in the order in which the pairs were added.
+    firsts: Vec<usize>,
+}
+
+impl BlockMatches {
+    /// No matches yet, of images with these numbers of features.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] where these are more features than 32 bits count.
+    pub fn new(feature_counts: &[u32]) -> Result<Self, Error> {
+        let mut starts = Vec::with_capacity(feature_counts.len() + 1);
+        let mut total: u64 = 0;
+        for count in feature_counts {
+            starts.push(total as u32);
+            total += u64::from(*count);
+            if total >= u64::from(u32::MAX) {
+                let allowed = format!("up to {} features in all images", u32::MAX - 1);
+                return Err(Error::InvalidInput { what: "features of the block", got: format!("{total} or more"), allowed });
+            }
+        }
+        starts.push(total as u32);
+        let mut image_of = vec![0; total as usize];
+        for image in 0..feature_counts.len() {
+            image_of[starts[image] as usize..starts[image + 1] as usize].fill(image as u32);
+        }
+        Ok(Self { starts, image_of, ..Self::default() })
+    }
+
+    /// Adds the matches of a pair of images.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for an image or a feature that does not exist, an image with itself, a pair that was added before, and a
+    /// strength that is no number. Nothing is added then.
+    pub fn add_pair(&mut self, images: [u32; 2], matches: &[FeatureMatch]) -> Result<(), Error> {
+        let key = [images[0].min(images[1]), images[0].max(images[1])];
+        let refused = |got: String, allowed: String| Err(Error::InvalidInput { what: "pair of images", got, allowed });
+        if key[1] as usize >= self.images() || key[0] == key[1] {
+            return refused(format!("{images:?}"), format!("two different images of {}", self.images()));
+        }
+        if self.pairs.contains_key(&key) {
+            return refused(format!("{images:?} again"), "each pair once".into());
+        }
+        let counts = images.map(|image| self.features(image));
+        for (index, m) in matches.iter().enumerate() {
+            if m.features[0] >= counts[0] || m.features[1] >= counts[1] || m.strength.is_nan() {
+                let got = format!("features {:?} with strength {} as match {index} of images {images:?}", m.features, m.strength);
+                let allowed = format!("feature indices below {} and {}, a strength that is a number", counts[0], counts[1]);
+                return Err(Error::InvalidInput { what: "match", got, allowed });
+            }
+        }
+        if self.edges.len() + matches.len() >= i32::MAX as usize {
+            return refused(format!("more than {} matches with it", i32::MAX), "fewer matches in all pairs".into());
+        }
+        self.pairs.insert(key, self.edges.len());
+        self.firsts.push(self.edges.len());
+        let starts = images.map(|image| self.starts[image as usize]);
+        self.edges.extend(matches.iter().map(|m| {
+            let nodes = [starts[0] + m.features[0], starts[1] + m.features[1]];
+            Edge { nodes: [nodes[0].min(nodes[1]), nodes[0].max(nodes[1])], strength: m.strength }
+        }));
+        Ok(())
+    }
+
+    /// How many images there are.
+    pub fn images(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// How many matches there are.
+    pub fn len(&self) -> usize {
+        self.edges.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.edges.is_empty()
+    }
+
+    fn features(&self, image: u32) -> u32 {
+        self.starts[image as usize + 1] - self.starts[image as usize]
+    }
+
+    pub(super) fn edges(&self) -> &[Edge] {
+        &self.edges
+    }
+
+    /// Ranges of the edges of each pair, in the order in which they were added.
+    pub(super) fn pair_ranges(&self) -> impl Iterator<Item = std::ops::Range<usize>> {
+        let ends = self.firsts.iter().skip(1).copied().chain([self.edges.len()]);
+        self.firsts.iter().copied().zip(ends).map(|(first, end)| first..end)
+    }
+
+    /// The pairs that were added, by image.
+    pub(super) fn pairs(&self) -> impl Iterator<Item = [u32; 2]> {
+        self.pairs.keys().copied()
+    }
+
+    pub(super) fn nodes(&self) -> usize {
+        self.image_of.len()
+    }
+
+    pub(super) fn image_of(&self, node: u32) -> u32 {
+        self.image_of[node as usize]
+    }
+
+    pub(super) fn feature_of(&self, node: u32) -> u32 {
+        node - self.starts[self.image_of(node) as usize]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(a: u32, b: u32) -> FeatureMatch {
+        FeatureMatch { features: [a, b], strength: 1.0 }
+    }
+
+    #[test]
+    fn what_does_not_exist_is_refused_and_nothing_is_added() {
+        let mut matches = BlockMatches::new(&[3, 0, 2]).unwrap();
+        let mut refused = |images, list: &[FeatureMatch]| {
+            let error = matches.add_pair(images, list).unwrap_err();
+            assert_eq!(error.code(), "invalid-input");
+            assert!(matches.is_empty());
+            error.to_string()
+        };
+        assert!(refused([0, 3], &[]).contains("two different images of 3"));
+        assert!(refused([2, 2], &[]).contains("[2, 2]"));
+        assert!(refused([0, 2], &[of(0, 0), of(3, 0)]).contains("match 1 of images [0, 2]"));
+        assert!(refused([0, 1], &[of(0, 0)]).contains("below 3 and 0"));
+        assert!(refused([0, 2], &[FeatureMatch { features: [0, 0], strength: f32::NAN }]).contains("NaN"));
+        matches.add_pair([2, 0], &[of(1, 2)]).unwrap();
+        assert!(matches.add_pair([0, 2], &[]).unwrap_err().to_string().contains("again"));
+        assert_eq!((matches.edges()[0].nodes, matches.image_of(4), matches.feature_of(4)), ([2, 4], 2, 1));
+    }
+
+    #[test]
+    fn more_features_than_can_be_counted_are_refused() {
+        assert!(BlockMatches::new(&[u32::MAX, u32::MAX]).unwrap_err().to_string().contains("features of the block"));
+    }
+}

@@ -1,0 +1,30 @@
+//! From pairs to a block: which images are tried and connected, multi-ray points, and the choice among them.
+//!
+//! Data flow: [`ChosenPair`] → matches of a pair ([`BlockMatches`], [`ConnectionGraph`]) → `evidence` (how probable a match is by the
+//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`].
+
+mod belonging;
+mod choice;
+mod connections;
+mod evidence;
+mod joining;
+mod matches;
+mod mixture;
+mod options;
+mod pairs;
+mod places;
+mod points;
+mod selection;
+mod sets;
+mod shared;
+
+pub use choice::{ChosenPair, PairRule, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
+pub use connections::{Connection, ConnectionGraph, PairOutcome};
+pub use joining::{JoinCounts, multi_ray_points};
+pub use matches::{BlockMatches, FeatureMatch};
+pub use mixture::MatchReliability;
+pub use options::{BlockOptions, Conflicts, SelectOptions};
+pub use places::ImageFeatures;
+pub use points::{MultiRayPoints, PointRay};
+pub use selection::{SelectedPoints, select_points};
+pub use shared::{SharedPoints, shared_points};

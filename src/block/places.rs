@@ -1,0 +1,74 @@
+//! Where in an image a point lies: cells of an even grid, nine groups of which are the von Gruber places.
+
+use super::{MultiRayPoints, PointRay};
+use crate::Error;
+
+/// Where the features of an image are.
+#[derive(Debug, Clone, Copy)]
+pub struct ImageFeatures<'a> {
+    pub width_px: u32,
+    pub height_px: u32,
+    /// `[x, y]` in px, the centre of the top-left pixel at (0.5, 0.5).
+    pub positions: &'a [[f32; 2]],
+}
+
+/// Cells of the grids of all images, and how many selected points each holds.
+pub(super) struct Cells<'a> {
+    images: &'a [ImageFeatures<'a>],
+    side: usize,
+    counts: Vec<u16>,
+}
+
+impl<'a> Cells<'a> {
+    /// About as many cells as an image is to have points; a multiple of 3 a side, so that each von Gruber place has as many.
+    pub(super) fn new(images: &'a [ImageFeatures<'a>], per_image: usize) -> Self {
+        let side = 3 * ((per_image as f64).sqrt() / 3.0).round().clamp(1.0, 10.0) as usize;
+        Self { images, side, counts: vec![0; images.len() * side * side] }
+    }
+
+    /// The cell of a ray among those of all images.
+    pub(super) fn of(&self, ray: &PointRay) -> usize {
+        let image = &self.images[ray.image as usize];
+        let [x, y] = image.positions[ray.feature as usize];
+        let place = |at: f32, length: u32| ((f64::from(at) / f64::from(length) * self.side as f64) as usize).min(self.side - 1);
+        (ray.image as usize * self.side + place(y, image.height_px)) * self.side + place(x, image.width_px)
+    }
+
+    pub(super) fn count(&self, ray: &PointRay) -> u16 {
+        self.counts[self.of(ray)]
+    }
+
+    pub(super) fn add(&mut self, ray: &PointRay) {
+        let cell = self.of(ray);
+        self.counts[cell] = self.counts[cell].saturating_add(1);
+    }
+
+    /// How many of the nine von Gruber places of an image hold a selected point.
+    pub(super) fn filled_places(&self, image: usize) -> u32 {
+        let third = self.side / 3;
+        let filled = |place: &usize| {
+            let (row, col) = (place / 3 * third, place % 3 * third);
+            (row..row + third).any(|r| (col..col + third).any(|c| self.counts[(image * self.side + r) * self.side + c] > 0))
+        };
+        (0..9).filter(filled).count() as u32
+    }
+}
+
+/// Refuses rays whose images or features do not exist, and features that lie outside their images.
+pub(super) fn check(points: &MultiRayPoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
+    let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "features of the images", got, allowed: allowed.into() });
+    for (index, image) in images.iter().enumerate() {
+        let inside = |[x, y]: &[f32; 2]| (0.0..=image.width_px as f32).contains(x) && (0.0..=image.height_px as f32).contains(y);
+        if let Some(at) = image.positions.iter().find(|at| !inside(at)) {
+            return refused(
+                format!("{at:?} in image {index} of {} x {} px", image.width_px, image.height_px),
+                "positions inside their image",
+            );
+        }
+    }
+    let missing = |ray: &&PointRay| images.get(ray.image as usize).is_none_or(|image| ray.feature as usize >= image.positions.len());
+    match points.iter().flatten().find(missing) {
+        Some(ray) => refused(format!("none for feature {} of image {}", ray.feature, ray.image), "a position for each ray of the points"),
+        None => Ok(()),
+    }
+}

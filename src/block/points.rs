@@ -1,0 +1,73 @@
+//! Multi-ray points: each a set of features, at most one in an image, that show the same place.
+
+/// A feature that shows a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointRay {
+    pub image: u32,
+    /// Index of the feature in its image.
+    pub feature: u32,
+    /// Probability, 0..1, that it belongs to its point.
+    pub confidence: f32,
+}
+
+/// The multi-ray points of a block, ordered by their first ray; the rays of a point are ordered by image.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MultiRayPoints {
+    /// The first ray of each point, and the number of all rays.
+    starts: Vec<u32>,
+    rays: Vec<PointRay>,
+    confidence: Vec<f32>,
+}
+
+impl Default for MultiRayPoints {
+    fn default() -> Self {
+        Self { starts: vec![0], rays: Vec::new(), confidence: Vec::new() }
+    }
+}
+
+impl MultiRayPoints {
+    pub(super) fn with_capacity(points: usize, rays: usize) -> Self {
+        let mut new = Self { rays: Vec::with_capacity(rays), confidence: Vec::with_capacity(points), ..Self::default() };
+        new.starts.reserve(points);
+        new
+    }
+
+    pub(super) fn push(&mut self, rays: impl Iterator<Item = PointRay>, confidence: f32) {
+        self.rays.extend(rays);
+        self.starts.push(self.rays.len() as u32);
+        self.confidence.push(confidence);
+    }
+
+    /// How many points there are.
+    pub fn len(&self) -> usize {
+        self.confidence.len()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.confidence.is_empty()
+    }
+
+    /// How many rays all points have together.
+    pub fn ray_count(&self) -> usize {
+        self.rays.len()
+    }
+
+    /// The rays of a point; none for an index beyond the last point.
+    pub fn rays(&self, point: usize) -> &[PointRay] {
+        match (self.starts.get(point), self.starts.get(point + 1)) {
+            (Some(first), Some(end)) => &self.rays[*first as usize..*end as usize],
+            _ => &[],
+        }
+    }
+
+    /// Probability, 0..1, that all its rays belong together; 0 beyond the last point.
+    pub fn confidence(&self, point: usize) -> f32 {
+        self.confidence.get(point).copied().unwrap_or(0.0)
+    }
+
+    /// The rays of all points, one after another.
+    pub fn iter(&self) -> impl Iterator<Item = &[PointRay]> {
+        (0..self.len()).map(|point| self.rays(point))
+    }
+}

@@ -1,0 +1,147 @@
+//! What a block must be before it is written, and after it is read.
+
+use super::{BlockModel, GeographicOrigin, ModelCamera, ModelPoint, ModelPose};
+use crate::Error;
+use std::collections::BTreeMap;
+
+/// How far rows of a rotation may be from unit length and right angles.
+const ROTATION_TOLERANCE: f64 = 1e-6;
+
+impl BlockModel {
+    /// Refuses what no file should hold.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
+    /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
+    pub fn check(&self) -> Result<(), Error> {
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(index, camera))?;
+        let mut names = BTreeMap::new();
+        for (index, image) in self.images.iter().enumerate() {
+            let what = "image of the block";
+            if image.name.trim().is_empty() || image.name.chars().any(char::is_control) {
+                return refuse(what, format!("the name {:?} of image {index}", image.name), "a name without control characters");
+            }
+            if let Some(first) = names.insert(image.name.as_str(), index) {
+                return refuse(what, format!("the name '{}' for images {first} and {index}", image.name), "each name once");
+            }
+            if image.camera >= self.cameras.len() {
+                return refuse(what, format!("camera {} of image {index}", image.camera), &format!("cameras below {}", self.cameras.len()));
+            }
+            image.pose.iter().try_for_each(|pose| check_pose(index, pose))?;
+        }
+        self.points.iter().enumerate().try_for_each(|(index, point)| self.check_point(index, point))?;
+        self.origin.iter().try_for_each(check_origin)
+    }
+
+    fn check_point(&self, index: usize, point: &ModelPoint) -> Result<(), Error> {
+        let what = "point of the block";
+        let share = |value: f64| (0.0..=1.0).contains(&value);
+        if !point.position.iter().flatten().all(|v| v.is_finite()) || !point.rmse_px.iter().all(|v| v.is_finite() && *v >= 0.0) {
+            return refuse(
+                what,
+                format!("{:?} with residuals of {:?} px as point {index}", point.position, point.rmse_px),
+                "finite numbers",
+            );
+        }
+        if !share(point.confidence) || !point.rays.iter().all(|ray| share(ray.confidence)) {
+            return refuse(what, format!("a confidence of point {index} outside 0 to 1"), "0 to 1");
+        }
+        let mut images = Vec::with_capacity(point.rays.len());
+        for ray in &point.rays {
+            let Some(image) = self.images.get(ray.image) else {
+                return refuse(what, format!("image {} of point {index}", ray.image), &format!("images below {}", self.images.len()));
+            };
+            let camera = &self.cameras[image.camera];
+            let inside = (0.0..=f64::from(camera.width_px)).contains(&ray.x_px) && (0.0..=f64::from(camera.height_px)).contains(&ray.y_px);
+            if !inside {
+                let got = format!("the ray of point {index} at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
+                return refuse(what, got, &format!("places within {} x {} px", camera.width_px, camera.height_px));
+            }
+            images.push(ray.image);
+        }
+        images.sort_unstable();
+        match images.windows(2).find(|pair| pair[0] == pair[1]) {
+            Some(pair) => refuse(what, format!("two rays of point {index} in '{}'", self.images[pair[0]].name), "one ray in an image"),
+            None => Ok(()),
+        }
+    }
+}
+
+fn check_camera(index: usize, camera: &ModelCamera) -> Result<(), Error> {
+    let what = "camera of the block";
+    let finite = |values: &[f64]| values.iter().all(|v| v.abs() <= 1e9);
+    if camera.width_px == 0 || camera.height_px == 0 {
+        return refuse(what, format!("{} x {} px of camera {index}", camera.width_px, camera.height_px), "1 px a side or more");
+    }
+    if !(camera.focal_px > 0.0 && camera.focal_px <= 1e9) {
+        return refuse(what, format!("the focal length {} px of camera {index}", camera.focal_px), "above 0, up to 1000000000");
+    }
+    if !finite(&camera.principal_point_px) || !finite(&camera.radial) || !finite(&camera.tangential) {
+        return refuse(what, format!("principal point or distortion of camera {index}"), "finite numbers");
+    }
+    match camera.pixel_mm {
+        Some(pixel) if !(1e-6..=10.0).contains(&pixel) => {
+            refuse(what, format!("a pixel of {pixel} mm of camera {index}"), "0.000001 to 10")
+        }
+        _ => Ok(()),
+    }
+}
+
+fn check_pose(index: usize, pose: &ModelPose) -> Result<(), Error> {
+    let what = "image of the block";
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let m = &pose.rotation;
+    let cross = [m[0][1] * m[1][2] - m[0][2] * m[1][1], m[0][2] * m[1][0] - m[0][0] * m[1][2], m[0][0] * m[1][1] - m[0][1] * m[1][0]];
+    let near = |value: f64, wanted: f64| (value - wanted).abs() <= ROTATION_TOLERANCE;
+    let square = (0..3).all(|i| (i..3).all(|j| near(dot(&m[i], &m[j]), if i == j { 1.0 } else { 0.0 })));
+    if !square || !near(dot(&cross, &m[2]), 1.0) {
+        return refuse(what, format!("{m:?} as rotation of image {index}"), "a rotation matrix");
+    }
+    if !pose.position.iter().all(|v| v.is_finite()) {
+        return refuse(what, format!("{:?} as position of image {index}", pose.position), "finite numbers");
+    }
+    Ok(())
+}
+
+fn check_origin(origin: &GeographicOrigin) -> Result<(), Error> {
+    let place = origin.longitude_deg.abs() <= 180.0 && origin.latitude_deg.abs() <= 90.0 && origin.height_m.abs() <= 1e6;
+    if place { Ok(()) } else { refuse("origin of the block", format!("{origin:?}"), "a longitude, a latitude and a height up to 1000 km") }
+}
+
+pub(super) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
+    Err(Error::InvalidInput { what, got, allowed: allowed.into() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::sight::tiny_block;
+    use super::*;
+
+    #[test]
+    fn what_no_file_should_hold_is_refused() {
+        let refused = |change: &dyn Fn(&mut BlockModel), word: &str| {
+            let mut model = tiny_block();
+            model.check().unwrap();
+            change(&mut model);
+            let message = model.check().unwrap_err().to_string();
+            assert!(message.contains(word), "{message}");
+        };
+        refused(&|m| m.images[1].name = m.images[0].name.clone(), "for images 0 and 1");
+        refused(&|m| m.images[1].name = "a\nb".into(), "control");
+        refused(&|m| m.images[0].camera = 1, "camera 1 of image 0");
+        refused(&|m| m.cameras[0].focal_px = f64::NAN, "focal");
+        refused(&|m| m.cameras[0].radial[1] = f64::INFINITY, "distortion");
+        refused(&|m| m.cameras[0].height_px = 0, "1 px");
+        refused(&|m| m.cameras[0].pixel_mm = Some(0.0), "pixel");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().rotation[0][0] = 0.5, "rotation");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().rotation.iter_mut().for_each(|r| r[2] = -r[2]), "rotation");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().position[1] = f64::NAN, "position");
+        refused(&|m| m.points[0].position = Some([f64::NAN; 3]), "point 0");
+        refused(&|m| m.points[1].rays[0].image = 9, "image 9 of point 1");
+        refused(&|m| m.points[1].rays[0].x_px = -0.1, "within 400 x 300");
+        refused(&|m| m.points[1].rays[0].y_px = f64::NAN, "within 400 x 300");
+        refused(&|m| m.points[1].rays[0].confidence = 1.5, "confidence");
+        refused(&|m| m.points[0].rays[1].image = m.points[0].rays[0].image, "two rays of point 0");
+        refused(&|m| m.origin.as_mut().unwrap().latitude_deg = 91.0, "latitude");
+    }
+}

@@ -1,0 +1,150 @@
+//! Reading surveyed points: control and check points of a block.
+
+use super::text::shorten;
+use crate::Error;
+use csv::{ReaderBuilder, StringRecord, Trim};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+const WHAT: &str = "the table of control points";
+
+/// A point whose coordinates are known.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SurveyedPoint {
+    pub name: String,
+    /// `[x, y, z]` in the unit of the file.
+    pub position: [f64; 3],
+    /// Standard errors of the place and of the height, above 0; absent where the file has none.
+    pub standard_errors: Option<[f64; 2]>,
+}
+
+/// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between commas, semicolons or tabs.
+///
+/// A first line that names columns may come before them: `name`, `x`, `y`, `z`, `sigma_xy`, `sigma_z`, in any order, among others. Without
+/// it the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
+pub fn parse_surveyed_points(text: &str) -> Result<Vec<SurveyedPoint>, Error> {
+    let text = text.trim_start_matches('\u{feff}');
+    let first = text.lines().find(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#')).unwrap_or("");
+    let delimiter = [b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte)).unwrap_or(b',');
+    let mut reader = ReaderBuilder::new()
+        .delimiter(delimiter)
+        .comment(Some(b'#'))
+        .trim(Trim::All)
+        .flexible(true)
+        .has_headers(false)
+        .from_reader(text.as_bytes());
+    let (mut points, mut names, mut columns) = (Vec::new(), BTreeSet::new(), None);
+    for record in reader.records() {
+        let record = record.map_err(|e| refused(e.to_string()))?;
+        if record.iter().all(str::is_empty) {
+            continue;
+        }
+        let line = record.position().map_or(0, csv::Position::line);
+        let Some(columns) = &columns else {
+            let found = Columns::of(&record)?;
+            columns = Some(found.unwrap_or_default());
+            if found.is_none() {
+                points.push(read_point(&record, &Columns::default(), line, &mut names)?);
+            }
+            continue;
+        };
+        points.push(read_point(&record, columns, line, &mut names)?);
+    }
+    Ok(points)
+}
+
+/// The columns of a table: of the name, of x, y, z, and of both standard errors.
+#[derive(Debug, Clone, Copy)]
+struct Columns {
+    name: usize,
+    position: [usize; 3],
+    standard_errors: Option<[usize; 2]>,
+}
+
+impl Default for Columns {
+    fn default() -> Self {
+        Self { name: 0, position: [1, 2, 3], standard_errors: Some([4, 5]) }
+    }
+}
+
+impl Columns {
+    /// The columns that a line names; none where it has a point.
+    fn of(record: &StringRecord) -> Result<Option<Self>, Error> {
+        if (1..4).all(|column| record.get(column).is_some_and(|field| field.parse::<f64>().is_ok())) {
+            return Ok(None);
+        }
+        let place = |name: &str| record.iter().position(|field| field.eq_ignore_ascii_case(name));
+        let needed = |name: &str| {
+            let names = record.iter().collect::<Vec<_>>().join(",");
+            place(name).ok_or_else(|| refused(format!("neither a column '{name}' nor a point in the first line '{}'", shorten(&names))))
+        };
+        let standard_errors = place("sigma_xy").zip(place("sigma_z")).map(|(xy, z)| [xy, z]);
+        Ok(Some(Self { name: needed("name")?, position: [needed("x")?, needed("y")?, needed("z")?], standard_errors }))
+    }
+}
+
+fn read_point(record: &StringRecord, columns: &Columns, line: u64, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
+    let field = |column: usize| record.get(column).unwrap_or("");
+    let number = |column: usize, what: &str| {
+        let value = field(column).parse().ok().filter(|value: &f64| value.is_finite());
+        value.ok_or_else(|| refused(format!("'{}' for {what} in line {line}", shorten(field(column)))))
+    };
+    let name = field(columns.name).to_string();
+    if name.is_empty() || name.chars().any(char::is_control) || !names.insert(name.clone()) {
+        return Err(refused(format!("the name '{}' in line {line}, which is empty or comes twice", shorten(&name))));
+    }
+    let [x, y, z] = columns.position;
+    let position = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
+    let given = columns.standard_errors.filter(|places| places.iter().any(|column| !field(*column).is_empty()));
+    let standard_errors = match given {
+        Some([xy, z]) => Some([number(xy, "sigma_xy")?, number(z, "sigma_z")?]),
+        None => None,
+    };
+    if let Some(errors) = standard_errors.filter(|errors| !errors.iter().all(|error| *error > 0.0)) {
+        return Err(refused(format!("standard errors {errors:?} in line {line}, which are not above 0")));
+    }
+    Ok(SurveyedPoint { name, position, standard_errors })
+}
+
+fn refused(got: String) -> Error {
+    Error::InvalidInput { what: WHAT, got, allowed: "lines of name, x, y, z and perhaps two standard errors".into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn message(text: &str) -> String {
+        parse_surveyed_points(text).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn points_are_read_with_and_without_names_of_columns() {
+        let point = |name: &str, position, standard_errors| SurveyedPoint { name: name.into(), position, standard_errors };
+        let wanted = [point("A1", [1.0, 2.0, 3.0], Some([0.02, 0.03])), point("A 2", [-1.5, 2e3, 0.0], None)];
+        assert_eq!(parse_surveyed_points("A1,1,2,3,0.02,0.03\n\nA 2,-1.5,2e3,0\n").unwrap(), wanted);
+        assert_eq!(
+            parse_surveyed_points("\u{feff}# control\r\nz;Name;y;x;sigma_z;sigma_xy\r\n3;A1;2;1;0.03;0.02\r\n0;A 2;2000;-1.5;;\r\n")
+                .unwrap(),
+            wanted
+        );
+        assert_eq!(parse_surveyed_points("A1\t1\t2\t3\t0.02\t0.03\nA 2\t-1.5\t2000\t0\n").unwrap(), wanted);
+        assert!(parse_surveyed_points("").unwrap().is_empty());
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_by_line() {
+        assert!(message("A,1,2\n").contains("neither a column 'name' nor a point"));
+        assert!(message("A,1,2,3\nB,1,x,3\n").contains("'x' for y in line 2"));
+        assert!(message("A,1,2,3\nB,1,2,inf\n").contains("'inf' for z in line 2"));
+        assert!(message("A,1,2,3\nA,1,2,3\n").contains("the name 'A' in line 2"));
+        assert!(message("A,1,2,3,0,1\n").contains("not above 0"));
+        assert!(message("A,1,2,3,0.1\n").contains("'' for sigma_z"));
+        assert!(message("name,x,y,z\n,1,2,3\n").contains("the name ''"));
+    }
+}

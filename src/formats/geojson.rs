@@ -1,0 +1,35 @@
+//! GeoJSON of image positions and points, for maps.
+
+use super::BlockModel;
+use crate::Error;
+use crate::math::geographic_from_local;
+use serde_json::{Value, json};
+
+/// A collection of features: a point for each oriented image and for each intersected point.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for a block without an origin on the earth: GeoJSON knows longitudes and latitudes alone.
+///
+/// # Source
+/// RFC 7946, The GeoJSON Format.
+pub(super) fn write_geojson(model: &BlockModel) -> Result<String, Error> {
+    let Some(origin) = model.origin else {
+        let allowed = "a block whose origin is known: GeoJSON has longitudes and latitudes alone".into();
+        return Err(Error::InvalidInput { what: "GeoJSON", got: "a block in a system of its own".into(), allowed });
+    };
+    let origin = [origin.longitude_deg, origin.latitude_deg, origin.height_m];
+    let feature = |position: [f64; 3], properties: Value| {
+        let [longitude, latitude, height] = geographic_from_local(position, origin);
+        // A thousand-millionth of a degree is a tenth of a millimetre on the ground.
+        let rounded = [(longitude * 1e9).round() / 1e9, (latitude * 1e9).round() / 1e9, (height * 1e4).round() / 1e4];
+        json!({"type": "Feature", "geometry": {"type": "Point", "coordinates": rounded}, "properties": properties})
+    };
+    let images = model.images.iter().filter_map(|image| Some(feature(image.pose?.position, json!({"kind": "image", "name": image.name}))));
+    let points = model.points.iter().enumerate().filter_map(|(index, point)| {
+        let properties =
+            json!({"kind": "point", "point": index, "rays": point.rays.len(), "confidence": point.confidence, "rmse_px": point.rmse_px});
+        Some(feature(point.position?, properties))
+    });
+    let features: Vec<String> = images.chain(points).map(|feature| feature.to_string()).collect();
+    Ok(format!("{{\"type\":\"FeatureCollection\",\"features\":[\n{}\n]}}\n", features.join(",\n")))
+}

@@ -1,0 +1,35 @@
+//! Files by which blocks go to other programs and come from them: one format a file.
+//!
+//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`SurveyedPoint`]s; a
+//! [`Project`] is the block's own file.
+
+mod agisoft;
+mod bingo;
+mod bundler;
+mod check;
+mod colmap_features;
+mod colmap_read;
+mod colmap_write;
+mod control;
+mod correction;
+mod csv_tables;
+mod export;
+mod geojson;
+mod isat;
+mod micmac;
+mod model;
+mod nvm;
+mod opensfm;
+mod patb;
+mod project;
+mod quaternion;
+mod sight;
+mod text;
+mod tie_points;
+
+pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
+pub use colmap_read::read_colmap_model;
+pub use control::{SurveyedPoint, parse_surveyed_points};
+pub use export::{ExportFormat, export_block};
+pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
+pub use project::{PROJECT_VERSION, Project, read_project, write_project};

@@ -1,0 +1,76 @@
+//! Words of text files: names without blanks, errors of writing, numbers of a line.
+
+use crate::Error;
+use std::fmt;
+
+/// The error of a sink that takes no more text.
+pub(super) fn not_written(_: fmt::Error) -> Error {
+    Error::NotWritten { what: "the export" }
+}
+
+/// A name that a format separates from others by blanks.
+pub(super) fn one_word<'a>(format: &'static str, name: &'a str) -> Result<&'a str, Error> {
+    if name.chars().any(char::is_whitespace) {
+        return Err(Error::InvalidInput { what: format, got: format!("the image name '{name}'"), allowed: "names without blanks".into() });
+    }
+    Ok(name)
+}
+
+/// A name that becomes the name of a file: it must not lead out of its folder.
+pub(super) fn file_name<'a>(format: &'static str, name: &'a str) -> Result<&'a str, Error> {
+    let leads_out = name.split(['/', '\\']).any(|part| part == ".." || part.is_empty()) || name.contains(':');
+    if leads_out {
+        return Err(Error::InvalidInput {
+            what: format,
+            got: format!("the image name '{name}'"),
+            allowed: "names of files in a folder".into(),
+        });
+    }
+    Ok(name)
+}
+
+/// A line of a file that is being read, with its place for messages.
+#[derive(Clone, Copy)]
+pub(super) struct Line<'a> {
+    pub what: &'static str,
+    pub number: usize,
+    pub text: &'a str,
+}
+
+impl<'a> Line<'a> {
+    pub(super) fn refused(&self, reason: impl Into<String>) -> Error {
+        Error::UnreadableFile { what: self.what, place: format!("line {}", self.number), reason: reason.into() }
+    }
+
+    pub(super) fn words(&self) -> std::str::SplitAsciiWhitespace<'a> {
+        self.text.split_ascii_whitespace()
+    }
+
+    /// The next word as a number that is finite.
+    pub(super) fn number(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<f64, Error> {
+        let word = self.word(words, name)?;
+        let value = word.parse().ok().filter(|value: &f64| value.is_finite());
+        value.ok_or_else(|| self.refused(format!("{name} is '{}', not a finite number", shorten(word))))
+    }
+
+    /// The next word as a whole number.
+    pub(super) fn whole<T: std::str::FromStr>(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<T, Error> {
+        let word = self.word(words, name)?;
+        word.parse().map_err(|_| self.refused(format!("{name} is '{}', not a whole number of its range", shorten(word))))
+    }
+
+    pub(super) fn word(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<&'a str, Error> {
+        words.next().ok_or_else(|| self.refused(format!("it ends before {name}")))
+    }
+}
+
+/// The beginning of a text, for a message of one line.
+pub(super) fn shorten(text: &str) -> String {
+    const LONGEST: usize = 40;
+    let printable = |c: char| if c.is_control() { ' ' } else { c };
+    let mut short: String = text.chars().take(LONGEST).map(printable).collect();
+    if text.chars().nth(LONGEST).is_some() {
+        short.push('…');
+    }
+    short
+}

@@ -1,0 +1,326 @@
+//! From matches to the geometry of their two images: the general one first, then whether the matches need it.
+
+use super::direct::check_points;
+use super::focal;
+use super::frame::{Frame, View, rows};
+use super::fundamental::Fundamentals;
+use super::homography::Homographies;
+use super::options::{Cameras, TwoViewOptions};
+use super::parallax::OffPlane;
+use super::plane_pose::poses_of_plane;
+use super::result::{Degeneracy, TwoView, TwoViewModel};
+use super::rotation::Rotations;
+use super::scale::{Conditions, LEAST_REDUNDANCY, Noise, NoiseLimits, noise, search_scale};
+use super::support::{CALIBRATED, Tolerance, UNCALIBRATED};
+use super::transfer::square_transfer;
+use crate::Error;
+use crate::math::{Candidate, Problem, Search, consensus};
+use crate::orientation::{Field, Pose, Poses, Ray, square_distance};
+use nalgebra::Matrix3;
+
+const WHAT: &str = "the geometry of two views";
+
+/// Samples that tell whether half of the points of a general geometry lie in a plane.
+const HALF_SAMPLES: usize = 150;
+/// Samples that tell whether nearly all of them do.
+const NEARLY_ALL_SAMPLES: usize = 25;
+/// A map of a plane takes the place of a fundamental matrix where it agrees with two of three of its matches.
+const AS_A_PLANE: [usize; 2] = [2, 3];
+/// Samples of two points off a plane.
+const OFF_PLANE_SAMPLES: usize = 3000;
+
+/// Numbers of matches that differ by less than this fraction's inverse are equal.
+const AS_MANY: usize = 50;
+
+/// Times that a pose is refined by the matches that agree with it alone.
+const POLISHINGS: usize = 2;
+
+/// Finds what relates two images by matches `[x left, y left, x right, y right]` in px, of which many may be wrong.
+///
+/// With both focal lengths it is the relative orientation (five points); with principal points alone the fundamental matrix and, where the
+/// matches determine it, the focal length with the relative orientation; without cameras the fundamental matrix (seven points). Where the
+/// matches need no more than a map of a plane, or a rotation, the result says so: see [`TwoView::degenerate`].
+///
+/// Good matches are those within a threshold. It follows from their own precision and from the number of wrong matches about it, up to
+/// [`TwoViewOptions::largest_threshold_px`], or is given. Residuals see only what lies across the epipolar line.
+///
+/// # Errors
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] for positions that are none, or one camera without the other; [`Error::TooFew`];
+/// [`Error::Degenerate`] where no more matches agree on a geometry than would by chance.
+///
+/// # Source
+/// Hartley & Zisserman 2004, Multiple View Geometry, 2nd ed.; Nistér 2004 (five points); Chum, Werner & Matas 2005 (dominant planes).
+pub fn two_view(points: &[[f64; 4]], options: &TwoViewOptions) -> Result<TwoView, Error> {
+    options.check()?;
+    check_points(points)?;
+    match options.cameras()? {
+        Cameras::Known(known) => {
+            let [left, right] = known.map(|(unit, centre)| View { centre, unit });
+            calibrated(&Matches::new(points, Frame { left, right }, options, CALIBRATED)?)
+        }
+        Cameras::Principal(principal) => {
+            uncalibrated(&Matches::new(points, Frame::normalising(points), options, UNCALIBRATED)?, Some(principal))
+        }
+        Cameras::Unknown => uncalibrated(&Matches::new(points, Frame::normalising(points), options, UNCALIBRATED)?, None),
+    }
+}
+
+/// The matches, in px and as coordinates.
+struct Matches<'a> {
+    points: &'a [[f64; 4]],
+    options: &'a TwoViewOptions,
+    frame: Frame,
+    rays: Vec<Ray>,
+    limits: NoiseLimits,
+    /// Mean distance of the points from their centre, in units of coordinates.
+    extent: f64,
+    tolerance: Tolerance,
+}
+
+/// A geometry, and the matches that agree with it.
+struct Found<M> {
+    model: M,
+    noise: Noise,
+    inliers: Vec<usize>,
+}
+
+impl<'a> Matches<'a> {
+    fn new(points: &'a [[f64; 4]], frame: Frame, options: &'a TwoViewOptions, tolerance: Tolerance) -> Result<Self, Error> {
+        let mut different = points.to_vec();
+        different.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
+        different.dedup();
+        let needed = <Homographies as Problem>::SAMPLE + LEAST_REDUNDANCY;
+        if different.len() < needed {
+            return Err(Error::TooFew { what: "different matches for the geometry of two views", got: different.len(), needed });
+        }
+        let extent = Frame::normalising(points).px() / frame.px();
+        Ok(Self { points, options, frame, rays: frame.rays(points), limits: options.limits(frame.px()), extent, tolerance })
+    }
+
+    fn field(&self) -> Field {
+        Field::new(&self.rays, self.options.seed)
+    }
+
+    fn search(&self, most_samples: usize) -> Search {
+        Search {
+            seed: self.options.seed,
+            missing: 1.0 - self.options.confidence,
+            least_samples: 12,
+            most_samples,
+            margin: 1.0,
+            scale: 0.5 * self.limits.largest_threshold,
+        }
+    }
+
+    /// The matches whose square distance is within the threshold, which follows from the distances of all.
+    fn agreeing<M>(&self, model: M, conditions: Conditions, square: impl Fn(&Ray) -> f64) -> Found<M> {
+        let distances: Vec<f64> = self.rays.iter().map(|ray| square(ray).sqrt()).collect();
+        let noise = noise(&distances, conditions, &self.limits);
+        let inliers = (0..distances.len()).filter(|k| distances[*k] <= noise.threshold).collect();
+        Found { model, noise, inliers }
+    }
+
+    /// Some of the matches by themselves.
+    fn only(&self, indices: &[usize]) -> Vec<Ray> {
+        indices.iter().map(|k| self.rays[*k]).collect()
+    }
+
+    fn points_of(&self, indices: &[usize]) -> Vec<[f64; 4]> {
+        indices.iter().map(|k| self.points[*k]).collect()
+    }
+
+    /// Whether a homography (or a rotation) explains the matches that agree with a general geometry: those that deviate are no more than
+    /// wrong matches along epipolar lines.
+    fn explains<M>(&self, homography: &Matrix3<f64>, general: &Found<M>) -> bool {
+        !self.tolerance.is_exceeded(&general.noise, self.off(homography, general).count())
+    }
+
+    fn off<'b, M>(&'b self, homography: &Matrix3<f64>, general: &'b Found<M>) -> impl Iterator<Item = usize> + use<'b, 'a, M> {
+        let limit = self.tolerance.off(&general.noise, self.extent);
+        let homography = *homography;
+        general.inliers.iter().copied().filter(move |k| square_transfer(&homography, &self.rays[*k]) > limit * limit)
+    }
+
+    fn result<M>(&self, model: TwoViewModel, found: Found<M>) -> TwoView {
+        let px = self.frame.px();
+        TwoView {
+            model,
+            inliers: found.inliers,
+            threshold_px: found.noise.threshold * px,
+            sigma_px: found.noise.sigma * px,
+            degenerate: None,
+            homography: None,
+            focal: None,
+        }
+    }
+
+    fn unsupported(&self, agreeing: usize) -> Error {
+        let reason = format!("{agreeing} of {} matches agree on one, no more than would by chance", self.rays.len());
+        Error::Degenerate { what: WHAT, reason }
+    }
+}
+
+fn calibrated(matches: &Matches) -> Result<TwoView, Error> {
+    let field = matches.field();
+    let scale = |distances: &mut [f64]| search_scale(distances, Conditions::One, &matches.limits);
+    let poses = Poses { field: &field, scale: &scale };
+    let best = consensus(&poses, None, &matches.search(matches.options.max_samples as usize)).ok_or_else(|| matches.unsupported(0))?;
+    let found = polished(matches, best.model);
+    if !found.noise.is_supported(Poses::SAMPLE) {
+        return Err(matches.unsupported(found.inliers.len()));
+    }
+    let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
+    let rotations = Rotations { field: &inner, limits: matches.limits };
+    let search = matches.search(NEARLY_ALL_SAMPLES);
+    if let Some(rotation) = consensus(&rotations, None, &search).filter(|rotation| matches.explains(&rotation.model, &found)) {
+        return Ok(of_rotation(matches, matches.frame, rotation.model, &rotation.model));
+    }
+    let homographies = Homographies { field: &inner, limits: matches.limits };
+    let Some(plane) = consensus(&homographies, None, &search).filter(|plane| matches.explains(&plane.model, &found)) else {
+        return Ok(matches.result(of_pose(&matches.frame, &found.model), found));
+    };
+    let found = best_over_plane(matches, found, &plane.model);
+    let flat = matches.explains(&plane.model, &found);
+    let mut result = matches.result(of_pose(&matches.frame, &found.model), found);
+    if flat {
+        result.degenerate = Some(Degeneracy::Plane);
+        result.homography = Some(rows(&matches.frame.homography_px(&plane.model)));
+    }
+    Ok(result)
+}
+
+/// A pose refined by the matches that agree with it alone, these in front of both cameras.
+fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
+    let scale = |distances: &mut [f64]| search_scale(distances, Conditions::One, &matches.limits);
+    let mut found = agreeing_with_pose(matches, pose);
+    for _ in 0..POLISHINGS {
+        let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
+        let start = Candidate { model: found.model, scale: found.noise.sigma };
+        found = agreeing_with_pose(matches, Poses { field: &inner, scale: &scale }.improved(&start, inner.rays.len()).model);
+    }
+    let (pose, behind) = (found.model, 5.0 * found.noise.sigma);
+    found.inliers.retain(|k| pose.in_front(&matches.rays[*k], behind));
+    found
+}
+
+/// Over a plane two poses fit: the one with more matches, or of equal ones that with the optical axes nearer to parallel.
+fn best_over_plane(matches: &Matches, found: Found<Pose>, homography: &Matrix3<f64>) -> Found<Pose> {
+    let mut all = vec![found];
+    all.extend(poses_of_plane(homography).into_iter().map(|pose| polished(matches, pose)));
+    let most = all.iter().map(|found| found.inliers.len()).max().unwrap_or(0);
+    let enough = most - most / AS_MANY;
+    let parallel = |found: &Found<Pose>| found.model.rotation[(2, 2)];
+    let best = all.into_iter().filter(|found| found.inliers.len() >= enough).reduce(|a, b| if parallel(&b) > parallel(&a) { b } else { a });
+    best.expect("the one with most matches is among them")
+}
+
+fn agreeing_with_pose(matches: &Matches, pose: Pose) -> Found<Pose> {
+    let essential = pose.essential();
+    matches.agreeing(pose, Conditions::One, |ray| square_distance(&essential, *ray))
+}
+
+fn of_pose(frame: &Frame, pose: &Pose) -> TwoViewModel {
+    TwoViewModel::Calibrated {
+        fundamental: rows(&frame.fundamental_px(&pose.essential())),
+        rotation: rows(&pose.rotation),
+        base: [pose.base.x, pose.base.y, pose.base.z],
+    }
+}
+
+/// The result for photos from one place. `homography` is in the coordinates of the matches, `rotation` in those of `frame`.
+fn of_rotation(matches: &Matches, frame: Frame, rotation: Matrix3<f64>, homography: &Matrix3<f64>) -> TwoView {
+    let found = matches.agreeing((), Conditions::Two, |ray| square_transfer(homography, ray));
+    let map = rows(&frame.homography_px(&rotation));
+    let mut result = matches.result(TwoViewModel::Rotation { homography: map, rotation: rows(&rotation) }, found);
+    (result.degenerate, result.homography) = (Some(Degeneracy::PureRotation), Some(map));
+    result
+}
+
+fn uncalibrated(matches: &Matches, principal: Option<[[f64; 2]; 2]>) -> Result<TwoView, Error> {
+    let field = matches.field();
+    let Some(found) = general(matches, &field) else { return planar(matches, &field, principal) };
+    let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
+    let homographies = Homographies { field: &inner, limits: matches.limits };
+    let Some(plane) = consensus(&homographies, None, &matches.search(HALF_SAMPLES)) else {
+        return Ok(with_focal(matches, found, principal));
+    };
+    let found = beside_plane(matches, &field, &plane.model, found);
+    if matches.explains(&plane.model, &found) {
+        let flat = planar(matches, &field, principal)?;
+        // Over low relief the map may come near all matches and yet agree with few.
+        if AS_A_PLANE[1] * flat.inliers.len() >= AS_A_PLANE[0] * found.inliers.len() {
+            return Ok(flat);
+        }
+    }
+    Ok(with_focal(matches, found, principal))
+}
+
+/// The fundamental matrix that more matches agree with than would by chance.
+fn general(matches: &Matches, field: &Field) -> Option<Found<Matrix3<f64>>> {
+    let fundamentals = Fundamentals { field, limits: matches.limits };
+    let best = consensus(&fundamentals, None, &matches.search(matches.options.max_samples as usize))?;
+    let found = of_fundamental(matches, field, &best);
+    found.noise.is_supported(Fundamentals::SAMPLE).then_some(found)
+}
+
+/// A fundamental matrix refined by all matches.
+fn of_fundamental(matches: &Matches, field: &Field, best: &Candidate<Matrix3<f64>>) -> Found<Matrix3<f64>> {
+    let polished = super::refine::refined(&super::fundamental::Epipolar, field, best, &matches.limits, field.rays.len());
+    let matrix = polished.unwrap_or(*best).model;
+    matches.agreeing(matrix, Conditions::One, |ray| square_distance(&matrix, *ray))
+}
+
+/// Over a plane that holds half of the matches or more, samples hardly ever have enough points off it: these are looked for by themselves.
+fn beside_plane(matches: &Matches, field: &Field, homography: &Matrix3<f64>, found: Found<Matrix3<f64>>) -> Found<Matrix3<f64>> {
+    if 2 * matches.off(homography, &found).count() > found.inliers.len() {
+        return found;
+    }
+    let Some(off) = OffPlane::new(field, matches.limits, *homography, matches.tolerance.off(&found.noise, matches.extent)) else {
+        return found;
+    };
+    let search = Search { least_samples: OFF_PLANE_SAMPLES, ..matches.search(OFF_PLANE_SAMPLES) };
+    let first = Candidate { model: found.model, scale: found.noise.sigma };
+    match consensus(&off, Some(first), &search) {
+        Some(better) if better.model != found.model => of_fundamental(matches, field, &better),
+        _ => found,
+    }
+}
+
+/// The general geometry of unknown cameras, calibrated where the matches determine the focal length.
+fn with_focal(matches: &Matches, found: Found<Matrix3<f64>>, principal: Option<[[f64; 2]; 2]>) -> TwoView {
+    let fundamental = matches.frame.fundamental_px(&found.model);
+    let sigma_px = found.noise.sigma * matches.frame.px();
+    let searched = principal.and_then(|p| focal::of_base(&matches.points_of(&found.inliers), &p, &fundamental, sigma_px));
+    match searched.and_then(|searched| searched.estimate.map(|estimate| (searched.best, estimate))) {
+        Some((best, estimate)) => TwoView { focal: Some(estimate), ..matches.result(of_pose(&best.frame, &best.model), found) },
+        None => matches.result(TwoViewModel::Fundamental { fundamental: rows(&fundamental) }, found),
+    }
+}
+
+/// What is left where no fundamental matrix is determined: the map of a plane, or a rotation.
+fn planar(matches: &Matches, field: &Field, principal: Option<[[f64; 2]; 2]>) -> Result<TwoView, Error> {
+    let homographies = Homographies { field, limits: matches.limits };
+    let best =
+        consensus(&homographies, None, &matches.search(matches.options.max_samples as usize)).ok_or_else(|| matches.unsupported(0))?;
+    let polished = super::refine::refined(&super::homography::Plane, field, &best, &matches.limits, field.rays.len());
+    let matrix = polished.unwrap_or(best).model;
+    let found = matches.agreeing(matrix, Conditions::Two, |ray| square_transfer(&matrix, ray));
+    if !found.noise.is_supported(Homographies::SAMPLE) {
+        return Err(matches.unsupported(found.inliers.len()));
+    }
+    let homography_px = matches.frame.homography_px(&matrix);
+    let sigma_px = found.noise.sigma * matches.frame.px();
+    let turned = principal.and_then(|p| focal::of_rotation(&matches.points_of(&found.inliers), &p, &homography_px, sigma_px));
+    if let Some(turned) = turned {
+        let in_px = turned.best.frame.homography_px(&turned.best.model);
+        let own = matches.frame.homography_from_px(&in_px);
+        if matches.explains(&own, &found) {
+            let result = of_rotation(matches, turned.best.frame, turned.best.model, &own);
+            return Ok(TwoView { focal: turned.estimate, ..result });
+        }
+    }
+    let homography = rows(&homography_px);
+    let mut result = matches.result(TwoViewModel::Homography { homography }, found);
+    (result.degenerate, result.homography) = (Some(Degeneracy::Plane), Some(homography));
+    Ok(result)
+}
