@@ -43,6 +43,16 @@ export interface DescriptorMatches {
     squares: Uint32Array;
 }
 
+/** Nearest neighbours of consecutive left descriptors; 4294967295 where there is none. */
+export interface NearestPiece {
+    /** The first left descriptor. */
+    first: number;
+    /** Of each left descriptor the nearest right one, the square of its distance and that of the second nearest; stride 3. */
+    left: Uint32Array;
+    /** Of each right descriptor the nearest of these left ones and the square of its distance; stride 2. */
+    right: Uint32Array;
+}
+
 
 
 /** Options of which any may be absent: these take their defaults. */
@@ -61,6 +71,16 @@ export interface TiepointError extends Error {
     code: string;
     /** Whether the caller's options are at fault rather than the data. */
     usage: boolean;
+}
+
+
+
+/** Points with their descriptors. */
+export interface Features {
+    /** x, y and scale in px, the dominant direction in rad from x towards y, and the weight: stride 5. */
+    points: Float64Array;
+    /** 128 bytes a point. */
+    descriptors: Uint8Array;
 }
 
 
@@ -129,6 +149,14 @@ export interface WindowReport {
 
 
 
+/** `TwoView` with its matches as a typed array. */
+export type TwoViewResult = Omit<TwoView, "inliers"> & { inliers: Uint32Array };
+
+/** Where a left point may be seen: a matrix of nine numbers by rows, of homogeneous positions in px. */
+export type MatchGuide = { fundamental: Float64Array | number[] } | { homography: Float64Array | number[] };
+
+
+
 export interface RelativeOrientation {
     /**
      * For each observation: residual y-parallax in mm, redundancy number, standardised residual w, minimal detectable displacement of the
@@ -137,6 +165,75 @@ export interface RelativeOrientation {
     points: Float64Array;
 }
 
+
+/**
+ * A block with what was chosen and found on the way to it.
+ */
+export interface Project {
+    block: BlockModel;
+    /**
+     * The pairs that were chosen, with their outcomes.
+     */
+    connections: Connection[];
+    joining: BlockOptions;
+    selection: SelectOptions;
+}
+
+/**
+ * A block: whatever is not known yet is absent.
+ */
+export interface BlockModel {
+    cameras: ModelCamera[];
+    images: ModelImage[];
+    points: ModelPoint[];
+    /**
+     * Where on the earth the object space is; absent for a block in a system of its own.
+     */
+    origin?: GeographicOrigin | null;
+}
+
+/**
+ * A camera without distortion.
+ */
+export interface Pinhole {
+    /**
+     * Focal length in px; absent: unknown, the same in both images, and estimated where the matches determine it.
+     */
+    focal_px?: number | null;
+    /**
+     * Principal point in px.
+     */
+    principal_px: [number, number];
+}
+
+/**
+ * A camera. With x = U/-W, y = -V/-W of photo = (U, V, W) = M·(X - X₀) and r² = x² + y², a point is seen at
+ * col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
+ *
+ * # Source
+ * Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
+ */
+export interface ModelCamera {
+    width_px: number;
+    height_px: number;
+    focal_px: number;
+    /**
+     * `[c_x, c_y]` in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    principal_point_px: [number, number];
+    /**
+     * `[k1, k2, k3]`, without unit.
+     */
+    radial?: [number, number, number];
+    /**
+     * `[p1, p2]`, without unit.
+     */
+    tangential?: [number, number];
+    /**
+     * Side of a pixel in mm, which formats with photo coordinates need.
+     */
+    pixel_mm?: number | null;
+}
 
 /**
  * A fiducial mark: where it was measured and where the calibration has it.
@@ -161,6 +258,102 @@ export interface Fiducial {
 }
 
 /**
+ * A focal length that was estimated from the matches.
+ */
+export interface FocalEstimate {
+    /**
+     * Of both cameras, in px.
+     */
+    focal_px: number;
+    /**
+     * Its standard error in px, for principal points without error.
+     */
+    standard_error_px: number;
+}
+
+/**
+ * A format that blocks are written in.
+ */
+export type ExportFormat = "colmap" | "micmac" | "bundler" | "nvm" | "opensfm" | "bingo" | "isat" | "agisoft" | "patb" | "csv" | "json" | "geojson";
+
+/**
+ * A multi-ray point.
+ */
+export interface ModelPoint {
+    /**
+     * Absent where it is not intersected.
+     */
+    position?: [number, number, number] | null;
+    /**
+     * Red, green, blue.
+     */
+    colour?: [number, number, number];
+    /**
+     * Root mean square length of its residuals in px.
+     */
+    rmse_px?: number | null;
+    /**
+     * Probability, 0..1, that its rays belong together.
+     */
+    confidence?: number;
+    rays: ModelRay[];
+}
+
+/**
+ * A pair that was chosen, and its outcome.
+ */
+export interface Connection {
+    /**
+     * In ascending order.
+     */
+    images: [number, number];
+    rule: PairRule;
+    outcome: PairOutcome;
+}
+
+/**
+ * A pair to be matched; its images are in ascending order.
+ */
+export interface ChosenPair {
+    images: [number, number];
+    rule: PairRule;
+}
+
+/**
+ * A point in an image.
+ */
+export interface ModelRay {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Measured column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    x_px: number;
+    y_px: number;
+    /**
+     * Probability, 0..1, that it belongs to its point.
+     */
+    confidence?: number;
+}
+
+/**
+ * A point whose coordinates are known.
+ */
+export interface SurveyedPoint {
+    name: string;
+    /**
+     * `[x, y, z]` in the unit of the file.
+     */
+    position: [number, number, number];
+    /**
+     * Standard errors of the place and of the height, above 0; absent where the file has none.
+     */
+    standard_errors: [number, number] | null;
+}
+
+/**
  * An image as interior orientation needs it: its size, and what is known of its fiducials.
  */
 export interface PhotoGeometry {
@@ -175,6 +368,24 @@ export interface PhotoGeometry {
      * Place `[col, row]` of the image's top-left pixel in the scan whose fiducials were measured.
      */
     origin?: [number, number] | null;
+}
+
+/**
+ * An image.
+ */
+export interface ModelImage {
+    /**
+     * File name; no two images have the same.
+     */
+    name: string;
+    /**
+     * Index of its camera.
+     */
+    camera: number;
+    /**
+     * Absent where it is not oriented.
+     */
+    pose?: ModelPose | null;
 }
 
 /**
@@ -223,6 +434,11 @@ export interface OffsetField {
 export type Preset = "sample" | "paper" | "hard" | "lively";
 
 /**
+ * How a point's position is found between the pixels.
+ */
+export type Position = "quadratic" | "forstner";
+
+/**
  * How grey values I become the weights g of the moments.
  */
 export type Brightness = "sum" | "range" | "unit";
@@ -245,6 +461,20 @@ export interface MatchCounts {
 }
 
 /**
+ * How many points are kept, and where.
+ */
+export interface SelectOptions {
+    /**
+     * Rays an image should have.
+     */
+    per_image?: number;
+    /**
+     * Points that a pair of images keeps in common, or as many as it has.
+     */
+    per_connection?: number;
+}
+
+/**
  * How many points each phase left (the first rows of the paper's Table 1).
  */
 export interface PointCounts {
@@ -263,9 +493,33 @@ export interface PointCounts {
 }
 
 /**
+ * How matches are joined to multi-ray points.
+ */
+export interface BlockOptions {
+    conflicts?: Conflicts;
+    /**
+     * Expected share of points with a ray that does not belong to them, 0..0.5: matches join until it is reached.
+     */
+    impure?: number;
+    /**
+     * Points with fewer rays are left out, 2 or more.
+     */
+    min_rays?: number;
+    /**
+     * Share of right matches that is expected where no third image tells, above 0 and below 1.
+     */
+    expected_right?: number;
+}
+
+/**
  * How observations that survived the rejection are weighted down for their residuals.
  */
 export type Weighting = "none" | "huber" | "danish";
+
+/**
+ * How the photos of a block look at the ground.
+ */
+export type BlockView = "nadir" | "oblique" | "two-heights";
 
 /**
  * How the right point of a left one is found.
@@ -314,6 +568,81 @@ export interface PointOptions {
      */
     suppression_window: number;
     ties: Ties;
+}
+
+/**
+ * Options of [`features`](crate::features).
+ */
+export interface FeatureOptions {
+    multiscale: MultiscaleOptions;
+    gradient: GradientOptions;
+}
+
+/**
+ * Options of [`gradient_features`](crate::gradient_features).
+ */
+export interface GradientOptions {
+    /**
+     * The grid's rows lie along the image's: for images that are not rotated against each other.
+     */
+    upright: boolean;
+    /**
+     * Most dominant directions of a point, each of which gets its own descriptor.
+     */
+    orientations: number;
+    /**
+     * Side of one of the 4 x 4 cells, in scales of the point.
+     */
+    cell: number;
+    /**
+     * Square roots of the histogram are compared.
+     */
+    roots: boolean;
+}
+
+/**
+ * Options of [`guided_matches`].
+ */
+export interface GuidedOptions {
+    /**
+     * Largest distance from the line or the place in px.
+     */
+    radius_px: number;
+    /**
+     * As that of [`NearestOptions`], among the candidates.
+     */
+    ratio: number;
+    /**
+     * Largest distance of two descriptors; absent: any.
+     */
+    largest_distance: number | null;
+}
+
+/**
+ * Options of [`multiscale_points`](crate::multiscale_points).
+ */
+export interface MultiscaleOptions {
+    /**
+     * Most points.
+     */
+    number: number;
+    /**
+     * Levels of an octave of the pyramid, in which the scale doubles.
+     */
+    levels: number;
+    /**
+     * Least contrast of a point, the root of its response, in grey values.
+     */
+    contrast: number;
+    /**
+     * Least roundness q of the Förstner tensor at a point, 0..1; the determinant of the Hessian refuses most edges by itself.
+     */
+    roundness: number;
+    /**
+     * Cells on the image's longer side of the grid over which half of the points are distributed equally; 1 chooses the most distinct.
+     */
+    cells: number;
+    position: Position;
 }
 
 /**
@@ -366,6 +695,37 @@ export interface OrientationOptions {
      * Photo base b in mm; absent: the median x-parallax of the accepted observations.
      */
     base_mm: number | null;
+}
+
+/**
+ * Options of [`two_view`](crate::two_view).
+ */
+export interface TwoViewOptions {
+    /**
+     * The cameras; absent: nothing is known of them. Both or neither.
+     */
+    left: Pinhole | null;
+    right: Pinhole | null;
+    /**
+     * Largest distance of a good match from the geometry in px; absent: it follows from the precision of the matches.
+     */
+    threshold_px: number | null;
+    /**
+     * Bound of the threshold that follows from the matches, in px.
+     */
+    largest_threshold_px: number;
+    /**
+     * Probability of drawing at least one sample of good matches only.
+     */
+    confidence: number;
+    /**
+     * Most samples that are drawn.
+     */
+    max_samples: number;
+    /**
+     * Start of the random numbers.
+     */
+    seed: number;
 }
 
 /**
@@ -570,6 +930,45 @@ export interface RelativeOrientation extends FiveParameters {
 }
 
 /**
+ * The exterior orientation of an image.
+ */
+export interface ModelPose {
+    /**
+     * Rows of M, from object to photo, x right, y up, against the view: photo = M·(X - X₀).
+     */
+    rotation: [[number, number, number], [number, number, number], [number, number, number]];
+    /**
+     * X₀, in m where the object space has a scale.
+     */
+    position: [number, number, number];
+}
+
+/**
+ * The geometry of two views: [`two_view`](crate::two_view).
+ */
+export interface TwoView {
+    model: TwoViewModel;
+    /**
+     * The matches that agree with the model, in ascending order.
+     */
+    inliers: number[];
+    /**
+     * The largest distance of these from the model, in px.
+     */
+    threshold_px: number;
+    /**
+     * Standard error of a coordinate of these, in px.
+     */
+    sigma_px: number;
+    degenerate: Degeneracy | null;
+    /**
+     * Of a plane or a rotation the map from the left to the right image, in px.
+     */
+    homography: [[number, number, number], [number, number, number], [number, number, number]] | null;
+    focal: FocalEstimate | null;
+}
+
+/**
  * The interior orientation of one image: from its pixels to photo coordinates.
  */
 export interface Interior {
@@ -641,6 +1040,32 @@ export interface PairSettings {
 }
 
 /**
+ * The place of (0, 0, 0) of an object space whose x goes east, y north and z up, all in m.
+ */
+export interface GeographicOrigin {
+    /**
+     * WGS 84.
+     */
+    longitude_deg: number;
+    latitude_deg: number;
+    /**
+     * Above the ellipsoid.
+     */
+    height_m: number;
+}
+
+/**
+ * The points that two images have in common.
+ */
+export interface SharedPoints {
+    /**
+     * In ascending order.
+     */
+    images: [number, number];
+    points: number;
+}
+
+/**
  * The published interest operators.
  */
 export type Operator = "moravec" | "forstner" | "ground1" | "ground2";
@@ -689,9 +1114,82 @@ export type FiducialModel = "affine" | "similarity";
 export type WindowShape = "square" | "circle";
 
 /**
+ * What became of the matches.
+ */
+export interface JoinCounts {
+    matches: number;
+    /**
+     * Too improbable to join anything.
+     */
+    cut_as_improbable: number;
+    /**
+     * Cut because they would have given a point two rays in one image.
+     */
+    cut_as_conflict: number;
+    /**
+     * Rays that too few of the other rays of their point confirm.
+     */
+    cut_rays: number;
+    /**
+     * Points of too few rays, points beyond the allowed share of impure ones, and points in conflict where these are dropped.
+     */
+    dropped_points: number;
+    dropped_rays: number;
+    reliability: MatchReliability;
+}
+
+/**
+ * What came of matching a pair.
+ */
+export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: number } | { kind: "too_few_matches"; matches: number; needed: number } | { kind: "not_oriented"; matches: number; reason: string } | { kind: "failed"; reason: string };
+
+/**
  * What is done to the matches of any strategy.
  */
 export type Refinement = "none" | "least-squares";
+
+/**
+ * What is done with matches that would give a point two rays in one image.
+ */
+export type Conflicts = "resolve" | "drop";
+
+/**
+ * What is flown, seen and matched. Units are in the names.
+ */
+export interface BlockFlight {
+    view?: BlockView;
+    strips?: number;
+    /**
+     * Exposures of a strip.
+     */
+    exposures?: number;
+    forward_overlap?: number;
+    side_overlap?: number;
+    width_px?: number;
+    height_px?: number;
+    pixel_mm?: number;
+    flying_height_m?: number;
+    relief_m?: number;
+    /**
+     * Features an image has on average, of which `clutter` show no point that another image shows.
+     */
+    features?: number;
+    clutter?: number;
+    /**
+     * Probability that a feature that two images have is matched between them.
+     */
+    matched?: number;
+    /**
+     * Share of wrong matches, and the share of these that join the same two places again and again, as repeated structures do.
+     */
+    wrong?: number;
+    repeated?: number;
+    /**
+     * Standard deviation of a feature's coordinate.
+     */
+    noise_px?: number;
+    seed?: number;
+}
 
 /**
  * What is known of a pair beside its grey values.
@@ -735,9 +1233,40 @@ export type OrientationMethod = "rigorous" | "determinant";
 export type Weakness = "plane" | "clustered" | "rotation" | "ill_conditioned";
 
 /**
+ * What relates the views; matrices by rows, of homogeneous positions in px and of norm 1.
+ */
+export type TwoViewModel = { kind: "calibrated"; fundamental: [[number, number, number], [number, number, number], [number, number, number]]; rotation: [[number, number, number], [number, number, number], [number, number, number]]; base: [number, number, number] } | { kind: "fundamental"; fundamental: [[number, number, number], [number, number, number], [number, number, number]] } | { kind: "homography"; homography: [[number, number, number], [number, number, number], [number, number, number]] } | { kind: "rotation"; homography: [[number, number, number], [number, number, number], [number, number, number]]; rotation: [[number, number, number], [number, number, number], [number, number, number]] };
+
+/**
  * What the difference of two moments is divided by.
  */
 export type Denominator = "maxabs" | "floor";
+
+/**
+ * What the matches of a block say about their own reliability.
+ */
+export interface MatchReliability {
+    /**
+     * Share of right matches among those about which a third image says something.
+     */
+    right: number;
+    /**
+     * The same among the others.
+     */
+    right_alone: number;
+    /**
+     * Shares of the triangles over a right match that close, that stay open, and that miss a side.
+     */
+    triangles_right: [number, number, number];
+    /**
+     * The same over a wrong match, which closes them by chance or by repetition.
+     */
+    triangles_wrong: [number, number, number];
+    /**
+     * Matches about which a third image says something.
+     */
+    observed: number;
+}
 
 /**
  * What two points are compared by.
@@ -753,6 +1282,16 @@ export type ParameterKind = { kind: "integer"; min: number; max: number; odd: bo
  * Which of equal neighbouring values survive the suppression of non-maxima.
  */
 export type Ties = "keep" | "first";
+
+/**
+ * Why a pair was chosen.
+ */
+export type PairRule = "all" | "near" | "sequence" | "alike";
+
+/**
+ * Why the general geometry is not determined.
+ */
+export type Degeneracy = "plane" | "pure-rotation";
 
 
 /**
@@ -775,6 +1314,11 @@ export class Photo {
      * Finds interest points.
      */
     detect(options: Given<PointOptions>): DetectedPoints;
+    /**
+     * Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
+     * of the image's size and row by row, are left out.
+     */
+    features(options: Given<FeatureOptions>, mask?: Uint8Array | number[] | null): Features;
     /**
      * Takes grey values 0..255, row by row.
      */
@@ -875,6 +1419,16 @@ export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64
 export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
 
 /**
+ * The defaults of the options of features.
+ */
+export function feature_defaults(): FeatureOptions;
+
+/**
+ * Every tunable of features with label, unit, range and help.
+ */
+export function feature_parameters(): Parameter[];
+
+/**
  * Every parameter of a flight with label, unit, range and help.
  */
 export function flight_parameters(): Parameter[];
@@ -890,14 +1444,29 @@ export function flight_preset(name: Preset): Flight;
 export function flight_presets(): Preset[];
 
 /**
+ * Every tunable of matching by descriptors and of two-view geometry.
+ */
+export function geometry_parameters(): Parameter[];
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
 export function interior(camera: Camera, photo: PhotoGeometry): Interior;
 
 /**
+ * The matches of pieces that follow each other from the first left descriptor to the last: those of the whole, whatever the pieces.
+ */
+export function join_nearest(pieces: NearestPiece[], options: Given<NearestOptions>): DescriptorMatches;
+
+/**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
  */
 export function match_descriptors(left: Uint8Array | number[], right: Uint8Array | number[], options: Given<NearestOptions>): DescriptorMatches;
+
+/**
+ * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
+ */
+export function match_guided_descriptors(left_positions: Float64Array | number[], left_descriptors: Uint8Array | number[], right_positions: Float64Array | number[], right_descriptors: Uint8Array | number[], guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
 
 /**
  * Matches and orients a pair on one thread.
@@ -921,6 +1490,11 @@ export function match_points(left_points: Float64Array | number[], left_descript
  * Writes matches (stride 5) as CSV.
  */
 export function matches_csv(matches: Float64Array | number[]): string;
+
+/**
+ * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest`.
+ */
+export function nearest_piece(left: Uint8Array | number[], first: number, end: number, right: Uint8Array | number[]): NearestPiece;
 
 /**
  * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
@@ -999,6 +1573,11 @@ export function score_matches(matches: Float64Array | number[], left_points: Flo
 export function simulate(flight: Given<Flight>): SamplePair;
 
 /**
+ * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
+ */
+export function two_view(points: Float64Array | number[], options: Given<TwoViewOptions>): TwoViewResult;
+
+/**
  * The version of the crate.
  */
 export function version(): string;
@@ -1017,15 +1596,21 @@ export interface InitOutput {
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
+    readonly feature_defaults: () => any;
+    readonly feature_parameters: () => any;
     readonly flight_parameters: () => any;
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
+    readonly geometry_parameters: () => any;
     readonly interior: (a: any, b: any) => [number, number, number];
+    readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
+    readonly match_guided_descriptors: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: any, l: any, m: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
+    readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly operator_defaults: () => any;
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
@@ -1038,6 +1623,7 @@ export interface InitOutput {
     readonly photo_decode: (a: number, b: number) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
     readonly photo_detect: (a: number, b: any) => [number, number, number];
+    readonly photo_features: (a: number, b: any, c: number, d: number) => [number, number, number];
     readonly photo_from_grey: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly photo_grey: (a: number) => [number, number];
     readonly photo_height: (a: number) => number;
@@ -1055,8 +1641,9 @@ export interface InitOutput {
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly simulate: (a: any) => [number, number, number];
+    readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

@@ -66,6 +66,22 @@ export class Photo {
         return takeFromExternrefTable0(ret[0]);
     }
     /**
+     * Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
+     * of the image's size and row by row, are left out.
+     * @param {Given<FeatureOptions>} options
+     * @param {Uint8Array | number[] | null} [mask]
+     * @returns {Features}
+     */
+    features(options, mask) {
+        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+        var len0 = WASM_VECTOR_LEN;
+        const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
      * Takes grey values 0..255, row by row.
      * @param {number} width
      * @param {number} height
@@ -440,6 +456,24 @@ export function estimate_offset(left, right) {
 }
 
 /**
+ * The defaults of the options of features.
+ * @returns {FeatureOptions}
+ */
+export function feature_defaults() {
+    const ret = wasm.feature_defaults();
+    return ret;
+}
+
+/**
+ * Every tunable of features with label, unit, range and help.
+ * @returns {Parameter[]}
+ */
+export function feature_parameters() {
+    const ret = wasm.feature_parameters();
+    return ret;
+}
+
+/**
  * Every parameter of a flight with label, unit, range and help.
  * @returns {Parameter[]}
  */
@@ -471,6 +505,15 @@ export function flight_presets() {
 }
 
 /**
+ * Every tunable of matching by descriptors and of two-view geometry.
+ * @returns {Parameter[]}
+ */
+export function geometry_parameters() {
+    const ret = wasm.geometry_parameters();
+    return ret;
+}
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  * @param {Camera} camera
  * @param {PhotoGeometry} photo
@@ -478,6 +521,20 @@ export function flight_presets() {
  */
 export function interior(camera, photo) {
     const ret = wasm.interior(camera, photo);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The matches of pieces that follow each other from the first left descriptor to the last: those of the whole, whatever the pieces.
+ * @param {NearestPiece[]} pieces
+ * @param {Given<NearestOptions>} options
+ * @returns {DescriptorMatches}
+ */
+export function join_nearest(pieces, options) {
+    const ret = wasm.join_nearest(pieces, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -504,6 +561,41 @@ export function match_descriptors(left, right, options) {
         throw e;
     }
     const ret = wasm.match_descriptors(ptr0, len0, ptr1, len1, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
+ * @param {Float64Array | number[]} left_positions
+ * @param {Uint8Array | number[]} left_descriptors
+ * @param {Float64Array | number[]} right_positions
+ * @param {Uint8Array | number[]} right_descriptors
+ * @param {MatchGuide} guide
+ * @param {Given<GuidedOptions>} options
+ * @returns {DescriptorMatches}
+ */
+export function match_guided_descriptors(left_positions, left_descriptors, right_positions, right_descriptors, guide, options) {
+    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    try {
+        ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+        ptr3 = passArray8ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
+        len3 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.match_guided_descriptors(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, guide, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -630,6 +722,35 @@ export function matches_csv(matches) {
     } finally {
         wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
     }
+}
+
+/**
+ * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest`.
+ * @param {Uint8Array | number[]} left
+ * @param {number} first
+ * @param {number} end
+ * @param {Uint8Array | number[]} right
+ * @returns {NearestPiece}
+ */
+export function nearest_piece(left, first, end, right) {
+    const val3 = +first;
+    const val4 = +end;
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.nearest_piece(ptr0, len0, val3, val4, ptr1, len1);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -895,6 +1016,22 @@ export function simulate(flight) {
 }
 
 /**
+ * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
+ * @param {Float64Array | number[]} points
+ * @param {Given<TwoViewOptions>} options
+ * @returns {TwoViewResult}
+ */
+export function two_view(points, options) {
+    const ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.two_view(ptr0, len0, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * The version of the crate.
  * @returns {string}
  */
@@ -960,14 +1097,32 @@ function __wbg_get_imports() {
         __wbg_fill_cb36fe21a8d46cd7: function(arg0) {
             arg0.fill();
         },
+        __wbg_from_eac91875c8a5ffa4: function(arg0) {
+            const ret = Array.from(arg0);
+            return ret;
+        },
         __wbg_get_2080c49015e35254: function() { return handleError(function (arg0, arg1) {
             const ret = Reflect.get(arg0, arg1);
             return ret;
         }, arguments); },
+        __wbg_get_unchecked_e6325ad374eff861: function(arg0, arg1) {
+            const ret = arg0[arg1 >>> 0];
+            return ret;
+        },
         __wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
             let result;
             try {
                 result = arg0 instanceof Float32Array;
+            } catch (_) {
+                result = false;
+            }
+            const ret = result;
+            return ret;
+        },
+        __wbg_instanceof_Uint32Array_ba721c3060d01f9a: function(arg0) {
+            let result;
+            try {
+                result = arg0 instanceof Uint32Array;
             } catch (_) {
                 result = false;
             }
@@ -989,6 +1144,14 @@ function __wbg_get_imports() {
             return ret;
         },
         __wbg_length_6e9d2869242cabf3: function(arg0) {
+            const ret = arg0.length;
+            return ret;
+        },
+        __wbg_length_b03a0fabb109b1e9: function(arg0) {
+            const ret = arg0.length;
+            return ret;
+        },
+        __wbg_length_c702d06d28b96b72: function(arg0) {
             const ret = arg0.length;
             return ret;
         },
@@ -1036,6 +1199,9 @@ function __wbg_get_imports() {
         __wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
             Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
         },
+        __wbg_prototypesetcall_4aea6470234c8414: function(arg0, arg1, arg2) {
+            Uint32Array.prototype.set.call(getArrayU32FromWasm0(arg0, arg1), arg2);
+        },
         __wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
             arg0.rect(arg1, arg2, arg3, arg4);
         },
@@ -1064,7 +1230,7 @@ function __wbg_get_imports() {
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 6, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697);
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -1092,8 +1258,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h9f71a91ed4492697(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6(arg0, arg1, arg2, arg3);
     return ret;
 }
 
