@@ -5,6 +5,7 @@
 //! where a name ends in `_deg`.
 
 mod block;
+mod bundle;
 mod camera;
 mod descriptors;
 mod error;
@@ -27,6 +28,11 @@ pub use block::{
     BlockMatches, BlockOptions, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
     MatchReliability, MultiRayPoints, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints, alike_pairs, all_pairs,
     merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
+};
+pub use bundle::{
+    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraParameter, CameraStatistics, ControlPoint, Datum,
+    FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, PositionPrior, PriorStatistics, Ray, RayCountRmse,
+    RayStatistics, RayVerdict, adjust_block,
 };
 pub use camera::{
     Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
@@ -63,8 +69,8 @@ pub use pair::{
     orient_matches, photo_interior,
 };
 pub use parameters::{
-    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS, PARAMETERS, Parameter,
-    ParameterKind,
+    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
+    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
@@ -72,8 +78,9 @@ pub use points::{
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
-    BlockFlight, BlockView, DenseTruth, Exposure, Flight, MatchScore, Preset, RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample,
-    SimulatedBlock, check_flight, sample_pair, score_matches, simulate, simulate_block,
+    BlockFlight, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset, RIGHT_WITHIN_PX, Rightness,
+    SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_matches, simulate, simulate_block,
+    simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 

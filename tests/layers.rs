@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 17] = [
+const ORDER: [&str; 18] = [
     "error",
     "parameters",
     "math",
@@ -19,6 +19,7 @@ const ORDER: [&str; 17] = [
     "pair",
     "block",
     "formats",
+    "bundle",
     "tables",
     "simulate",
     "report",

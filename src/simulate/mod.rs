@@ -12,6 +12,7 @@ mod block;
 mod buckets;
 mod flight;
 mod lattice;
+mod network;
 mod photo;
 mod random;
 mod render;
@@ -24,5 +25,6 @@ mod view;
 
 pub use block::{BlockFlight, BlockView, Exposure, SimulatedBlock, simulate_block};
 pub use flight::{Flight, Preset};
+pub use network::{NetworkFlight, NetworkKind, SimulatedNetwork, simulate_network};
 pub use sample::{SAMPLE_SEED, Sample, check_flight, sample_pair, simulate};
 pub use score::{DenseTruth, MatchScore, RIGHT_WITHIN_PX, Rightness, score_matches};

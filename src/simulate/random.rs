@@ -24,6 +24,10 @@ pub(super) enum Stream {
     BlockGround,
     BlockFeatures,
     BlockMatches,
+    NetworkOrientations,
+    NetworkPoints,
+    NetworkNoise,
+    NetworkApproximations,
 }
 
 /// A stream of random numbers.

@@ -1,0 +1,178 @@
+//! The bundle adjustment as it is called: checks, adjusts, describes.
+
+use super::block::Block;
+use super::check::check_block;
+use super::datum::observed;
+use super::options::BundleOptions;
+use super::precision::image_errors;
+use super::reliability::of_position;
+use super::result::{BundleResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, RayCountRmse, RayStatistics, RayVerdict};
+use super::snooping::{Settled, settle};
+use crate::Error;
+use crate::math::normal_spread_within;
+
+/// Adjusts all images, cameras and points of a block at once.
+///
+/// The block brings approximate values, good enough that the rays of most points meet about where the points are. Gross errors are found
+/// by a robust adjustment and data snooping; the rest is adjusted by least squares. With GPS positions or control points the block is
+/// taken into their system first.
+///
+/// ```
+/// use tiepoint::{NetworkFlight, BundleOptions, adjust_block, simulate_network};
+///
+/// let simulated = simulate_network(&NetworkFlight::default())?;
+/// let adjusted = adjust_block(&simulated.observed, &BundleOptions::default())?;
+/// let height = adjusted.images[0].position_errors.map(|errors| errors[2]);
+/// println!("RMSE {} px, height of image 0 ± {height:?} m", adjusted.rmse_px);
+/// # Ok::<(), tiepoint::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] for indices, values and rays that do not fit together; [`Error::TooFew`];
+/// [`Error::Degenerate`] for a block that falls apart, an image or a datum that follows from nothing; [`Error::NotConverged`].
+///
+/// # Source
+/// Brown 1976, The bundle adjustment: progress and prospects; Triggs et al. 2000, Bundle adjustment: a modern synthesis; Baarda 1968.
+pub fn adjust_block(block: &Block, options: &BundleOptions) -> Result<BundleResult, Error> {
+    options.check()?;
+    check_block(block, options.datum)?;
+    let settled = settle(block, options)?;
+    Ok(Description::new(block, options, settled).result())
+}
+
+/// A settled adjustment with what its description needs.
+struct Description<'a> {
+    block: &'a Block,
+    options: &'a BundleOptions,
+    settled: Settled,
+    estimated: Option<f64>,
+    /// A priori, or estimated; 0 without either.
+    sigma: f64,
+    residuals: Vec<[f64; 2]>,
+}
+
+/// Sum of squares and number of rays.
+#[derive(Debug, Clone, Copy, Default)]
+struct Squares {
+    sum: f64,
+    rays: usize,
+}
+
+impl Squares {
+    fn add(&mut self, [x, y]: [f64; 2]) {
+        self.sum += x * x + y * y;
+        self.rays += 1;
+    }
+
+    fn rmse(self) -> f64 {
+        (self.sum / self.rays.max(1) as f64).sqrt()
+    }
+}
+
+impl<'a> Description<'a> {
+    fn new(block: &'a Block, options: &'a BundleOptions, settled: Settled) -> Self {
+        let cut = if options.snooping { normal_spread_within(options.limit()) } else { 1.0 };
+        let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
+        let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
+        let state = &settled.adjusted.state;
+        let residual = |ray: &super::block::Ray| {
+            let camera = block.images[ray.image].camera;
+            let at = super::collinearity::project(&state.cameras[camera], &state.images[ray.image], &state.points[ray.point]);
+            [ray.x_px - at[0], ray.y_px - at[1]]
+        };
+        let residuals = block.rays.iter().map(residual).collect();
+        Self { block, options, settled, estimated, sigma, residuals }
+    }
+
+    fn result(&self) -> BundleResult {
+        let (settled, block) = (&self.settled, self.block);
+        let mut all = Squares::default();
+        let mut of_images = vec![Squares::default(); block.images.len()];
+        let mut of_points = vec![Squares::default(); block.points.len()];
+        for ((ray, residual), verdict) in block.rays.iter().zip(&self.residuals).zip(&settled.verdicts) {
+            if *verdict == RayVerdict::Accepted {
+                all.add(*residual);
+                of_images[ray.image].add(*residual);
+                of_points[ray.point].add(*residual);
+            }
+        }
+        let (gps, control) = observed(block, self.options.datum, settled.weighted_by);
+        let state = &settled.adjusted.state;
+        let of_control = |c: &super::block::ControlPoint| {
+            let q = settled.statistics.as_ref().and_then(|s| s.points[c.point]).map(|q| [q[0][0], q[1][1], q[2][2]]);
+            control[c.point].filter(|_| of_points[c.point].rays > 0).map(|prior| of_position(&prior, &state.points[c.point], q, self.sigma))
+        };
+        BundleResult {
+            block: state.put_into(block.clone()),
+            datum: self.options.datum,
+            sigma0_px: self.estimated,
+            sigma0_a_priori_px: self.options.sigma0_px,
+            degrees_of_freedom: settled.redundancy,
+            rmse_px: all.rmse(),
+            rmse_by_rays: by_rays(&of_points),
+            iterations: settled.iterations,
+            last_step: settled.adjusted.last_step,
+            rounds: settled.rounds,
+            cameras: self.cameras(),
+            images: (0..block.images.len()).map(|image| self.image(image, of_images[image], gps[image])).collect(),
+            points: of_points.iter().enumerate().map(|(point, squares)| self.point(point, *squares)).collect(),
+            rays: (0..block.rays.len()).map(|ray| self.ray(ray)).collect(),
+            control: block.control.iter().map(of_control).collect(),
+        }
+    }
+
+    fn cameras(&self) -> Vec<CameraStatistics> {
+        let fixed = self.settled.fixed.iter();
+        let mut cameras: Vec<_> = fixed.map(|fixed| CameraStatistics { standard_errors: [None; 8], fixed: fixed.clone() }).collect();
+        if let Some(statistics) = &self.settled.statistics {
+            for (&(camera, parameter), q) in self.settled.columns.parameter.iter().zip(&statistics.cameras) {
+                cameras[camera].standard_errors[parameter] = Some(self.sigma * q.max(0.0).sqrt());
+            }
+        }
+        cameras
+    }
+
+    fn image(&self, image: usize, squares: Squares, gps: Option<super::datum::Weighted>) -> ImageStatistics {
+        let pose = &self.settled.adjusted.state.images[image];
+        let statistics = self.settled.statistics.as_ref();
+        let errors = statistics.map(|s| image_errors(pose, &s.images[image], self.sigma));
+        ImageStatistics {
+            rays: squares.rays,
+            rmse_px: squares.rmse(),
+            angle_errors_deg: errors.and_then(|(angles, _)| angles),
+            position_errors: errors.map(|(_, position)| position),
+            gps: gps.map(|prior| of_position(&prior, &pose.position, statistics.map(|s| s.of_position(image)), self.sigma)),
+        }
+    }
+
+    fn point(&self, point: usize, squares: Squares) -> Option<ObjectPointStatistics> {
+        let q = self.settled.statistics.as_ref().and_then(|s| s.points[point]);
+        let errors = q.map(|q| [0, 1, 2].map(|k| self.sigma * q[k][k].max(0.0).sqrt()));
+        (squares.rays > 0).then(|| ObjectPointStatistics { rays: squares.rays, rmse_px: squares.rmse(), errors })
+    }
+
+    fn ray(&self, ray: usize) -> RayStatistics {
+        let judged = self.settled.statistics.as_ref().and_then(|s| s.rays[ray]);
+        let w = |standardised: f64| if self.sigma > 0.0 { standardised / self.sigma } else { 0.0 };
+        RayStatistics {
+            verdict: self.settled.verdicts[ray],
+            residual_px: self.residuals[ray],
+            redundancy: judged.map(|j| j.map(|j| j.redundancy)),
+            w: judged.map(|j| j.map(|j| w(j.standardised))),
+        }
+    }
+}
+
+/// Residuals by the number of rays of their point.
+fn by_rays(of_points: &[Squares]) -> Vec<RayCountRmse> {
+    let most = of_points.iter().map(|s| s.rays).max().unwrap_or(0);
+    let mut groups = vec![(0, Squares::default()); most + 1];
+    for squares in of_points {
+        let (points, group) = &mut groups[squares.rays];
+        *points += 1;
+        group.sum += squares.sum;
+        group.rays += squares.rays;
+    }
+    let described = groups.iter().enumerate().skip(1).filter(|(_, (points, _))| *points > 0);
+    described.map(|(rays, (points, group))| RayCountRmse { rays, points: *points, rmse_px: group.rmse() }).collect()
+}

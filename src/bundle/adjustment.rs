@@ -1,0 +1,186 @@
+//! One adjustment of a given set of rays: damped Gauss-Newton steps until they vanish.
+
+use super::collinearity::project;
+use super::datum::{Freedoms, Weighted};
+use super::loss::Robust;
+use super::options::Loss;
+use super::reduced::Problem;
+use super::solution::{Factored, Singular, Step};
+use super::state::State;
+use crate::Error;
+use crate::math::median;
+
+/// Adjusted values with how they were reached.
+#[derive(Debug, Clone)]
+pub(super) struct Adjusted {
+    pub state: State,
+    /// Standard error of a coordinate of weight 1 in px; 0 without redundancy.
+    pub sigma: f64,
+    /// The loss at the end, with its scale.
+    pub robust: Robust,
+    pub iterations: usize,
+    /// Root mean square of the last step in standard errors of the unknowns.
+    pub last_step: f64,
+}
+
+/// What one adjustment is asked for.
+pub(super) struct Demand {
+    pub loss: Loss,
+    /// Known standard error of a coordinate; 0: not known.
+    pub sigma: f64,
+    pub max_iterations: usize,
+    /// A step of this root mean square, in standard errors of the unknowns, has converged.
+    pub tolerance: f64,
+    /// The start is an adjusted one of nearly the same rays: no damping is needed.
+    pub warm: bool,
+}
+
+/// Share of the own diagonals that is added at first; it falls by `EASE` with each success and rises by `STIFFEN` with each failure.
+const FIRST_DAMPING: f64 = 1e-4;
+const EASE: f64 = 0.05;
+const STIFFEN: f64 = 10.0;
+/// Below this, damping is none; above `STIFFEST`, no step helps any more.
+const LEAST_DAMPING: f64 = 1e-9;
+const STIFFEST: f64 = 1e8;
+/// A damped step says nothing of convergence above this.
+const SLACK: f64 = 1e-3;
+
+/// The median length of a two-dimensional normal error, in standard errors of a coordinate.
+const MEDIAN_LENGTH: f64 = 1.177_41;
+
+/// Residuals below this are rounding.
+pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
+
+/// The sums that decide whether a step is taken.
+impl Problem<'_> {
+    /// Observed minus computed coordinates of each sight.
+    pub fn residuals(&self, state: &State) -> Vec<[f64; 2]> {
+        let residual = |s: &super::network::Sight| {
+            let at = project(&state.cameras[s.camera as usize], &state.images[s.image as usize], &state.points[s.point as usize]);
+            [s.at[0] - at[0], s.at[1] - at[1]]
+        };
+        self.network.sights.iter().map(residual).collect()
+    }
+
+    /// Weighted squares of the residuals of each sight; infinite where the point lies in the plane of the perspective centre.
+    fn squares(&self, state: &State) -> Vec<f64> {
+        let square = |(s, [x, y]): (&super::network::Sight, [f64; 2])| {
+            let square = s.weight * (x * x + y * y);
+            if square.is_finite() { square } else { f64::INFINITY }
+        };
+        self.network.sights.iter().zip(self.residuals(state)).map(square).collect()
+    }
+
+    /// Weighted square sum of what the observed positions are off.
+    pub fn square_sum_of_positions(&self, state: &State) -> f64 {
+        let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
+            prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
+        };
+        let images: f64 = self.gps.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
+        images + self.control.iter().zip(&state.points).map(square).sum::<f64>()
+    }
+
+    /// Number of unknowns, the freedoms of a free network not counted.
+    pub fn unknowns(&self) -> usize {
+        let freedoms = if self.held.is_some() { 7 } else { 0 };
+        6 * self.network.images() + 3 * self.network.used_points() + self.columns.number() - freedoms
+    }
+
+    /// Number of observed coordinates beyond the unknowns; negative where some are missing.
+    pub fn redundancy(&self) -> i64 {
+        let positions = self.gps.iter().chain(self.control).flatten().count();
+        (2 * self.network.sights.len() + 3 * positions) as i64 - self.unknowns() as i64
+    }
+
+    fn robust_for(&self, demand: &Demand, squares: &[f64]) -> Robust {
+        if demand.loss == Loss::Squares {
+            return Robust::squares();
+        }
+        let middle = median(&mut squares.to_vec()).unwrap_or(0.0).sqrt() / MEDIAN_LENGTH;
+        Robust::new(demand.loss, middle.max(demand.sigma).max(LEAST_SIGMA_PX))
+    }
+
+    /// Adjusts from a start.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`]; [`Error::Degenerate`] where the equations are singular.
+    ///
+    /// # Source
+    /// Levenberg 1944; Marquardt 1963; Triggs et al. 2000, Bundle adjustment: a modern synthesis.
+    pub fn adjust(&self, start: State, demand: &Demand) -> Result<Adjusted, Error> {
+        let mut state = start;
+        let mut damping = if demand.warm { 0.0 } else { FIRST_DAMPING };
+        let mut squares = self.squares(&state);
+        let mut last_step = f64::INFINITY;
+        for iteration in 1..=demand.max_iterations {
+            let robust = self.robust_for(demand, &squares);
+            let cost =
+                |state: &State, squares: &[f64]| squares.iter().map(|s| robust.cost(*s)).sum::<f64>() + self.square_sum_of_positions(state);
+            let before = cost(&state, &squares);
+            if !before.is_finite() {
+                return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
+            }
+            let sigma = (before / self.redundancy().max(1) as f64).sqrt();
+            loop {
+                let mut reduced = self.reduce(&state, damping, robust);
+                let factored = match Factored::new(&self.network.pattern, &mut reduced) {
+                    Ok(factored) => Some(factored),
+                    Err(singular) if damping >= 1.0 => return Err(self.singular(singular)),
+                    Err(_) => None,
+                };
+                if let Some(factored) = factored {
+                    let mut step = Step::new(self, &reduced, &factored);
+                    if self.held.is_some() {
+                        Freedoms::new(self.network, &state)?.constrain(&state, &mut step);
+                    }
+                    last_step = (step.square.max(0.0) / self.unknowns() as f64).sqrt() / sigma.max(LEAST_SIGMA_PX);
+                    let trial = step.applied_to(&state, self.columns);
+                    let after = self.squares(&trial);
+                    let converged = last_step < demand.tolerance && (damping <= SLACK || sigma < LEAST_SIGMA_PX);
+                    if converged || cost(&trial, &after) <= before {
+                        (state, squares) = (trial, after);
+                        damping = if damping * EASE < LEAST_DAMPING { 0.0 } else { damping * EASE };
+                        if converged {
+                            return Ok(self.settled(state, &squares, robust, iteration, last_step));
+                        }
+                        break;
+                    }
+                }
+                damping = (damping * STIFFEN).max(LEAST_DAMPING);
+                if damping > STIFFEST {
+                    let reason = format!("no step lowers the residuals any more, while the last was {last_step:.1e} standard errors long");
+                    return Err(Error::NotConverged { what: WHAT, iterations: iteration, reason });
+                }
+            }
+        }
+        let reason = format!("the last step is {last_step:.1e} standard errors long; {:.0e} counts as converged", demand.tolerance);
+        Err(Error::NotConverged { what: WHAT, iterations: demand.max_iterations, reason })
+    }
+
+    fn settled(&self, state: State, squares: &[f64], robust: Robust, iterations: usize, last_step: f64) -> Adjusted {
+        let sum = squares.iter().map(|s| robust.factor(*s) * s).sum::<f64>() + self.square_sum_of_positions(&state);
+        let redundancy = self.redundancy();
+        let sigma = if redundancy > 0 { (sum / redundancy as f64).sqrt() } else { 0.0 };
+        Adjusted { state, sigma, robust, iterations, last_step }
+    }
+
+    /// The error of singular normal equations, by what they do not determine.
+    pub fn singular(&self, singular: Singular) -> Error {
+        let reason = match singular {
+            Singular::Image(refused) => {
+                let what = if refused.unknown < 3 { "rotation" } else { "position" };
+                format!("the {what} of image {} (counted from 0) follows from nothing", refused.node)
+            }
+            Singular::Camera(column) => {
+                let (camera, parameter) = self.columns.parameter[column];
+                format!(
+                    "{} of camera {camera} (counted from 0) follows from nothing",
+                    super::result::CameraParameter::ALL[parameter].name()
+                )
+            }
+        };
+        Error::Degenerate { what: WHAT, reason }
+    }
+}
+
+pub(super) const WHAT: &str = "the bundle adjustment";

@@ -1,0 +1,50 @@
+//! Which camera parameters a block determines: the others are fixed, the weakest first.
+
+use super::collinearity::CAMERA_PARAMETERS;
+use super::network::Network;
+use super::result::CameraParameter;
+use super::sparse::DenseFactor;
+use super::state::State;
+
+/// The camera parameter that is determined worst, and by how much in px its standard error moves a ray at the edge; `None` where there is
+/// no parameter.
+pub(super) fn weakest(
+    cameras: &DenseFactor,
+    columns: &[(usize, usize)],
+    effects: &[[f64; CAMERA_PARAMETERS]],
+    sigma: f64,
+) -> Option<(usize, f64)> {
+    let q = columns.len();
+    let cofactors = cameras.inverse();
+    let effect = |column: usize| {
+        let (camera, parameter) = columns[column];
+        sigma * cofactors[column * q + column].max(0.0).sqrt() * effects[camera][parameter]
+    };
+    (0..q).map(|column| (column, effect(column))).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// For each camera the pixels by which a unit of each parameter moves the ray that is farthest from its principal point.
+pub(super) fn effects(network: &Network, state: &State) -> Vec<[f64; CAMERA_PARAMETERS]> {
+    let mut farthest = vec![0.0_f64; state.cameras.len()];
+    for sight in &network.sights {
+        let [f, cx, cy, ..] = state.cameras[sight.camera as usize];
+        let (x, y) = ((sight.at[0] - cx) / f, (sight.at[1] - cy) / f);
+        let far = &mut farthest[sight.camera as usize];
+        *far = far.max(x * x + y * y);
+    }
+    let of_camera = |(values, r2): (&[f64; CAMERA_PARAMETERS], f64)| {
+        let (f, r) = (values[0], r2.sqrt());
+        [r, 1.0, 1.0, f * r * r2, f * r * r2 * r2, f * r * r2 * r2 * r2, 3.0 * f * r2, 3.0 * f * r2]
+    };
+    state.cameras.iter().zip(farthest).map(of_camera).collect()
+}
+
+impl CameraParameter {
+    /// In the order of the unknowns of a camera.
+    pub(super) const ALL: [Self; CAMERA_PARAMETERS] =
+        [Self::Focal, Self::PrincipalX, Self::PrincipalY, Self::K1, Self::K2, Self::K3, Self::P1, Self::P2];
+
+    pub(super) fn name(self) -> &'static str {
+        ["the focal length", "the principal point's column", "the principal point's row", "k1", "k2", "k3", "p1", "p2"][self as usize]
+    }
+}

@@ -1,0 +1,169 @@
+//! What cannot be adjusted, and why.
+
+use super::block::{Block, BlockCamera};
+use super::network::Network;
+use super::options::Datum;
+use crate::Error;
+use std::ops::RangeInclusive;
+
+/// Least number of accepted rays of an image: three fix it up to four solutions.
+const LEAST_RAYS: usize = 4;
+
+/// Largest coordinate of object space: what a number holds to a hundredth of a millionth beside a unit.
+const LARGEST: f64 = 1e8;
+
+/// Refuses indices that point nowhere, values that are none, and an image that sees a point twice.
+pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
+    if block.images.len() < 2 {
+        return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed: 2 });
+    }
+    block.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(index, camera))?;
+    for (index, image) in block.images.iter().enumerate() {
+        let place = |what: &str| format!("{what} of image {index} (counted from 0)");
+        check_index("camera of an image", image.camera, block.cameras.len(), || place("camera"))?;
+        check_values("rotation of an image", image.rotation.as_flattened(), -1.01..=1.01, || place("rotation"))?;
+        check_rotation(&image.rotation, || place("rotation"))?;
+        check_position(&image.position, || place("position"))?;
+        if let Some(gps) = image.gps {
+            check_position(&gps.position, || place("GPS position"))?;
+            check_values("sigma of a position", &gps.sigma, 1e-9..=1e9, || place("GPS sigma"))?;
+        }
+    }
+    for (index, point) in block.points.iter().enumerate() {
+        check_position(&point.position, || format!("point {index} (counted from 0)"))?;
+    }
+    for (index, ray) in block.rays.iter().enumerate() {
+        let place = |what: &str| format!("{what} of ray {index} (counted from 0)");
+        check_index("image of a ray", ray.image, block.images.len(), || place("image"))?;
+        check_index("point of a ray", ray.point, block.points.len(), || place("point"))?;
+        check_values("image coordinates", &[ray.x_px, ray.y_px], -1e7..=1e7, || place("coordinates"))?;
+        check_values("weight", &[ray.weight], 1e-12..=1e12, || place("weight"))?;
+    }
+    check_control(block)?;
+    check_once(block)?;
+    if datum.uses_control() && block.control.is_empty() && !datum.uses_gps() {
+        return Err(Error::TooFew { what: "control points, for the datum", got: 0, needed: 3 });
+    }
+    Ok(())
+}
+
+fn check_camera(index: usize, camera: &BlockCamera) -> Result<(), Error> {
+    let place = |what: &str| format!("{what} of camera {index} (counted from 0)");
+    check_values("focal length of a camera", &[camera.focal_px], 1.0..=1e7, || place("focal_px"))?;
+    check_values("principal point of a camera", &camera.principal_point_px, -1e7..=1e7, || place("principal_point_px"))?;
+    check_values("distortion of a camera", &camera.radial, -1e3..=1e3, || place("radial"))?;
+    check_values("distortion of a camera", &camera.tangential, -1e3..=1e3, || place("tangential"))?;
+    if camera.free.radial > 3 {
+        let got = format!("{} free radial coefficients {}", camera.free.radial, place(""));
+        return Err(Error::InvalidInput { what: "free parameters of a camera", got, allowed: "0 to 3".into() });
+    }
+    Ok(())
+}
+
+fn check_control(block: &Block) -> Result<(), Error> {
+    let mut is_control = vec![false; block.points.len()];
+    for (index, control) in block.control.iter().enumerate() {
+        let place = |what: &str| format!("{what} of control point {index} (counted from 0)");
+        check_index("point of a control point", control.point, block.points.len(), || place("point"))?;
+        check_position(&control.position, || place("position"))?;
+        check_values("sigma of a position", &control.sigma, 1e-9..=1e9, || place("sigma"))?;
+        if std::mem::replace(&mut is_control[control.point], true) {
+            let got = format!("point {} twice", control.point);
+            return Err(Error::InvalidInput { what: "control points", got, allowed: "each point once".into() });
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a second ray of the same image and point.
+fn check_once(block: &Block) -> Result<(), Error> {
+    let mut pairs: Vec<(usize, usize)> = block.rays.iter().map(|ray| (ray.point, ray.image)).collect();
+    pairs.sort_unstable();
+    match pairs.windows(2).find(|w| w[0] == w[1]) {
+        Some(w) => {
+            let got = format!("two rays of image {} to point {}", w[0].1, w[0].0);
+            Err(Error::InvalidInput { what: "rays", got, allowed: "at most one ray for each image and point".into() })
+        }
+        None => Ok(()),
+    }
+}
+
+fn check_index(what: &'static str, index: usize, number: usize, place: impl Fn() -> String) -> Result<(), Error> {
+    if index < number {
+        return Ok(());
+    }
+    let allowed = if number == 0 { "none: there are none".into() } else { format!("0 to {}", number - 1) };
+    Err(Error::InvalidInput { what, got: format!("{index} as {}", place()), allowed })
+}
+
+fn check_values(what: &'static str, values: &[f64], allowed: RangeInclusive<f64>, place: impl Fn() -> String) -> Result<(), Error> {
+    match values.iter().find(|v| !allowed.contains(v)) {
+        Some(wrong) => {
+            let allowed = format!("{} to {}", allowed.start(), allowed.end());
+            Err(Error::InvalidInput { what, got: format!("{wrong} in {}", place()), allowed })
+        }
+        None => Ok(()),
+    }
+}
+
+fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(), Error> {
+    check_values("position", position, -LARGEST..=LARGEST, place)
+}
+
+/// Refuses rows that are not at right angles and of length 1, and a reflection.
+fn check_rotation(m: &[[f64; 3]; 3], place: impl Fn() -> String) -> Result<(), Error> {
+    let orthonormal = super::state::orthonormal(*m);
+    let off = m.iter().flatten().zip(orthonormal.iter().flatten()).map(|(a, b)| (a - b).abs());
+    if off.clone().all(|off| off < 1e-3) {
+        return Ok(());
+    }
+    let difference = off.fold(0.0, f64::max);
+    let got = format!("{m:?}, {difference:.1e} off a rotation, in {}", place());
+    Err(Error::InvalidInput { what: "rotation of an image", got, allowed: "rows at right angles, of length 1, right-handed".into() })
+}
+
+/// Refuses images with too few rays, and a block that falls apart where nothing else holds it together.
+pub(super) fn check_network(network: &Network, datum: Datum) -> Result<(), Error> {
+    for image in 0..network.images() {
+        let rays = network.of_image(image).len();
+        if rays < LEAST_RAYS {
+            let reason =
+                format!("image {image} (counted from 0) has {rays} rays to points that others see; at least {LEAST_RAYS} are needed");
+            return Err(Error::Degenerate { what: super::adjustment::WHAT, reason });
+        }
+    }
+    let parts = parts(network);
+    if datum == Datum::Free && parts.len() > 1 {
+        let reason = format!(
+            "the block falls into {} parts without common points; images {} and {} (counted from 0) are in different ones",
+            parts.len(),
+            parts[0],
+            parts[1]
+        );
+        return Err(Error::Degenerate { what: super::adjustment::WHAT, reason });
+    }
+    Ok(())
+}
+
+/// The first image of each part that is connected by points.
+fn parts(network: &Network) -> Vec<usize> {
+    let mut reached = vec![false; network.images()];
+    let mut firsts = Vec::new();
+    for first in 0..network.images() {
+        if std::mem::replace(&mut reached[first], true) {
+            continue;
+        }
+        firsts.push(first);
+        let mut open = vec![first];
+        while let Some(image) = open.pop() {
+            for sight in network.of_image(image) {
+                for other in network.of_point(network.sights[*sight as usize].point as usize) {
+                    if !std::mem::replace(&mut reached[other.image as usize], true) {
+                        open.push(other.image as usize);
+                    }
+                }
+            }
+        }
+    }
+    firsts
+}

@@ -1,0 +1,199 @@
+//! Where the block lies: observed positions, or the seven freedoms of a free network and the constraints that settle them.
+
+use super::block::{Block, PositionPrior};
+use super::network::Network;
+use super::options::Datum;
+use super::reduced::dot3;
+use super::similarity::{Similarity, middle, minus};
+use super::solution::Step;
+use super::sparse::{N, inverse_of_dense};
+use super::state::{Pose, State, turn_of};
+use crate::Error;
+
+/// An observed position with the weights of its coordinates.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Weighted {
+    pub position: [f64; 3],
+    pub weight: [f64; 3],
+}
+
+impl Weighted {
+    fn new(prior: &PositionPrior, sigma0: f64) -> Self {
+        Self { position: prior.position, weight: prior.sigma.map(|sigma| sigma0 / sigma * (sigma0 / sigma)) }
+    }
+}
+
+/// What a datum observes, for a standard error `sigma0` of a ray of weight 1: images, then points.
+pub(super) fn observed(block: &Block, datum: Datum, sigma0: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
+    let gps = block.images.iter().map(|i| i.gps.filter(|_| datum.uses_gps()).map(|prior| Weighted::new(&prior, sigma0))).collect();
+    let mut control = vec![None; block.points.len()];
+    for c in block.control.iter().filter(|_| datum.uses_control()) {
+        control[c.point] = Some(Weighted::new(&PositionPrior { position: c.position, sigma: c.sigma }, sigma0));
+    }
+    (gps, control)
+}
+
+/// Least width of the observed positions across the line through them, as a share of their length.
+const LEAST_WIDTH: f64 = 1e-3;
+
+/// Takes the approximate values into the system of the observed positions.
+///
+/// # Errors
+/// [`Error::TooFew`] below three observed positions; [`Error::Degenerate`] where they lie on a line.
+pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State, datum: Datum) -> Result<State, Error> {
+    let (gps, control) = observed(block, datum, 1.0);
+    let of_images = gps.iter().zip(&state.images).filter_map(|(prior, pose)| prior.map(|prior| (pose.position, prior.position)));
+    let seen = |point: usize| network.of_point(point).len() >= 2;
+    let of_points = control.iter().enumerate().filter(|(point, _)| seen(*point));
+    let of_points = of_points.filter_map(|(point, prior)| prior.map(|prior| (state.points[point], prior.position)));
+    let pairs: Vec<_> = of_images.chain(of_points).collect();
+    if pairs.len() < 3 {
+        return Err(Error::TooFew { what: "GPS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
+    }
+    let width = relative_width(&pairs);
+    if !(width >= LEAST_WIDTH) {
+        let reason =
+            format!("the GPS positions and control points lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
+        return Err(Error::Degenerate { what: "the datum", reason });
+    }
+    let similarity = Similarity::between(&pairs);
+    let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
+    Ok(similarity.ok_or_else(undetermined)?.state(state))
+}
+
+/// Width of the observed positions across their longest axis by the length along it.
+fn relative_width(pairs: &[([f64; 3], [f64; 3])]) -> f64 {
+    let centre = middle(pairs.iter().map(|pair| pair.1));
+    let mut scatter = nalgebra::Matrix3::zeros();
+    for (_, to) in pairs {
+        let d = nalgebra::Vector3::from(minus(to, &centre));
+        scatter += d * d.transpose();
+    }
+    let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
+    values.sort_by(f64::total_cmp);
+    (values[1].max(0.0) / values[2]).sqrt()
+}
+
+/// Two images that hold a free network while it is solved: the one with the most rays, and the one farthest from it.
+pub(super) fn held_images(network: &Network, state: &State) -> [usize; 2] {
+    let rays = |image: usize| network.of_image(image).len();
+    let held = (0..network.images()).rev().max_by_key(|image| rays(*image)).unwrap_or(0);
+    let distance = |image: &usize| {
+        let d = minus(&state.images[*image].position, &state.images[held].position);
+        dot3(&d, &d)
+    };
+    let far = (0..network.images()).max_by(|a, b| distance(a).total_cmp(&distance(b))).unwrap_or(0);
+    [held, far]
+}
+
+/// One number for each freedom: shift, turn, change of scale.
+pub(super) type Seven = [f64; 7];
+
+/// The freedoms of a free network at its present values. The constraints keep the orientations of all images in the middle of where they
+/// were: shifts count as they are, a turn by the arc it makes at the mean distance of the points, so that one strip is held too.
+///
+/// # Source
+/// Granshaw 1980, Bundle adjustment methods in engineering photogrammetry (inner constraints).
+pub(super) struct Freedoms {
+    centre: [f64; 3],
+    /// Unit of length, for the sake of rounding.
+    extent: f64,
+    /// Square of the mean distance of the points.
+    arm2: f64,
+    /// (GᵀEG)⁻¹.
+    pub inverse: [Seven; 7],
+}
+
+impl Freedoms {
+    /// # Errors
+    /// [`Error::Degenerate`] for images without any extent.
+    pub fn new(network: &Network, state: &State) -> Result<Self, Error> {
+        let centre = middle(state.images.iter().map(|i| i.position));
+        let distance = |s: &super::network::Sight| {
+            let d = minus(&state.points[s.point as usize], &state.images[s.image as usize].position);
+            dot3(&d, &d).sqrt()
+        };
+        let mean = network.sights.iter().map(distance).sum::<f64>() / network.sights.len() as f64;
+        let mut freedoms = Self { centre, extent: mean, arm2: mean * mean, inverse: [[0.0; 7]; 7] };
+        let mut normal = [[0.0; 7]; 7];
+        for pose in &state.images {
+            for (row, weight) in freedoms.of_image(pose).iter().zip(freedoms.weights()) {
+                (0..49).for_each(|k| normal[k / 7][k % 7] += weight * row[k / 7] * row[k % 7]);
+            }
+        }
+        let refused = || Error::Degenerate { what: "the free network", reason: "all images have the same position".into() };
+        freedoms.inverse = inverse_of_dense(&normal).ok_or_else(refused)?;
+        Ok(freedoms)
+    }
+
+    /// How the six unknowns of an image change with the freedoms.
+    pub fn of_image(&self, pose: &Pose) -> [Seven; N] {
+        let m = &pose.rotation;
+        let turn = [0, 1, 2].map(|r| [0.0, 0.0, 0.0, -m[r][0] / self.extent, -m[r][1] / self.extent, -m[r][2] / self.extent, 0.0]);
+        let shift = self.of_point(&pose.position);
+        [turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]]
+    }
+
+    /// How the coordinates of a point change with the freedoms.
+    pub fn of_point(&self, point: &[f64; 3]) -> [Seven; 3] {
+        let [x, y, z] = minus(point, &self.centre).map(|v| v / self.extent);
+        [[1.0, 0.0, 0.0, 0.0, z, -y, x], [0.0, 1.0, 0.0, -z, 0.0, x, y], [0.0, 0.0, 1.0, y, -x, 0.0, z]]
+    }
+
+    /// Weights of the six unknowns of an image in the constraints.
+    pub fn weights(&self) -> [f64; N] {
+        [self.arm2, self.arm2, self.arm2, 1.0, 1.0, 1.0]
+    }
+
+    /// The part of a change of all images that is nothing but a motion of the whole block.
+    fn motion(&self, state: &State, changes: &[[f64; N]]) -> Seven {
+        let mut right = [0.0; 7];
+        for (pose, change) in state.images.iter().zip(changes) {
+            for ((row, weight), value) in self.of_image(pose).iter().zip(self.weights()).zip(change) {
+                (0..7).for_each(|k| right[k] += weight * row[k] * value);
+            }
+        }
+        self.inverse.map(|row| row.iter().zip(&right).map(|(a, b)| a * b).sum())
+    }
+
+    /// Takes the motion of the whole block out of a step.
+    pub fn constrain(&self, state: &State, step: &mut Step) {
+        let motion = self.motion(state, &step.images);
+        let part = |row: &Seven| row.iter().zip(&motion).map(|(a, b)| a * b).sum::<f64>();
+        for (pose, change) in state.images.iter().zip(&mut step.images) {
+            self.of_image(pose).iter().zip(change).for_each(|(row, value)| *value -= part(row));
+        }
+        for (point, change) in state.points.iter().zip(&mut step.points) {
+            self.of_point(point).iter().zip(change).for_each(|(row, value)| *value -= part(row));
+        }
+    }
+
+    /// The similarity of a motion.
+    fn similarity(&self, motion: &Seven) -> Similarity {
+        let [x, y, z, a, b, c, s] = *motion;
+        let to = [self.centre[0] + x, self.centre[1] + y, self.centre[2] + z];
+        let rotation = turn_of([a, b, c].map(|v| v / self.extent));
+        Similarity { scale: 1.0 + s / self.extent, rotation, from: self.centre, to }
+    }
+}
+
+/// Moves a free network as a whole to where the constraints want it beside `reference`: what steps leave to second order.
+pub(super) fn moved_onto(network: &Network, mut state: State, reference: &State) -> Result<State, Error> {
+    for _ in 0..10 {
+        let freedoms = Freedoms::new(network, &state)?;
+        let changes: Vec<[f64; N]> = state.images.iter().zip(&reference.images).map(|(from, to)| change(from, to)).collect();
+        let motion = freedoms.motion(&state, &changes);
+        state = freedoms.similarity(&motion).state(&state);
+        if motion.iter().all(|v| v.abs() < 1e-13 * freedoms.extent) {
+            break;
+        }
+    }
+    Ok(state)
+}
+
+/// The turns, to first order, and the shift from one pose to another.
+fn change(from: &Pose, to: &Pose) -> [f64; N] {
+    let r = [0, 1, 2].map(|i| [0, 1, 2].map(|j| dot3(&to.rotation[i], &from.rotation[j])));
+    let shift = minus(&to.position, &from.position);
+    [0.5 * (r[2][1] - r[1][2]), 0.5 * (r[0][2] - r[2][0]), 0.5 * (r[1][0] - r[0][1]), shift[0], shift[1], shift[2]]
+}

@@ -1,0 +1,134 @@
+//! The rays that take part, in the order in which the normal equations are summed, and the couplings that they make.
+
+use super::block::Block;
+use super::collinearity::CAMERA_PARAMETERS;
+use super::sparse::Pattern;
+
+/// A ray that takes part.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sight {
+    pub image: u32,
+    pub camera: u32,
+    pub point: u32,
+    /// Its index in the block.
+    pub ray: u32,
+    pub at: [f64; 2],
+    pub weight: f64,
+}
+
+/// The accepted rays of a block by points and by images.
+pub(super) struct Network {
+    /// By point, then image.
+    pub sights: Vec<Sight>,
+    /// Where the sights of each point begin, and where those of the last one end.
+    pub point_start: Vec<usize>,
+    /// Indices of sights by image, then point.
+    pub by_image: Vec<u32>,
+    pub image_start: Vec<usize>,
+    pub pattern: Pattern,
+}
+
+impl Network {
+    pub fn new(block: &Block, accepted: &[bool]) -> Self {
+        let kept = block.rays.iter().enumerate().zip(accepted).filter(|(_, accepted)| **accepted).map(|(ray, _)| ray);
+        let mut sights: Vec<Sight> = kept
+            .map(|(index, ray)| Sight {
+                image: ray.image as u32,
+                camera: block.images[ray.image].camera as u32,
+                point: ray.point as u32,
+                ray: index as u32,
+                at: [ray.x_px, ray.y_px],
+                weight: ray.weight,
+            })
+            .collect();
+        sights.sort_unstable_by_key(|s| (s.point, s.image));
+        let point_start = starts(block.points.len(), sights.iter().map(|s| s.point));
+        let mut by_image: Vec<u32> = (0..sights.len() as u32).collect();
+        by_image.sort_by_key(|s| sights[*s as usize].image);
+        let image_start = starts(block.images.len(), by_image.iter().map(|s| sights[*s as usize].image));
+        let pattern = Pattern::of(neighbours(&sights, &point_start, &by_image, &image_start));
+        Self { sights, point_start, by_image, image_start, pattern }
+    }
+
+    pub fn points(&self) -> usize {
+        self.point_start.len() - 1
+    }
+
+    pub fn images(&self) -> usize {
+        self.image_start.len() - 1
+    }
+
+    /// The sights of a point.
+    pub fn of_point(&self, point: usize) -> &[Sight] {
+        &self.sights[self.point_start[point]..self.point_start[point + 1]]
+    }
+
+    /// Indices of the sights of an image.
+    pub fn of_image(&self, image: usize) -> &[u32] {
+        &self.by_image[self.image_start[image]..self.image_start[image + 1]]
+    }
+
+    /// Number of points that have rays.
+    pub fn used_points(&self) -> usize {
+        self.point_start.windows(2).filter(|w| w[1] > w[0]).count()
+    }
+}
+
+/// Where each key's run of ascending keys begins, and where the last one ends.
+fn starts(keys: usize, ascending: impl Iterator<Item = u32>) -> Vec<usize> {
+    let mut start = vec![0; keys + 1];
+    ascending.for_each(|key| start[key as usize + 1] += 1);
+    for key in 0..keys {
+        start[key + 1] += start[key];
+    }
+    start
+}
+
+/// For each image those with which it shares a point, ascending.
+fn neighbours(sights: &[Sight], point_start: &[usize], by_image: &[u32], image_start: &[usize]) -> Vec<Vec<u32>> {
+    let images = image_start.len() - 1;
+    let mut seen_by = vec![u32::MAX; images];
+    (0..images)
+        .map(|image| {
+            let mut list = Vec::new();
+            seen_by[image] = image as u32;
+            for sight in &by_image[image_start[image]..image_start[image + 1]] {
+                let point = sights[*sight as usize].point as usize;
+                for other in &sights[point_start[point]..point_start[point + 1]] {
+                    if seen_by[other.image as usize] != image as u32 {
+                        seen_by[other.image as usize] = image as u32;
+                        list.push(other.image);
+                    }
+                }
+            }
+            list.sort_unstable();
+            list
+        })
+        .collect()
+}
+
+/// Which camera parameters are estimated, and their columns in the border of the normal equations.
+#[derive(Debug, Clone)]
+pub(super) struct Columns {
+    /// For each camera the parameters that are estimated with their columns.
+    pub of_camera: Vec<Vec<(usize, usize)>>,
+    /// Camera and parameter of each column.
+    pub parameter: Vec<(usize, usize)>,
+}
+
+impl Columns {
+    pub fn new(free: &[[bool; CAMERA_PARAMETERS]]) -> Self {
+        let mut columns = Self { of_camera: vec![Vec::new(); free.len()], parameter: Vec::new() };
+        for (camera, free) in free.iter().enumerate() {
+            for parameter in (0..CAMERA_PARAMETERS).filter(|k| free[*k]) {
+                columns.of_camera[camera].push((parameter, columns.parameter.len()));
+                columns.parameter.push((camera, parameter));
+            }
+        }
+        columns
+    }
+
+    pub fn number(&self) -> usize {
+        self.parameter.len()
+    }
+}

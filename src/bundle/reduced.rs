@@ -1,0 +1,329 @@
+//! The normal equations of images and cameras after the points are eliminated.
+//!
+//! Symbols: A, B, C are the derivatives of a ray by its image, point and camera, w its weight, v observed minus computed; V = Σ w BᵀB = L Lᵀ
+//! of a point, F = B L⁻ᵀ, Z = w AᵀF. Eliminating the point takes Z Zᵀ from the equations of the images that see it.
+//!
+//! # Source
+//! Brown 1976, The bundle adjustment: progress and prospects.
+
+use super::collinearity::{Linearised, linearise};
+use super::datum::Weighted;
+use super::loss::Robust;
+use super::network::{Columns, Network, Sight};
+use super::sparse::{Block6, N, SparseMatrix, subtract_product3};
+use super::state::State;
+
+/// Everything of an adjustment that does not change with the values of the unknowns.
+pub(super) struct Problem<'a> {
+    pub network: &'a Network,
+    pub columns: &'a Columns,
+    /// Observed positions of images and of points; none in a free network.
+    pub gps: &'a [Option<Weighted>],
+    pub control: &'a [Option<Weighted>],
+    /// The image that is held, and the one that is held along the base: they take the seven freedoms out of a free network.
+    pub held: Option<[usize; 2]>,
+}
+
+/// What elimination leaves of a point.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Eliminated {
+    /// l₀₀, l₁₀, l₁₁, l₂₀, l₂₁, l₂₂ of L; 0 for a point without rays or not determined by them.
+    pub factor: [f64; 6],
+    /// L⁻¹ of its right-hand side.
+    pub right: [f64; 3],
+}
+
+/// The reduced normal equations. Images stand at their places in the order of elimination.
+pub(super) struct Reduced {
+    pub matrix: SparseMatrix,
+    /// For each camera column six numbers a place.
+    pub border: Vec<Vec<f64>>,
+    /// Row by row.
+    pub corner: Vec<f64>,
+    pub right: Vec<f64>,
+    pub corner_right: Vec<f64>,
+    /// The diagonal before the points were eliminated.
+    pub scale: Vec<[f64; N]>,
+    pub corner_scale: Vec<f64>,
+    pub points: Vec<Eliminated>,
+    /// Z of each sight, column by column.
+    pub shares: Vec<[f64; 18]>,
+    /// For each point the camera columns that it touches with wCᵀF; `camera_start` says where each point's begin.
+    pub camera_shares: Vec<(u32, [f64; 3])>,
+    pub camera_start: Vec<usize>,
+}
+
+/// Least share 1 - R² of a point's coordinate that its rays must leave: rays within a millionth of parallel do not meet anywhere.
+const LEAST_SHARE: f64 = 1e-12;
+
+impl Problem<'_> {
+    /// Sums up the normal equations at `state`, every own diagonal raised by the share `damping`.
+    pub fn reduce(&self, state: &State, damping: f64, robust: Robust) -> Reduced {
+        let mut reduced = self.empty();
+        let mut lines = Vec::new();
+        for point in 0..self.network.points() {
+            self.eliminate(point, state, damping, robust, &mut lines, &mut reduced);
+            reduced.camera_start.push(reduced.camera_shares.len());
+        }
+        self.add_gps(state, &mut reduced);
+        self.hold(state, &mut reduced);
+        for (diagonal, scale) in reduced.matrix.diagonal.iter_mut().zip(&reduced.scale) {
+            (0..N).for_each(|k| diagonal[k * N + k] += damping * scale[k]);
+        }
+        let q = self.columns.number();
+        (0..q).for_each(|k| reduced.corner[k * q + k] += damping * reduced.corner_scale[k]);
+        self.couple(&mut reduced);
+        reduced
+    }
+
+    /// Points that their rays do not determine.
+    pub fn undetermined_points(&self, state: &State, robust: Robust) -> Vec<usize> {
+        let determined = |point: usize| {
+            let (mut own, mut right) = ([0.0; 6], [0.0; 3]);
+            let sights = self.network.of_point(point);
+            sights.iter().for_each(|sight| Line::new(sight, state, robust).add_to_point(&mut own, &mut right));
+            self.add_control(point, state, &mut own, &mut right);
+            sights.is_empty() || factor3(&own).is_some()
+        };
+        (0..self.network.points()).filter(|point| !determined(*point)).collect()
+    }
+
+    fn add_control(&self, point: usize, state: &State, own: &mut [f64; 6], right: &mut [f64; 3]) {
+        if let Some(Weighted { position, weight }) = &self.control[point] {
+            for k in 0..3 {
+                own[[0, 2, 5][k]] += weight[k];
+                right[k] += weight[k] * (position[k] - state.points[point][k]);
+            }
+        }
+    }
+
+    fn empty(&self) -> Reduced {
+        let (images, q, pattern) = (self.network.images(), self.columns.number(), &self.network.pattern);
+        Reduced {
+            matrix: SparseMatrix::zeros(pattern),
+            border: vec![vec![0.0; images * N]; q],
+            corner: vec![0.0; q * q],
+            right: vec![0.0; images * N],
+            corner_right: vec![0.0; q],
+            scale: vec![[0.0; N]; images],
+            corner_scale: vec![0.0; q],
+            points: vec![Eliminated::default(); self.network.points()],
+            shares: vec![[0.0; 18]; self.network.sights.len()],
+            camera_shares: Vec::new(),
+            camera_start: vec![0],
+        }
+    }
+
+    /// Adds the rays of a point and eliminates it; all but what couples two images.
+    fn eliminate(&self, point: usize, state: &State, damping: f64, robust: Robust, lines: &mut Vec<Line>, reduced: &mut Reduced) {
+        let sights = self.network.of_point(point);
+        if sights.is_empty() {
+            return;
+        }
+        lines.clear();
+        lines.extend(sights.iter().map(|sight| Line::new(sight, state, robust)));
+        let (mut own, mut right) = ([0.0; 6], [0.0; 3]);
+        lines.iter().for_each(|line| line.add_to_point(&mut own, &mut right));
+        self.add_control(point, state, &mut own, &mut right);
+        [0, 2, 5].into_iter().for_each(|k| own[k] *= 1.0 + damping);
+        let Some(factor) = factor3(&own) else {
+            return;
+        };
+        let right = forward3(&factor, right);
+        reduced.points[point] = Eliminated { factor, right };
+        let first_share = reduced.camera_shares.len();
+        let place = &self.network.pattern.place;
+        for (k, (line, sight)) in lines.iter().zip(sights).enumerate() {
+            let at = place[sight.image as usize] as usize;
+            let f = line.by_point().map(|row| forward3(&factor, row));
+            let share = line.share(&f);
+            reduced.shares[self.network.point_start[point] + k] = share;
+            line.add_to_image(&share, &right, &mut reduced.matrix.diagonal[at], &mut reduced.scale[at], &mut reduced.right[at * N..][..N]);
+            if self.columns.number() > 0 {
+                self.add_camera(line, sight, &f, at, first_share, reduced);
+            }
+        }
+        if self.columns.number() > 0 {
+            self.take_from_cameras(sights, &right, first_share, reduced);
+        }
+    }
+
+    /// Adds what a ray says of its camera.
+    fn add_camera(&self, line: &Line, sight: &Sight, f: &[[f64; 3]; 2], at: usize, first_share: usize, reduced: &mut Reduced) {
+        let q = self.columns.number();
+        let columns = &self.columns.of_camera[sight.camera as usize];
+        for &(parameter, column) in columns {
+            let c = [0, 1].map(|row| line.weight * line.at.by_camera[row][parameter]);
+            for k in 0..N {
+                reduced.border[column][at * N + k] += c[0] * line.at.by_image[0][k] + c[1] * line.at.by_image[1][k];
+            }
+            for &(other, row) in columns {
+                reduced.corner[row * q + column] += c[0] * line.at.by_camera[0][other] + c[1] * line.at.by_camera[1][other];
+            }
+            reduced.corner_scale[column] += c[0] * line.at.by_camera[0][parameter] + c[1] * line.at.by_camera[1][parameter];
+            reduced.corner_right[column] += c[0] * line.misclosure[0] + c[1] * line.misclosure[1];
+            let change = [0, 1, 2].map(|k| c[0] * f[0][k] + c[1] * f[1][k]);
+            match reduced.camera_shares[first_share..].iter_mut().find(|(own, _)| *own == column as u32) {
+                Some((_, share)) => (0..3).for_each(|k| share[k] += change[k]),
+                None => reduced.camera_shares.push((column as u32, change)),
+            }
+        }
+    }
+
+    /// Takes from the equations of the cameras what the elimination of a point takes.
+    fn take_from_cameras(&self, sights: &[Sight], right: &[f64; 3], first_share: usize, reduced: &mut Reduced) {
+        let (q, Reduced { camera_shares, shares, border, corner, corner_right, .. }) = (self.columns.number(), reduced);
+        let own = &camera_shares[first_share..];
+        let first = self.network.point_start[sights[0].point as usize];
+        for (column, share) in own {
+            let column = *column as usize;
+            for (sight, z) in sights.iter().zip(&shares[first..]) {
+                let at = self.network.pattern.place[sight.image as usize] as usize;
+                for k in 0..N {
+                    border[column][at * N + k] -= z[k] * share[0] + z[6 + k] * share[1] + z[12 + k] * share[2];
+                }
+            }
+            for (row, other) in own {
+                corner[*row as usize * q + column] -= dot3(share, other);
+            }
+            corner_right[column] -= dot3(share, right);
+        }
+    }
+
+    /// Takes Z Zᵀ from the blocks of every two images that see a point, column by column.
+    fn couple(&self, reduced: &mut Reduced) {
+        let Network { sights, point_start, pattern, .. } = self.network;
+        let mut slot = vec![u32::MAX; pattern.size()];
+        for column in 0..pattern.size() {
+            let own = pattern.start[column]..pattern.start[column + 1];
+            own.clone().for_each(|at| slot[pattern.rows[at] as usize] = at as u32);
+            for &sight in self.network.of_image(pattern.node[column] as usize) {
+                let share = reduced.shares[sight as usize];
+                let point = sights[sight as usize].point as usize;
+                for other in point_start[point]..point_start[point + 1] {
+                    let row = pattern.place[sights[other].image as usize] as usize;
+                    if row > column {
+                        subtract_product3(&mut reduced.matrix.below[slot[row] as usize], &reduced.shares[other], &share);
+                    }
+                }
+            }
+        }
+    }
+
+    fn add_gps(&self, state: &State, reduced: &mut Reduced) {
+        for (image, prior) in self.gps.iter().enumerate() {
+            let Some(Weighted { position, weight }) = prior else { continue };
+            let at = self.network.pattern.place[image] as usize;
+            for k in 0..3 {
+                reduced.matrix.diagonal[at][(3 + k) * N + 3 + k] += weight[k];
+                reduced.scale[at][3 + k] += weight[k];
+                reduced.right[at * N + 3 + k] += weight[k] * (position[k] - state.images[image].position[k]);
+            }
+        }
+    }
+
+    /// Holds one image, and another along the line between both: as many conditions as a free network has freedoms, which change
+    /// nothing of its shape.
+    fn hold(&self, state: &State, reduced: &mut Reduced) {
+        let Some([held, far]) = self.held else { return };
+        let at = self.network.pattern.place[held] as usize;
+        for k in 0..N {
+            reduced.matrix.diagonal[at][k * N + k] += reduced.scale[at][k];
+        }
+        let (from, to) = (state.images[held].position, state.images[far].position);
+        let along = [0, 1, 2].map(|k| to[k] - from[k]);
+        let length = dot3(&along, &along).sqrt();
+        let at = self.network.pattern.place[far] as usize;
+        let weight = (reduced.scale[at][3] + reduced.scale[at][4] + reduced.scale[at][5]) / (3.0 * length * length);
+        for c in 0..3 {
+            for r in 0..3 {
+                reduced.matrix.diagonal[at][(3 + c) * N + 3 + r] += weight * along[c] * along[r];
+            }
+        }
+    }
+}
+
+/// A linearised ray with its weight.
+struct Line {
+    at: Linearised,
+    misclosure: [f64; 2],
+    /// With the factor of the robust loss.
+    weight: f64,
+}
+
+impl Line {
+    fn new(sight: &Sight, state: &State, robust: Robust) -> Self {
+        let at = linearise(&state.cameras[sight.camera as usize], &state.images[sight.image as usize], &state.points[sight.point as usize]);
+        let misclosure = [sight.at[0] - at.at[0], sight.at[1] - at.at[1]];
+        let square = sight.weight * (misclosure[0] * misclosure[0] + misclosure[1] * misclosure[1]);
+        Self { at, misclosure, weight: sight.weight * robust.factor(square) }
+    }
+
+    fn by_point(&self) -> [[f64; 3]; 2] {
+        self.at.by_point
+    }
+
+    fn add_to_point(&self, own: &mut [f64; 6], right: &mut [f64; 3]) {
+        let ([b, c], w, [vx, vy]) = (&self.at.by_point, self.weight, self.misclosure);
+        for (k, (i, j)) in [(0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2)].into_iter().enumerate() {
+            own[k] += w * (b[i] * b[j] + c[i] * c[j]);
+        }
+        (0..3).for_each(|k| right[k] += w * (b[k] * vx + c[k] * vy));
+    }
+
+    /// Z = w AᵀF.
+    fn share(&self, f: &[[f64; 3]; 2]) -> [f64; 18] {
+        let [a, b] = &self.at.by_image;
+        let mut share = [0.0; 18];
+        for (c, column) in share.as_chunks_mut::<N>().0.iter_mut().enumerate() {
+            let (f0, f1) = (self.weight * f[0][c], self.weight * f[1][c]);
+            (0..N).for_each(|r| column[r] = a[r] * f0 + b[r] * f1);
+        }
+        share
+    }
+
+    /// Adds w AᵀA - Z Zᵀ and w Aᵀv - Z y.
+    fn add_to_image(&self, z: &[f64; 18], y: &[f64; 3], diagonal: &mut Block6, scale: &mut [f64; N], right: &mut [f64]) {
+        let [a, b] = &self.at.by_image;
+        for (c, column) in diagonal.as_chunks_mut::<N>().0.iter_mut().enumerate() {
+            let (wa, wb) = (self.weight * a[c], self.weight * b[c]);
+            (0..N).for_each(|r| column[r] += a[r] * wa + b[r] * wb);
+        }
+        subtract_product3(diagonal, z, z);
+        let (vx, vy) = (self.weight * self.misclosure[0], self.weight * self.misclosure[1]);
+        for r in 0..N {
+            scale[r] += self.weight * (a[r] * a[r] + b[r] * b[r]);
+            right[r] += a[r] * vx + b[r] * vy - (z[r] * y[0] + z[6 + r] * y[1] + z[12 + r] * y[2]);
+        }
+    }
+}
+
+pub(super) fn dot3(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// L of a symmetric matrix, both as its lower rows. `None` where a pivot is rounding.
+fn factor3(v: &[f64; 6]) -> Option<[f64; 6]> {
+    let pivot = |rest: f64, own: f64| (rest > LEAST_SHARE * own).then(|| rest.sqrt());
+    let l00 = pivot(v[0], v[0])?;
+    let l10 = v[1] / l00;
+    let l11 = pivot(v[2] - l10 * l10, v[2])?;
+    let l20 = v[3] / l00;
+    let l21 = (v[4] - l20 * l10) / l11;
+    let l22 = pivot(v[5] - l20 * l20 - l21 * l21, v[5])?;
+    Some([l00, l10, l11, l20, l21, l22])
+}
+
+/// L⁻¹ x.
+pub(super) fn forward3(l: &[f64; 6], x: [f64; 3]) -> [f64; 3] {
+    let a = x[0] / l[0];
+    let b = (x[1] - l[1] * a) / l[2];
+    [a, b, (x[2] - l[3] * a - l[4] * b) / l[5]]
+}
+
+/// L⁻ᵀ x.
+pub(super) fn backward3(l: &[f64; 6], x: [f64; 3]) -> [f64; 3] {
+    let c = x[2] / l[5];
+    let b = (x[1] - l[4] * c) / l[2];
+    [(x[0] - l[1] * b - l[3] * c) / l[0], b, c]
+}

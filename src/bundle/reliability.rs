@@ -1,0 +1,115 @@
+//! What can be said of each ray and each observed position: its share in the result and its test.
+//!
+//! # Source
+//! Baarda 1968, A testing procedure for use in geodetic networks; Förstner & Wrobel 2016, Photogrammetric Computer Vision, 4.6.
+
+use super::collinearity::{Linearised, linearise};
+use super::datum::Weighted;
+use super::precision::{Cofactors, Matrix3, PointCofactors};
+use super::reduced::{Problem, Reduced, forward3};
+use super::result::PriorStatistics;
+use super::sparse::{Block6, N};
+use super::state::State;
+
+/// Below this share an observation has no redundancy to judge it by.
+const LEAST_REDUNDANCY: f64 = 1e-6;
+
+/// Redundancy and test of one coordinate.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Judged {
+    pub redundancy: f64,
+    /// Residual by √q_vv, in px of weight 1: w times σ.
+    pub standardised: f64,
+}
+
+impl Judged {
+    /// Of a residual v whose observation has a weight, took part with a factor of it (0: not at all), and whose computed value has the
+    /// cofactor h: q_vv = 1/w + h (1 - 2 · factor).
+    fn new(residual: f64, weight: f64, factor: f64, cofactor: f64) -> Self {
+        let spread = 1.0 + weight * cofactor * (1.0 - 2.0 * factor);
+        let redundancy = if factor > 0.0 { 1.0 - weight * factor * cofactor } else { 1.0 / (1.0 + weight * cofactor) };
+        let standardised = if spread > LEAST_REDUNDANCY { residual * (weight / spread).sqrt() } else { 0.0 };
+        Self { redundancy: redundancy.clamp(0.0, 1.0), standardised }
+    }
+}
+
+/// What judging needs to know of an adjustment.
+pub(super) struct Judgement<'a> {
+    pub problem: &'a Problem<'a>,
+    pub reduced: &'a Reduced,
+    pub cofactors: &'a Cofactors<'a>,
+    pub state: &'a State,
+}
+
+impl Judgement<'_> {
+    fn line(&self, camera: usize, image: usize, point: usize) -> Linearised {
+        linearise(&self.state.cameras[camera], &self.state.images[image], &self.state.points[point])
+    }
+
+    /// Column and row of each sight of a point, with the factors that the robust loss left to their weights.
+    pub fn of_sights(&self, point: usize, common: &PointCofactors, factors: &[f64]) -> Vec<[Judged; 2]> {
+        let network = self.problem.network;
+        let factor = &self.reduced.points[point].factor;
+        let judge = |(k, sight): (usize, &super::network::Sight)| {
+            let line = self.line(sight.camera as usize, sight.image as usize, point);
+            let own = self.cofactors.of_images(sight.image as usize, sight.image as usize);
+            let columns = &self.problem.columns.of_camera[sight.camera as usize];
+            [0, 1].map(|row| {
+                let f = forward3(factor, line.by_point[row]);
+                let mut h = form3(&f, &common.middle) + self.of_orientation(&line, row, sight.image as usize, columns, &own);
+                // The point moves with images and cameras: twice the product of both.
+                for c in 0..3 {
+                    let t = &common.of_sights[k][c * N..][..N];
+                    let with_image: f64 = t.iter().zip(&line.by_image[row]).map(|(t, a)| t * a).sum();
+                    let with_camera: f64 = columns.iter().map(|(p, column)| line.by_camera[row][*p] * common.of_columns[*column][c]).sum();
+                    h -= 2.0 * f[c] * (with_image + with_camera);
+                }
+                Judged::new(sight.at[row] - line.at[row], sight.weight, factors[k], h)
+            })
+        };
+        network.of_point(point).iter().enumerate().map(judge).collect()
+    }
+
+    /// Column and row of a ray that took no part, its point being adjusted without it. What its image and its point have in common is left
+    /// out.
+    pub fn of_outsider(&self, ray: &super::block::Ray, camera: usize, coordinates: &Matrix3) -> [Judged; 2] {
+        let line = self.line(camera, ray.image, ray.point);
+        let own = self.cofactors.of_images(ray.image, ray.image);
+        let columns = &self.problem.columns.of_camera[camera];
+        let at = [ray.x_px, ray.y_px];
+        [0, 1].map(|row| {
+            let h = form3(&line.by_point[row], coordinates) + self.of_orientation(&line, row, ray.image, columns, &own);
+            Judged::new(at[row] - line.at[row], ray.weight, 0.0, h)
+        })
+    }
+
+    /// What image and camera add to the cofactor of a computed coordinate.
+    fn of_orientation(&self, line: &Linearised, row: usize, image: usize, columns: &[(usize, usize)], own: &Block6) -> f64 {
+        let (a, c) = (&line.by_image[row], &line.by_camera[row]);
+        let mut h: f64 = (0..N * N).map(|k| a[k % N] * own[k] * a[k / N]).sum();
+        let q = self.problem.columns.number();
+        for (parameter, column) in columns {
+            let across: f64 = self.cofactors.across(image, *column).iter().zip(a).map(|(q, a)| q * a).sum();
+            h += 2.0 * c[*parameter] * across;
+            for (other, second) in columns {
+                h += c[*parameter] * c[*other] * self.cofactors.cameras[column * q + second];
+            }
+        }
+        h
+    }
+}
+
+/// Of an observed position with the cofactors of its adjusted coordinates; `sigma` is that of a ray.
+pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f64; 3]>, sigma: f64) -> PriorStatistics {
+    let residual = [0, 1, 2].map(|k| prior.position[k] - at[k]);
+    let judged = cofactors.map(|q| [0, 1, 2].map(|k| Judged::new(residual[k], prior.weight[k], 1.0, q[k])));
+    PriorStatistics {
+        residual,
+        redundancy: judged.map(|j| j.map(|j| j.redundancy)),
+        w: judged.map(|j| j.map(|j| if sigma > 0.0 { j.standardised / sigma } else { 0.0 })),
+    }
+}
+
+fn form3(a: &[f64; 3], m: &Matrix3) -> f64 {
+    (0..9).map(|k| a[k / 3] * m[k / 3][k % 3] * a[k % 3]).sum()
+}

@@ -1,0 +1,148 @@
+//! What a bundle adjustment gives.
+
+use super::block::Block;
+use super::options::Datum;
+use serde::{Deserialize, Serialize};
+
+/// An adjusted block with its precision and reliability.
+///
+/// Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
+/// inner constraints.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BundleResult {
+    /// The adjusted values; points without rays are as they were given.
+    pub block: Block,
+    pub datum: Datum,
+    /// Standard error of one image coordinate of weight 1 in px, made consistent where the rejection has cut the residuals; absent without
+    /// redundancy.
+    pub sigma0_px: Option<f64>,
+    pub sigma0_a_priori_px: Option<f64>,
+    pub degrees_of_freedom: usize,
+    /// Root mean square length of the residuals of all accepted rays in px.
+    pub rmse_px: f64,
+    /// The same of the points of each number of rays, from 2 on; those without points are left out.
+    pub rmse_by_rays: Vec<RayCountRmse>,
+    pub iterations: usize,
+    /// Root mean square of the last step in standard errors of the unknowns.
+    pub last_step: f64,
+    /// Adjustments until the set of accepted rays had settled.
+    pub rounds: usize,
+    pub cameras: Vec<CameraStatistics>,
+    pub images: Vec<ImageStatistics>,
+    /// Absent for points without accepted rays.
+    pub points: Vec<Option<ObjectPointStatistics>>,
+    pub rays: Vec<RayStatistics>,
+    /// One for each control point; absent where the datum does not use it.
+    pub control: Vec<Option<PriorStatistics>>,
+}
+
+/// A parameter of a camera.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum CameraParameter {
+    Focal,
+    PrincipalX,
+    PrincipalY,
+    K1,
+    K2,
+    K3,
+    P1,
+    P2,
+}
+
+/// A camera parameter that was to be estimated and was fixed, since the block does not determine it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FixedParameter {
+    pub parameter: CameraParameter,
+    /// By how much one standard error of it would move a ray at the edge of the image, in px; absent where nothing determines it at all.
+    pub effect_px: Option<f64>,
+}
+
+/// Precision of a camera.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CameraStatistics {
+    /// Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
+    pub standard_errors: [Option<f64>; 8],
+    pub fixed: Vec<FixedParameter>,
+}
+
+/// Precision of an image.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ImageStatistics {
+    /// Accepted rays.
+    pub rays: usize,
+    /// Root mean square length of the residuals of its accepted rays in px; 0 without any.
+    pub rmse_px: f64,
+    /// Standard errors of ω, φ, κ; absent without statistics, and where φ is ±90°.
+    pub angle_errors_deg: Option<[f64; 3]>,
+    /// Standard errors of X₀; absent without statistics.
+    pub position_errors: Option<[f64; 3]>,
+    /// Of its GPS position, where the datum uses it.
+    pub gps: Option<PriorStatistics>,
+}
+
+/// What the adjustment says of an observed position.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PriorStatistics {
+    /// Observed minus adjusted.
+    pub residual: [f64; 3],
+    /// r, 0..1, of each coordinate; absent without statistics.
+    pub redundancy: Option<[f64; 3]>,
+    /// Residual by its standard error (Baarda's w); absent without statistics.
+    pub w: Option<[f64; 3]>,
+}
+
+/// Precision of an object point.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ObjectPointStatistics {
+    /// Accepted rays.
+    pub rays: usize,
+    /// Root mean square length of the residuals of its accepted rays in px.
+    pub rmse_px: f64,
+    /// Standard errors of X, Y, Z; absent without statistics.
+    pub errors: Option<[f64; 3]>,
+}
+
+/// Why a ray takes part, or does not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum RayVerdict {
+    Accepted,
+    /// Data snooping rejected it.
+    GrossError,
+    /// Its point lies behind the image.
+    Behind,
+    /// Its point has fewer than two rays left, or rays that do not meet.
+    LostPoint,
+}
+
+/// What the adjustment says of one ray, accepted or not.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RayStatistics {
+    pub verdict: RayVerdict,
+    /// Observed minus computed column and row in px.
+    pub residual_px: [f64; 2],
+    /// r, 0..1, of column and row: the share of an error that shows in the residual; absent without statistics.
+    pub redundancy: Option<[f64; 2]>,
+    /// Residuals by their standard errors (Baarda's w), of a new observation for a rejected one; absent without statistics.
+    pub w: Option<[f64; 2]>,
+}
+
+/// Residuals of the points of one number of rays.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RayCountRmse {
+    /// Accepted rays of each of these points.
+    pub rays: usize,
+    pub points: usize,
+    pub rmse_px: f64,
+}

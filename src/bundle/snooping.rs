@@ -1,0 +1,320 @@
+//! Adjusts until the set of accepted rays and of estimated camera parameters has settled: robust first, then by least squares.
+
+use super::adjustment::{Adjusted, Demand, LEAST_SIGMA_PX};
+use super::block::Block;
+use super::calibration::{effects, weakest};
+use super::check::check_network;
+use super::collinearity::{CAMERA_PARAMETERS, in_photo};
+use super::datum::{held_images, moved_onto, moved_to_observed, observed};
+use super::loss::Robust;
+use super::network::{Columns, Network};
+use super::options::{BundleOptions, Datum, Loss};
+use super::reduced::Problem;
+use super::reliability::Judged;
+use super::result::{CameraParameter, FixedParameter, RayVerdict};
+use super::solution::{Factored, Singular};
+use super::state::{State, free_of};
+use super::statistics::{Statistics, statistics};
+use crate::Error;
+use crate::math::{median, normal_median_within};
+
+/// Rounds with the robust loss, and in all.
+const ROBUST_ROUNDS: usize = 10;
+const MAX_ROUNDS: usize = 40;
+/// Where a robust round rejects no more than this share of the rays, least squares can go on.
+const FEW_GROSS_ERRORS: f64 = 0.01;
+/// Rounds of least squares in which rejected rays may come back; then they may not, so that the rounds end.
+const FREE_ROUNDS: usize = 2;
+
+/// Steps of robust rounds need not be as small, in standard errors, as those of the last.
+const ROBUST_TOLERANCE: f64 = 1e-2;
+const TOLERANCE: f64 = 1e-4;
+
+/// Before the first adjustment a camera parameter is only fixed where it is this many times worse than the limit: σ₀ is not known yet.
+const FIRST_TOLERANCE: f64 = 50.0;
+
+/// A σ₀ that weights observed positions has settled when it changes by less than this share.
+const SETTLED_SIGMA: f64 = 0.02;
+
+/// Below this redundancy the median alone is no estimate.
+const FEW: i64 = 20;
+
+/// A settled adjustment.
+pub(super) struct Settled {
+    pub adjusted: Adjusted,
+    pub statistics: Option<Statistics>,
+    pub verdicts: Vec<RayVerdict>,
+    pub columns: Columns,
+    pub fixed: Vec<Vec<FixedParameter>>,
+    pub redundancy: usize,
+    /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
+    pub weighted_by: f64,
+    pub iterations: usize,
+    pub rounds: usize,
+}
+
+/// What changes from round to round.
+struct Course<'a> {
+    block: &'a Block,
+    options: &'a BundleOptions,
+    verdicts: Vec<RayVerdict>,
+    free: Vec<[bool; CAMERA_PARAMETERS]>,
+    fixed: Vec<Vec<FixedParameter>>,
+    start: State,
+    state: State,
+    /// Standard error of a coordinate as the last round saw it; 0 at first.
+    sigma: f64,
+    iterations: usize,
+}
+
+/// Adjusts a block until nothing changes any more.
+///
+/// # Errors
+/// Those of [`adjust_block`](crate::adjust_block), but for what its input alone tells.
+pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, Error> {
+    let start = State::of(block);
+    let verdicts = block.rays.iter().map(|ray| in_front(&start, ray.image, ray.point)).collect();
+    let free = block.cameras.iter().map(free_of).collect();
+    let fixed = vec![Vec::new(); block.cameras.len()];
+    let mut course = Course { block, options, verdicts, free, fixed, state: start.clone(), start, sigma: 0.0, iterations: 0 };
+    course.lose_points();
+    if options.datum != Datum::Free {
+        let network = course.network()?;
+        course.state = moved_to_observed(block, &network, &course.state, options.datum)?;
+    }
+    course.fix_undetermined()?;
+    let mut robust = options.loss != Loss::Squares;
+    let mut calm_rounds = 0;
+    for round in 1..=MAX_ROUNDS {
+        let loss = if robust { options.loss } else { Loss::Squares };
+        let outcome = course.round(loss, calm_rounds)?;
+        calm_rounds += usize::from(!robust);
+        match outcome {
+            Outcome::Changed(rejected) => {
+                let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
+                robust &= !(options.snooping && (few || round >= ROBUST_ROUNDS));
+            }
+            Outcome::Settled(_) if robust && options.snooping => robust = false,
+            Outcome::Settled(mut settled) => {
+                settled.rounds = round;
+                return Ok(*settled);
+            }
+        }
+    }
+    let reason = "the rejection of gross errors did not settle".into();
+    Err(Error::NotConverged { what: super::adjustment::WHAT, iterations: course.iterations, reason })
+}
+
+enum Outcome {
+    /// Rays, camera parameters or weights are others now; so many rays were rejected.
+    Changed(usize),
+    Settled(Box<Settled>),
+}
+
+/// The verdict of a point's place alone.
+fn in_front(state: &State, image: usize, point: usize) -> RayVerdict {
+    let [_, _, w] = in_photo(&state.images[image], &state.points[point]);
+    if w < 0.0 { RayVerdict::Accepted } else { RayVerdict::Behind }
+}
+
+impl Course<'_> {
+    fn network(&self) -> Result<Network, Error> {
+        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == RayVerdict::Accepted).collect();
+        let network = Network::new(self.block, &accepted);
+        check_network(&network, self.options.datum)?;
+        Ok(network)
+    }
+
+    /// The standard error of a ray that weights observed positions.
+    fn weighted_by(&self) -> f64 {
+        self.options.sigma0_px.unwrap_or(if self.sigma > 0.0 { self.sigma } else { 1.0 })
+    }
+
+    /// Adjusts the accepted rays and says whether everything stays as it is.
+    fn round(&mut self, loss: Loss, calm_rounds: usize) -> Result<Outcome, Error> {
+        let network = self.network()?;
+        let columns = Columns::new(&self.free);
+        let weighted_by = self.weighted_by();
+        let (gps, control) = observed(self.block, self.options.datum, weighted_by);
+        let is_free = self.options.datum == Datum::Free;
+        let held = is_free.then(|| held_images(&network, &self.state));
+        let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held };
+        let demand = Demand {
+            loss,
+            sigma: self.options.sigma0_px.unwrap_or(0.0),
+            max_iterations: self.options.max_iterations,
+            warm: self.iterations > 0,
+            tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
+        };
+        let accepted = network.sights.len();
+        let redundancy = problem.redundancy();
+        if redundancy < 0 {
+            let needed = problem.unknowns();
+            return Err(Error::TooFew { what: "observed coordinates", got: (needed as i64 + redundancy) as usize, needed });
+        }
+        let mut adjusted = problem.adjust(self.state.clone(), &demand)?;
+        self.iterations += adjusted.iterations;
+        if is_free {
+            adjusted.state = moved_onto(&network, adjusted.state, &self.start)?;
+        }
+        self.state = adjusted.state.clone();
+        if self.drop_impossible(&problem, adjusted.robust) {
+            return Ok(Outcome::Changed(self.rejected_of(accepted)));
+        }
+        let statistics = if self.options.statistics || self.options.snooping {
+            Some(statistics(&problem, &adjusted, self.block, &self.verdicts)?)
+        } else {
+            None
+        };
+        let before = self.sigma;
+        self.sigma = match &statistics {
+            Some(statistics) => self.scale(statistics, &adjusted, redundancy),
+            None => adjusted.sigma,
+        };
+        let snooped = self.options.snooping && statistics.as_ref().is_some_and(|s| self.snoop(s, loss, calm_rounds));
+        let reweighted = !is_free && self.options.sigma0_px.is_none() && (self.sigma - before).abs() > SETTLED_SIGMA * self.sigma;
+        if snooped || reweighted || self.fix_weakest(&problem, loss)? {
+            return Ok(Outcome::Changed(self.rejected_of(accepted)));
+        }
+        let settled = Settled {
+            adjusted,
+            statistics: statistics.filter(|_| self.options.statistics),
+            verdicts: self.verdicts.clone(),
+            columns: columns.clone(),
+            fixed: self.fixed.clone(),
+            redundancy: redundancy as usize,
+            weighted_by,
+            iterations: self.iterations,
+            rounds: 0,
+        };
+        Ok(Outcome::Settled(Box::new(settled)))
+    }
+
+    /// How many fewer rays than before are accepted.
+    fn rejected_of(&self, accepted: usize) -> usize {
+        accepted.saturating_sub(self.verdicts.iter().filter(|v| **v == RayVerdict::Accepted).count())
+    }
+
+    /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise.
+    fn scale(&self, statistics: &Statistics, adjusted: &Adjusted, redundancy: i64) -> f64 {
+        let accepted = statistics.rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
+        let judged = accepted.filter_map(|(judged, _)| *judged).flatten();
+        let mut standardised: Vec<f64> = judged.map(|j| j.standardised.abs()).filter(|s| *s > 0.0).collect();
+        let from_median = median(&mut standardised).unwrap_or(0.0) / normal_median_within(self.options.limit());
+        // A median of a few residuals may be far too small by chance, more easily than their σ.
+        if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median }
+    }
+
+    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does; whether anything changed.
+    fn snoop(&mut self, statistics: &Statistics, loss: Loss, calm_rounds: usize) -> bool {
+        let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
+        let size = |judged: &[Judged; 2]| judged[0].standardised.abs().max(judged[1].standardised.abs());
+        let before = self.verdicts.clone();
+        let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
+        for (ray, judged) in statistics.rays.iter().enumerate() {
+            let Some(size) = judged.as_ref().map(size) else { continue };
+            match before[ray] {
+                RayVerdict::Accepted if size > limit => {
+                    let worst = &mut worst[self.block.rays[ray].point];
+                    if worst.is_none_or(|(_, other)| size > other) {
+                        *worst = Some((ray, size));
+                    }
+                }
+                RayVerdict::GrossError if size <= limit && loss == Loss::Squares && calm_rounds < FREE_ROUNDS => {
+                    self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
+                }
+                _ => {}
+            }
+        }
+        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);
+        self.lose_points();
+        self.verdicts != before
+    }
+
+    /// Rejects rays to points behind their images and of points that their rays do not determine; whether there were any.
+    fn drop_impossible(&mut self, problem: &Problem<'_>, robust: Robust) -> bool {
+        let before = self.verdicts.clone();
+        for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
+            if *verdict == RayVerdict::Accepted {
+                *verdict = in_front(&self.state, ray.image, ray.point);
+            }
+        }
+        for point in problem.undetermined_points(&self.state, robust) {
+            for sight in problem.network.of_point(point) {
+                self.verdicts[sight.ray as usize] = RayVerdict::LostPoint;
+            }
+        }
+        self.lose_points();
+        self.verdicts != before
+    }
+
+    /// Points with fewer than two accepted rays take no part; a surveyed position that the datum uses counts as one.
+    fn lose_points(&mut self) {
+        let mut rays = vec![0_usize; self.block.points.len()];
+        let accepted = |verdict: &RayVerdict| *verdict == RayVerdict::Accepted;
+        for (ray, _) in self.block.rays.iter().zip(&self.verdicts).filter(|(_, v)| accepted(v)) {
+            rays[ray.point] += 1;
+        }
+        for control in self.block.control.iter().filter(|_| self.options.datum.uses_control()) {
+            rays[control.point] += 1;
+        }
+        for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
+            if accepted(verdict) && rays[ray.point] < 2 {
+                *verdict = RayVerdict::LostPoint;
+            }
+        }
+    }
+
+    /// Fixes what the block does not determine at all, before anything is adjusted.
+    fn fix_undetermined(&mut self) -> Result<(), Error> {
+        if self.free.iter().flatten().all(|free| !free) {
+            return Ok(());
+        }
+        let network = self.network()?;
+        let (gps, control) = observed(self.block, self.options.datum, self.weighted_by());
+        let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
+        loop {
+            let columns = Columns::new(&self.free);
+            let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held };
+            let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
+            match self.worse_than(&problem, limit, self.weighted_by())? {
+                Some((column, effect)) => self.fix(columns.parameter[column], effect),
+                None => return Ok(()),
+            }
+        }
+    }
+
+    /// Fixes the camera parameter that is determined worst, where that is too badly; whether there was one.
+    fn fix_weakest(&mut self, problem: &Problem<'_>, loss: Loss) -> Result<bool, Error> {
+        if problem.columns.number() == 0 || (self.options.snooping && loss != Loss::Squares) {
+            return Ok(false);
+        }
+        let sigma = self.options.sigma0_px.unwrap_or(self.sigma);
+        let found = self.worse_than(problem, self.options.calibration_limit_px, sigma)?;
+        if let Some((column, effect)) = found {
+            self.fix(problem.columns.parameter[column], effect);
+        }
+        Ok(found.is_some())
+    }
+
+    /// The camera column determined worst, where its effect in px (absent: unbounded) exceeds a limit.
+    fn worse_than(&self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Option<(usize, Option<f64>)>, Error> {
+        let mut reduced = problem.reduce(&self.state, 0.0, Robust::squares());
+        match Factored::new(&problem.network.pattern, &mut reduced) {
+            Err(Singular::Camera(column)) => Ok(Some((column, None))),
+            Err(singular) => Err(problem.singular(singular)),
+            Ok(factored) => {
+                let effects = effects(problem.network, &self.state);
+                let worst = weakest(&factored.cameras, &problem.columns.parameter, &effects, sigma);
+                Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))))
+            }
+        }
+    }
+
+    /// Fixes a camera parameter at the value that was given.
+    fn fix(&mut self, (camera, parameter): (usize, usize), effect_px: Option<f64>) {
+        self.free[camera][parameter] = false;
+        self.state.cameras[camera][parameter] = self.start.cameras[camera][parameter];
+        self.fixed[camera].push(FixedParameter { parameter: CameraParameter::ALL[parameter], effect_px });
+    }
+}
