@@ -167,6 +167,84 @@ export interface RelativeOrientation {
 
 
 /**
+ * A block of images with approximate values, or an adjusted one.
+ */
+export interface Block {
+    cameras: BlockCamera[];
+    images: BlockImage[];
+    points: BlockPoint[];
+    /**
+     * In any order; an image sees a point at most once.
+     */
+    rays: Ray[];
+    control?: ControlPoint[];
+}
+
+/**
+ * A block to be simulated; [`NETWORK_PARAMETERS`] tells units and ranges. Lengths are in m, the ground's mean height is 0.
+ */
+export interface NetworkFlight {
+    kind?: NetworkKind;
+    strips?: number;
+    /**
+     * Of a strip.
+     */
+    stations?: number;
+    /**
+     * Above the mean ground.
+     */
+    flying_height_m?: number;
+    /**
+     * Range of the heights of the relief, up to half the flying height.
+     */
+    relief_m?: number;
+    width_px?: number;
+    height_px?: number;
+    focal_px?: number;
+    /**
+     * Overlap along the strip, as a share.
+     */
+    end_lap?: number;
+    /**
+     * Overlap between strips, as a share.
+     */
+    side_lap?: number;
+    /**
+     * Distortion of all cameras.
+     */
+    radial?: [number, number, number];
+    tangential?: [number, number];
+    /**
+     * Ground points for the area of one image.
+     */
+    points_per_image?: number;
+    /**
+     * Standard deviation of an image coordinate.
+     */
+    noise_px?: number;
+    /**
+     * Share of the rays that are gross errors, up to `gross_px` in each coordinate.
+     */
+    gross_share?: number;
+    gross_px?: number;
+    /**
+     * Standard deviation of a GPS coordinate; 0: no GPS.
+     */
+    gps_sigma_m?: number;
+    /**
+     * Control points, spread over the block, with `control_sigma_m`.
+     */
+    control_points?: number;
+    control_sigma_m?: number;
+    /**
+     * Standard deviation of the errors of the approximate positions of images and points; angles err by as much at the
+     * distance of the ground. Up to a fifth of the flying height.
+     */
+    approximate_m?: number;
+    seed?: number;
+}
+
+/**
  * A block with what was chosen and found on the way to it.
  */
 export interface Project {
@@ -190,6 +268,17 @@ export interface BlockModel {
      * Where on the earth the object space is; absent for a block in a system of its own.
      */
     origin?: GeographicOrigin | null;
+}
+
+/**
+ * A camera parameter that was to be estimated and was fixed, since the block does not determine it.
+ */
+export interface FixedParameter {
+    parameter: CameraParameter;
+    /**
+     * By how much one standard error of it would move a ray at the edge of the image, in px; absent where nothing determines it at all.
+     */
+    effect_px: number | null;
 }
 
 /**
@@ -320,6 +409,37 @@ export interface ChosenPair {
 }
 
 /**
+ * A parameter of a camera.
+ */
+export type CameraParameter = "focal" | "principal_x" | "principal_y" | "k1" | "k2" | "k3" | "p1" | "p2";
+
+/**
+ * A point as one image sees it.
+ */
+export interface Ray {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Index of the point.
+     */
+    point: number;
+    /**
+     * Column in px; the centre of the top-left pixel is 0.5.
+     */
+    x_px: number;
+    /**
+     * Row in px; the centre of the top-left pixel is 0.5.
+     */
+    y_px: number;
+    /**
+     * Above 0; the variance of both coordinates is σ₀² / weight.
+     */
+    weight?: number;
+}
+
+/**
  * A point in an image.
  */
 export interface ModelRay {
@@ -339,6 +459,13 @@ export interface ModelRay {
 }
 
 /**
+ * A point of the object.
+ */
+export interface BlockPoint {
+    position: [number, number, number];
+}
+
+/**
  * A point whose coordinates are known.
  */
 export interface SurveyedPoint {
@@ -351,6 +478,70 @@ export interface SurveyedPoint {
      * Standard errors of the place and of the height, above 0; absent where the file has none.
      */
     standard_errors: [number, number] | null;
+}
+
+/**
+ * A point whose position was surveyed.
+ */
+export interface ControlPoint {
+    /**
+     * Index of the point.
+     */
+    point: number;
+    position: [number, number, number];
+    /**
+     * Standard error of each coordinate, above 0.
+     */
+    sigma: [number, number, number];
+}
+
+/**
+ * An adjusted block with its precision and reliability.
+ *
+ * Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
+ * inner constraints.
+ */
+export interface BundleResult {
+    /**
+     * The adjusted values; points without rays are as they were given.
+     */
+    block: Block;
+    datum: Datum;
+    /**
+     * Standard error of one image coordinate of weight 1 in px, made consistent where the rejection has cut the residuals; absent without
+     * redundancy.
+     */
+    sigma0_px: number | null;
+    sigma0_a_priori_px: number | null;
+    degrees_of_freedom: number;
+    /**
+     * Root mean square length of the residuals of all accepted rays in px.
+     */
+    rmse_px: number;
+    /**
+     * The same of the points of each number of rays, from 2 on; those without points are left out.
+     */
+    rmse_by_rays: RayCountRmse[];
+    iterations: number;
+    /**
+     * Root mean square of the last step in standard errors of the unknowns.
+     */
+    last_step: number;
+    /**
+     * Adjustments until the set of accepted rays had settled.
+     */
+    rounds: number;
+    cameras: CameraStatistics[];
+    images: ImageStatistics[];
+    /**
+     * Absent for points without accepted rays.
+     */
+    points: (ObjectPointStatistics | null)[];
+    rays: RayStatistics[];
+    /**
+     * One for each control point; absent where the datum does not use it.
+     */
+    control: (PriorStatistics | null)[];
 }
 
 /**
@@ -386,6 +577,17 @@ export interface ModelImage {
      * Absent where it is not oriented.
      */
     pose?: ModelPose | null;
+}
+
+/**
+ * An observed position with the standard error of each of its coordinates.
+ */
+export interface PositionPrior {
+    position: [number, number, number];
+    /**
+     * Above 0.
+     */
+    sigma: [number, number, number];
 }
 
 /**
@@ -517,6 +719,16 @@ export interface BlockOptions {
 export type Weighting = "none" | "huber" | "danish";
 
 /**
+ * How rays with large residuals are weighted down until the gross errors are found.
+ */
+export type Loss = "squares" | "huber" | "cauchy";
+
+/**
+ * How the images of a simulated block look down.
+ */
+export type NetworkKind = "nadir" | "oblique" | "two_heights";
+
+/**
  * How the photos of a block look at the ground.
  */
 export type BlockView = "nadir" | "oblique" | "two-heights";
@@ -527,6 +739,28 @@ export type BlockView = "nadir" | "oblique" | "two-heights";
 export type Strategy = "moments" | "invariants" | "correlation" | "least-squares";
 
 /**
+ * One image.
+ */
+export interface BlockImage {
+    /**
+     * Index of its camera.
+     */
+    camera: number;
+    /**
+     * Rows of M, from object to photo; see [`rotation_from_angles`](crate::rotation_from_angles).
+     */
+    rotation: [[number, number, number], [number, number, number], [number, number, number]];
+    /**
+     * Perspective centre X₀.
+     */
+    position: [number, number, number];
+    /**
+     * Where GPS has the perspective centre.
+     */
+    gps?: PositionPrior | null;
+}
+
+/**
  * One number for each of the five unknowns.
  */
 export interface FiveParameters {
@@ -535,6 +769,38 @@ export interface FiveParameters {
     kappa_deg: number;
     by_mm: number;
     bz_mm: number;
+}
+
+/**
+ * Options of [`adjust_block`](crate::adjust_block).
+ */
+export interface BundleOptions {
+    datum?: Datum;
+    loss?: Loss;
+    /**
+     * Reject gross errors by data snooping.
+     */
+    snooping?: boolean;
+    /**
+     * Probability α₀ with which data snooping rejects a good coordinate (Baarda 1968).
+     */
+    alpha0?: number;
+    /**
+     * Standard error of an image coordinate of weight 1 in px that was known before; absent: estimated from the residuals.
+     */
+    sigma0_px?: number | null;
+    /**
+     * A free camera parameter is fixed where its standard error moves a ray at the edge of the image by more than this, in px.
+     */
+    calibration_limit_px?: number;
+    /**
+     * Iterations that one adjustment may take.
+     */
+    max_iterations?: number;
+    /**
+     * Compute standard errors, redundancies and tests; data snooping needs them.
+     */
+    statistics?: boolean;
 }
 
 /**
@@ -830,6 +1096,105 @@ export interface Flight {
 }
 
 /**
+ * Precision of a camera.
+ */
+export interface CameraStatistics {
+    /**
+     * Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
+     */
+    standard_errors: [number | null, number | null, number | null, number | null, number | null, number | null, number | null, number | null];
+    fixed: FixedParameter[];
+}
+
+/**
+ * Precision of an image.
+ */
+export interface ImageStatistics {
+    /**
+     * Accepted rays.
+     */
+    rays: number;
+    /**
+     * Root mean square length of the residuals of its accepted rays in px; 0 without any.
+     */
+    rmse_px: number;
+    /**
+     * Standard errors of ω, φ, κ; absent without statistics, and where φ is ±90°.
+     */
+    angle_errors_deg: [number, number, number] | null;
+    /**
+     * Standard errors of X₀; absent without statistics.
+     */
+    position_errors: [number, number, number] | null;
+    /**
+     * Of its GPS position, where the datum uses it.
+     */
+    gps: PriorStatistics | null;
+}
+
+/**
+ * Precision of an object point.
+ */
+export interface ObjectPointStatistics {
+    /**
+     * Accepted rays.
+     */
+    rays: number;
+    /**
+     * Root mean square length of the residuals of its accepted rays in px.
+     */
+    rmse_px: number;
+    /**
+     * Standard errors of X, Y, Z; absent without statistics.
+     */
+    errors: [number, number, number] | null;
+}
+
+/**
+ * Residuals of the points of one number of rays.
+ */
+export interface RayCountRmse {
+    /**
+     * Accepted rays of each of these points.
+     */
+    rays: number;
+    points: number;
+    rmse_px: number;
+}
+
+/**
+ * The camera of one or more images.
+ *
+ * With x = -U/W, y = V/W of photo = (U, V, W), so that y goes down as rows do, and r² = x² + y²:
+ * col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
+ *
+ * # Source
+ * Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
+ */
+export interface BlockCamera {
+    /**
+     * Principal distance f in px, 1 to 10,000,000; in mm it is this times the side of a pixel.
+     */
+    focal_px: number;
+    /**
+     * Principal point `[col, row]` in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    principal_point_px: [number, number];
+    /**
+     * `[k1, k2, k3]`, without unit.
+     */
+    radial?: [number, number, number];
+    /**
+     * `[p1, p2]`, without unit.
+     */
+    tangential?: [number, number];
+    /**
+     * What the adjustment estimates.
+     */
+    free?: FreeParameters;
+}
+
+/**
  * The constants of a camera.
  */
 export interface Camera {
@@ -1040,6 +1405,19 @@ export interface PairSettings {
 }
 
 /**
+ * The parameters of a camera that the adjustment estimates, where the block determines them; the others stay as they are given.
+ */
+export interface FreeParameters {
+    focal?: boolean;
+    principal_point?: boolean;
+    /**
+     * How many of k1, k2, k3, from the first on: 0 to 3.
+     */
+    radial?: number;
+    tangential?: boolean;
+}
+
+/**
  * The place of (0, 0, 0) of an object space whose x goes east, y north and z up, all in m.
  */
 export interface GeographicOrigin {
@@ -1238,6 +1616,48 @@ export type Weakness = "plane" | "clustered" | "rotation" | "ill_conditioned";
 export type TwoViewModel = { kind: "calibrated"; fundamental: [[number, number, number], [number, number, number], [number, number, number]]; rotation: [[number, number, number], [number, number, number], [number, number, number]]; base: [number, number, number] } | { kind: "fundamental"; fundamental: [[number, number, number], [number, number, number], [number, number, number]] } | { kind: "homography"; homography: [[number, number, number], [number, number, number], [number, number, number]] } | { kind: "rotation"; homography: [[number, number, number], [number, number, number], [number, number, number]]; rotation: [[number, number, number], [number, number, number], [number, number, number]] };
 
 /**
+ * What says where the block lies in object space.
+ */
+export type Datum = "free" | "gps" | "control" | "gps_and_control";
+
+/**
+ * What the adjustment says of an observed position.
+ */
+export interface PriorStatistics {
+    /**
+     * Observed minus adjusted.
+     */
+    residual: [number, number, number];
+    /**
+     * r, 0..1, of each coordinate; absent without statistics.
+     */
+    redundancy: [number, number, number] | null;
+    /**
+     * Residual by its standard error (Baarda's w); absent without statistics.
+     */
+    w: [number, number, number] | null;
+}
+
+/**
+ * What the adjustment says of one ray, accepted or not.
+ */
+export interface RayStatistics {
+    verdict: RayVerdict;
+    /**
+     * Observed minus computed column and row in px.
+     */
+    residual_px: [number, number];
+    /**
+     * r, 0..1, of column and row: the share of an error that shows in the residual; absent without statistics.
+     */
+    redundancy: [number, number] | null;
+    /**
+     * Residuals by their standard errors (Baarda's w), of a new observation for a rejected one; absent without statistics.
+     */
+    w: [number, number] | null;
+}
+
+/**
  * What the difference of two moments is divided by.
  */
 export type Denominator = "maxabs" | "floor";
@@ -1287,6 +1707,11 @@ export type Ties = "keep" | "first";
  * Why a pair was chosen.
  */
 export type PairRule = "all" | "near" | "sequence" | "alike";
+
+/**
+ * Why a ray takes part, or does not.
+ */
+export type RayVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 
 /**
  * Why the general geometry is not determined.
