@@ -1,9 +1,9 @@
 //! Least-squares matching of one window: position and affine deformation, to hundredths of a pixel.
 
-use super::lanes::Lanes;
 use super::spline::Spline;
 use super::window_model::{DEFORMATION, NoModel, WindowModel, total};
 use crate::GreyView;
+use crate::math::Lanes;
 use nalgebra::Vector6;
 
 /// Step of a corner of the window, in px, below which the deformation joins the shift.

@@ -7,7 +7,6 @@ mod correlation;
 mod cross_correlation;
 mod guided;
 mod index;
-mod lanes;
 mod least_squares;
 mod nearest;
 mod neighbours;

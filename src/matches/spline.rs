@@ -1,7 +1,7 @@
 //! Grey values between pixels: the cubic B-spline through the pixels of a part of an image.
 
-use super::lanes::Lanes;
 use crate::GreyView;
+use crate::math::Lanes;
 
 /// The pole of the filter that gives the coefficients of the interpolating cubic B-spline: √3 - 2.
 const POLE: f32 = -0.267_949_2;

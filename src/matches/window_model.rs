@@ -1,8 +1,8 @@
 //! The window that least-squares matching looks for: its grey values, and how they change with shift, affine deformation, gain and offset.
 
-use super::lanes::Lanes;
 use super::spline::Spline;
 use crate::GreyView;
+use crate::math::Lanes;
 use nalgebra::{Matrix2, Matrix6};
 
 /// Unknowns of the deformation: shift in x and y; then, of x and of y, the change by x and by y.

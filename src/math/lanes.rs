@@ -101,6 +101,27 @@ impl Lanes {
     pub fn where_below(self, limit: Self, then: Self, otherwise: Self) -> Self {
         Self(v128_bitselect(then.0, otherwise.0, f32x4_lt(self.0, limit.0)))
     }
+
+    pub fn floor(self) -> Self {
+        Self(f32x4_floor(self.0))
+    }
+
+    /// Lane `K` in all lanes.
+    pub fn lane<const K: usize>(self) -> Self {
+        Self::splat(f32x4_extract_lane::<K>(self.0))
+    }
+
+    /// The columns of the matrix that has these rows.
+    pub fn transpose([a, b, c, d]: [Self; 4]) -> [Self; 4] {
+        let (ab, cd) = (i32x4_shuffle::<0, 4, 1, 5>(a.0, b.0), i32x4_shuffle::<0, 4, 1, 5>(c.0, d.0));
+        let (ab2, cd2) = (i32x4_shuffle::<2, 6, 3, 7>(a.0, b.0), i32x4_shuffle::<2, 6, 3, 7>(c.0, d.0));
+        [
+            Self(i32x4_shuffle::<0, 1, 4, 5>(ab, cd)),
+            Self(i32x4_shuffle::<2, 3, 6, 7>(ab, cd)),
+            Self(i32x4_shuffle::<0, 1, 4, 5>(ab2, cd2)),
+            Self(i32x4_shuffle::<2, 3, 6, 7>(ab2, cd2)),
+        ]
+    }
 }
 
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
@@ -182,6 +203,20 @@ impl Lanes {
     pub fn where_below(self, limit: Self, then: Self, otherwise: Self) -> Self {
         Self(std::array::from_fn(|k| if self.0[k] < limit.0[k] { then.0[k] } else { otherwise.0[k] }))
     }
+
+    pub fn floor(self) -> Self {
+        Self(self.0.map(libm::floorf))
+    }
+
+    /// Lane `K` in all lanes.
+    pub fn lane<const K: usize>(self) -> Self {
+        Self([self.0[K]; 4])
+    }
+
+    /// The columns of the matrix that has these rows.
+    pub fn transpose(rows: [Self; 4]) -> [Self; 4] {
+        std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))
+    }
 }
 
 /// One operator, of both kinds of vectors.
@@ -227,6 +262,8 @@ mod tests {
         for a in rows {
             let x = Lanes::load(&a);
             assert_eq!(bits(x.abs().sqrt().to_array()), each(&|k| a[k].abs().sqrt()));
+            assert_eq!(bits(x.floor().to_array()), each(&|k| a[k].floor()));
+            assert_eq!(x.lane::<2>().to_array(), [a[2]; 4]);
             let mut stored = [0.0; 5];
             x.store(&mut stored);
             assert_eq!(stored, [a[0], a[1], a[2], a[3], 0.0]);
@@ -246,5 +283,8 @@ mod tests {
                 assert_eq!(Lanes::load_whole(&whole).to_array(), std::array::from_fn(|k| f32::from(whole[k])));
             }
         }
+        let columns = Lanes::transpose(rows.map(Lanes::new)).map(Lanes::to_array);
+        assert_eq!(columns, std::array::from_fn(|c| rows.map(|row| row[c])));
+        assert_eq!(Lanes::splat(7.0).to_array(), [7.0; 4]);
     }
 }
