@@ -53,7 +53,7 @@ function change(store: Store, key: string, value: Value): void {
   store.dispatch({ type: 'settings', settings: operator === null ? changed : withSetting(changed, 'points.operator', operator) });
   if (operator === null) return;
   const name = choiceName(operator);
-  const text = `The operator is now ${name}, which this strategy is usually given; another one can be chosen under “Points”.`;
+  const text = `The operator is now “${name}”, as is usual with this strategy; any other can be chosen under “Points”.`;
   store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
 }
 

@@ -26,10 +26,16 @@ export function featurePictures({ features }: Inspection): HTMLElement[] {
     return [h('h4', {}, name), h('div', { class: 'windows', testid }, one('left', 'Left'), one('right', 'Right'))];
   };
   return [
-    ...both('Turned and scaled to the point', 'point-patches', turnedPicture, () => ''),
+    ...both('Turned and scaled to the point, contrast stretched', 'point-patches', turnedPicture, () => ''),
     ...both('Descriptor, as it lies in the image', 'point-descriptors', uprightPicture,
       ({ scale, direction, reach }) => ` · scale ${fixed(scale, 1)} px, direction ${fixed((direction * 180) / Math.PI, 0)}°, ${fixed(reach, 0)} px wide`),
   ];
+}
+
+/** Grey values from black to white: what is dull would show nothing. */
+function stretched(grey: Uint8Array): Uint8Array {
+  const [low, high] = grey.reduce<[number, number]>(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [255, 0]);
+  return grey.map((value) => (255 * (value - low)) / Math.max(1, high - low));
 }
 
 function canvasOf(grey: Uint8Array): [HTMLCanvasElement, CanvasRenderingContext2D | null] {
@@ -37,7 +43,7 @@ function canvasOf(grey: Uint8Array): [HTMLCanvasElement, CanvasRenderingContext2
   canvas.width = SIZE;
   canvas.height = SIZE;
   const context = canvas.getContext('2d');
-  grey.forEach((value, i) => {
+  stretched(grey).forEach((value, i) => {
     if (context === null) return;
     context.fillStyle = `rgb(${String(value)} ${String(value)} ${String(value)})`;
     context.fillRect((i % PATCH_SIDE) * PIXEL, Math.floor(i / PATCH_SIDE) * PIXEL, PIXEL, PIXEL);

@@ -35,12 +35,12 @@ function numbers(code: CodeName, index: number, match: MatchResult, { catalogue 
   const second = match.measures[2 * index + 1] ?? Infinity;
   const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';
   const byGrey = comparesGreyValues(settings);
-  const measure = gradients ? 'distance' : 'measure';
   const correlation = `Correlation ${fixed(1 - best, 4)}, measure ${fixed(best, 4)}`;
   switch (code) {
     case 'matched':
     case 'gross_error':
-      return byGrey ? `${correlation}.` : `Its best ${measure} ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.${gradients ? ' It agrees with the geometry of the two views.' : ''}`;
+      if (gradients) return agreeing(best, second, largest);
+      return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
     case 'threshold':
       if (!Number.isFinite(best)) return '';
       return byGrey ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.` : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
@@ -53,6 +53,16 @@ function numbers(code: CodeName, index: number, match: MatchResult, { catalogue 
     case 'imprecise': return `Allowed: ${String(matching.max_standard_error)} px.`;
     default: return '';
   }
+}
+
+/** A verified match: where its descriptor alone would not have decided, the geometry did. */
+function agreeing(best: number, second: number, largest: number): string {
+  const distance = `Distance ${fixed(best, 4)}`;
+  if (!Number.isFinite(second)) return `${distance}, the only candidate that agrees with the geometry of the two views.`;
+  const ratio = `${distance}, ${fixed(best / second, 3)} of the second best (${fixed(second, 4)})`;
+  return best > largest * second
+    ? `${ratio}: more than ${String(largest)}, but it agrees with the geometry of the two views, which leaves few to choose from.`
+    : `${ratio}. It agrees with the geometry of the two views.`;
 }
 
 /** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
