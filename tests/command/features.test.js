@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { gradient_candidates, join_nearest, match_descriptors, match_features, match_photos, nearest_piece, Photo, sample_pair, sample_seed } from '../../pkg/node.js';
+import { gradient_candidates, join_nearest, match_descriptors, match_features, match_photos, nearest_piece, Photo, simulate } from '../../pkg/node.js';
 
-const sample = sample_pair(sample_seed());
+const sample = simulate({});
 const photos = /** @type {const} */ (['left', 'right']).map((side) => Photo.from_grey(sample[side].width, sample[side].height, sample[side].grey));
 const found = photos.map((photo) => photo.features({ multiscale: { number: 2000 } }));
 const [left, right] = /** @type {[typeof found[0], typeof found[0]]} */ (/** @type {unknown} */ (found));
@@ -24,8 +24,9 @@ test('the pieces of nearest neighbours, joined, are those of the whole', () => {
 test('features of two images are matched, verified and completed', () => {
   const result = match_features(positions(left), left.descriptors, positions(right), right.descriptors, {});
   assert.equal(result.geometry_reason, null);
-  assert.ok(result.geometry && result.geometry.sigma_px < 0.5);
-  assert.ok(result.indices.length > 0.9 * match_descriptors(left.descriptors, right.descriptors, {}).indices.length);
+  // Over this low relief, without cameras, no more than the map of a plane is determined.
+  assert.ok(result.geometry && result.geometry.sigma_px < 1 && result.geometry.degenerate === 'plane');
+  assert.ok(result.indices.length > 0.8 * match_descriptors(left.descriptors, right.descriptors, {}).indices.length);
   const none = match_features(positions(left), left.descriptors, positions(right), right.descriptors.map((byte) => byte ^ 85), {});
   assert.equal(none.geometry, null);
   assert.match(none.geometry_reason ?? '', /chance|different matches/);
