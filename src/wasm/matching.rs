@@ -211,16 +211,19 @@ fn pack_pair(result: &PairResult) -> JsValue {
 
 fn pack_matching(matching: &PairMatching) -> JsValue {
     let packed = pack_matches(&matching.set);
-    // All matches agree with it.
-    let geometry =
-        matching.geometry.as_ref().and_then(|geometry| geometry.as_ref().ok().map(|g| TwoView { inliers: Vec::new(), ..g.clone() }));
-    let packed_geometry = pack(&geometry);
-    if geometry.is_some() {
-        Reflect::delete_property(packed_geometry.unchecked_ref::<Object>(), &"inliers".into()).expect("a plain object gives up its fields");
-    }
-    set(&packed, "geometry", &packed_geometry);
-    set(&packed, "geometry_reason", &pack(&matching.geometry.as_ref().and_then(|geometry| geometry.as_ref().err())));
+    set_geometry(&packed, matching.geometry.as_ref());
     packed
+}
+
+/// Sets what relates the views, or why nothing does. All matches agree with it: inliers are left out.
+pub(super) fn set_geometry(object: &JsValue, geometry: Option<&Result<TwoView, String>>) {
+    let found = geometry.and_then(|geometry| geometry.as_ref().ok()).map(|found| TwoView { inliers: Vec::new(), ..found.clone() });
+    let packed = pack(&found);
+    if found.is_some() {
+        Reflect::delete_property(packed.unchecked_ref::<Object>(), &"inliers".into()).expect("a plain object gives up its fields");
+    }
+    set(object, "geometry", &packed);
+    set(object, "geometry_reason", &pack(&geometry.and_then(|geometry| geometry.as_ref().err())));
 }
 
 fn pack_matches(set: &MatchSet) -> JsValue {
