@@ -137,6 +137,9 @@ export const pair = (name, placeholder, help) => ({
   },
 });
 
+/** What a mask is. */
+export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
+
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
 export const HELP_FLAG = flag('help', 'Prints this text.');
 
@@ -169,6 +172,7 @@ export const MATCH_OPTIONS = [
   setting('min-correlation', 'R', 'matching.min_correlation'),
   switchOff('no-left-right', 'matching.left_right', 'Correlation: without the check that the window found correlates best with the left point it came from.'),
   setting('max-standard-error', 'PX', 'matching.max_standard_error'),
+  switchOff('keep-frame', 'matching.without_frame', 'Gradient: keeps what lies at the same place of both frames, as film borders and fiducial marks, which is left out else.'),
   switchOn('upright', 'gradient.upright'),
   setting('threshold-px', 'PX', 'geometry.threshold_px'),
   setting('largest-threshold-px', 'PX', 'geometry.largest_threshold_px'),

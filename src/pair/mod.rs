@@ -1,6 +1,7 @@
 //! The whole way of one pair: points, descriptors, offset, matches, photo coordinates, relative orientation.
 
 mod described;
+mod epipolar;
 mod frames;
 mod geometry;
 mod orienting;
@@ -8,6 +9,7 @@ mod rounds;
 mod verification;
 
 pub use described::{DescribedImage, describe_image};
+pub use epipolar::{PairSide, epipolar_line};
 pub use geometry::{PairInterior, photo_interior};
 pub use orienting::{match_weights, observations, orient_matches};
 pub use rounds::{PairMatching, match_in_rounds};
