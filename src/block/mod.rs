@@ -16,6 +16,7 @@ mod places;
 mod points;
 mod selection;
 mod sets;
+mod settings;
 mod shared;
 
 pub use choice::{ChosenPair, PairRule, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
@@ -27,4 +28,5 @@ pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
 pub use points::{MultiRayPoints, PointRay};
 pub use selection::{SelectedPoints, select_points};
+pub use settings::{BlockSettings, PairChoice, choose_pairs};
 pub use shared::{SharedPoints, shared_points};

@@ -5,7 +5,7 @@ mod fiducials;
 mod interior;
 mod rotation;
 
-pub use exif::ExifCamera;
+pub use exif::{ExifCamera, ExifImage, ExifPosition};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
 pub use interior::{Camera, Interior};
 pub use rotation::{angles_from_rotation, rotation_from_angles};

@@ -6,6 +6,7 @@
 mod agisoft;
 mod bingo;
 mod bundler;
+mod cameras;
 mod check;
 mod colmap_features;
 mod colmap_read;
@@ -27,6 +28,7 @@ mod sight;
 mod text;
 mod tie_points;
 
+pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{SurveyedPoint, parse_surveyed_points};
