@@ -69,7 +69,7 @@ export function parameterOption(name, p) {
 }
 
 /** Units that stand for a value in a call.  @type {Readonly<Record<string, string>>} */
-const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY' };
+const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY', 'km⁻²': 'N' };
 
 /** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const word = (name, words, help) => ({
@@ -80,6 +80,17 @@ export const word = (name, words, help) => ({
   },
 });
 
+/** Some of some words, with commas between.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
+export const list = (name, words, help) => ({
+  name, placeholder: 'NAME,…', range: words.join(', '), help,
+  read: (text) => {
+    const given = text.split(',').map((one) => one.trim());
+    const wrong = given.find((one, i) => !words.includes(one) || given.indexOf(one) !== i);
+    if (wrong !== undefined) throw new UsageError(`--${name} has ${wrong || 'an empty name'}${words.includes(wrong) ? ' twice' : ''}; allowed, with commas between: ${words.join(', ')}`);
+    return given.join(',');
+  },
+});
+
 /** An option that stands for a setting.  @param {string} name @param {string} placeholder @param {string} key @returns {Option} */
 function setting(name, placeholder, key) {
   const p = parameterOf(key);
@@ -87,7 +98,7 @@ function setting(name, placeholder, key) {
 }
 
 /** @param {string} name @param {string} help @returns {Option} */
-const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
+export const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
 
 /** A flag that switches a setting on.  @param {string} name @param {string} key @returns {Option} */
 const switchOn = (name, key) => ({ ...flag(name, parameterOf(key).help), key });
