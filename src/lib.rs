@@ -4,6 +4,7 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+mod assembly;
 mod block;
 mod bundle;
 mod camera;
@@ -24,15 +25,19 @@ mod tables;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use assembly::{
+    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
+    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+};
 pub use block::{
     BlockMatches, BlockOptions, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
     MatchReliability, MultiRayPoints, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints, alike_pairs, all_pairs,
     merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
 };
 pub use bundle::{
-    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraParameter, CameraStatistics, ControlPoint, Datum,
-    FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, PositionPrior, PriorStatistics, Ray, RayCountRmse,
-    RayStatistics, RayVerdict, adjust_block,
+    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
+    Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
+    RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
 };
 pub use camera::{
     Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
@@ -69,8 +74,8 @@ pub use pair::{
     orient_matches, photo_interior,
 };
 pub use parameters::{
-    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
-    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
+    ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
+    GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
