@@ -59,10 +59,10 @@ pub use geometry::{
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
-    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, EpipolarLines, Expectation, Fit, Guide, GuidedOptions, Located,
-    Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField, Refinement, Rule, Strategy,
-    Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, guided_matches, match_images, match_points, nearest,
-    nearest_matches, nearest_of,
+    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
+    GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,
+    Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, gradient_candidates, guided_matches,
+    match_images, match_points, nearest, nearest_matches, nearest_of,
 };
 pub use math::{geographic_from_local, local_from_geographic};
 pub use orientation::{
@@ -70,16 +70,17 @@ pub use orientation::{
     RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
 };
 pub use pair::{
-    PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
-    orient_matches, photo_interior,
+    DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PhotoInput,
+    VerifiedMatches, describe_image, match_features, match_in_rounds, match_pair, match_weights, observations, orient_matches,
+    photo_interior,
 };
 pub use parameters::{
     ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
     GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
-    Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
-    ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
+    Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position,
+    ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{

@@ -14,3 +14,4 @@ mod photo;
 mod report;
 mod simulate;
 mod tables;
+mod verification;
