@@ -4,6 +4,7 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+mod assembly;
 mod block;
 mod bundle;
 mod camera;
@@ -24,15 +25,19 @@ mod tables;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use assembly::{
+    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
+    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+};
 pub use block::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
     MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints,
     alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
 };
 pub use bundle::{
-    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraParameter, CameraStatistics, ControlPoint, Datum,
-    FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, PositionPrior, PriorStatistics, Ray, RayCountRmse,
-    RayStatistics, RayVerdict, adjust_block,
+    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
+    Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
+    RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
 };
 pub use camera::{
     Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
@@ -54,10 +59,10 @@ pub use geometry::{
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matches::{
-    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, EpipolarLines, Expectation, Fit, Guide, GuidedOptions, Located,
-    Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField, Refinement, Rule, Strategy,
-    Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, guided_matches, match_images, match_points, nearest,
-    nearest_matches, nearest_of,
+    Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
+    GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,
+    Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, gradient_candidates, guided_matches,
+    match_images, match_points, nearest, nearest_matches, nearest_of,
 };
 pub use math::{geographic_from_local, local_from_geographic};
 pub use orientation::{
@@ -65,16 +70,17 @@ pub use orientation::{
     RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
 };
 pub use pair::{
-    PairImage, PairInput, PairInterior, PairResult, PairSettings, PhotoInput, match_in_rounds, match_pair, match_weights, observations,
-    orient_matches, photo_interior,
+    DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PhotoInput,
+    VerifiedMatches, describe_image, match_features, match_in_rounds, match_pair, match_weights, observations, orient_matches,
+    photo_interior,
 };
 pub use parameters::{
-    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
-    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
+    ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
+    GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
-    Candidates, InterestPoint, LEAST_FRACTION, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position, ScalePoint,
-    ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
+    Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position,
+    ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{

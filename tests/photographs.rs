@@ -32,7 +32,8 @@ fn numbers(value: &Value) -> Vec<f64> {
 fn run(left: &Decoded, right: &Decoded, input: &PairInput, points: PointOptions) -> Result<PairResult, Error> {
     let image = |decoded: &'_ Decoded| decoded.camera.clone();
     let (left_exif, right_exif) = (image(left), image(right));
-    let pair = [(left, &left_exif), (right, &right_exif)].map(|(d, exif)| PairImage { grey: d.grey.view(), exif: exif.as_ref() });
+    let pair =
+        [(left, &left_exif), (right, &right_exif)].map(|(d, exif)| PairImage { grey: d.grey.view(), exif: exif.as_ref(), mask: None });
     match_pair(pair[0], pair[1], input, &PairSettings { points, ..PairSettings::default() })
 }
 
@@ -89,7 +90,7 @@ fn a_camera_that_only_turned_is_flagged() {
     for strategy in [Strategy::Moments, Strategy::Correlation, Strategy::LeastSquares] {
         let mut settings = PairSettings::default();
         settings.matching = MatchOptions { strategy, search: 61, ..settings.matching };
-        let [one, two] = [&left, &right].map(|decoded| PairImage { grey: decoded.grey.view(), exif: None });
+        let [one, two] = [&left, &right].map(|decoded| PairImage { grey: decoded.grey.view(), exif: None, mask: None });
         let result = match_pair(one, two, &input, &settings).unwrap();
         assert!(result.matching.matches.len() > 300);
         match result.orientation {

@@ -3,7 +3,7 @@
 //! `TIEPOINT_GOLDEN=write cargo test --test sample` rewrites the golden file after a change that is meant to change the matches.
 
 use tiepoint::{
-    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions,
+    Denominator, DenseTruth, MatchOptions, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions,
     Refinement, SAMPLE_SEED, Sample, Strategy, match_pair, matches_csv, sample_pair, score_matches,
 };
 #[cfg(target_arch = "wasm32")]
@@ -16,7 +16,7 @@ macro_rules! golden {
     };
 }
 
-fn goldens() -> [(&'static str, &'static str, MatchOptions); 3] {
+fn goldens() -> [(&'static str, &'static str, MatchOptions); 4] {
     let options = MatchOptions::default;
     [
         golden!("sample.csv", options()),
@@ -25,6 +25,7 @@ fn goldens() -> [(&'static str, &'static str, MatchOptions); 3] {
             "sample-correlation.csv",
             MatchOptions { strategy: Strategy::Correlation, refine: Refinement::LeastSquares, epipolar: true, ..options() }
         ),
+        golden!("sample-gradient.csv", MatchOptions { strategy: Strategy::Gradient, ..options() }),
     ]
 }
 
@@ -36,10 +37,11 @@ fn run(sample: &Sample, matching: MatchOptions) -> PairResult {
         right: photo(&sample.right_fiducials, sample.right_origin),
         offset: None,
     };
-    let mut settings =
-        PairSettings { points: PointOptions { fraction: Some(0.148), ..PointOptions::default() }, matching, ..PairSettings::default() };
+    let operator = if matching.strategy == Strategy::Gradient { Operator::Multiscale } else { Operator::Ground2 };
+    let points = PointOptions { operator, fraction: Some(0.148), ..PointOptions::default() };
+    let mut settings = PairSettings { points, matching, ..PairSettings::default() };
     settings.orientation.base_mm = Some(sample.base_mm);
-    let image = |grey| PairImage { grey, exif: None };
+    let image = |grey| PairImage { grey, exif: None, mask: None };
     match_pair(image(sample.left.view()), image(sample.right.view()), &input, &settings).unwrap()
 }
 
@@ -110,6 +112,18 @@ fn grey_values_match_the_sample_to_an_eighth_of_a_pixel() {
     }
     let Reached { matches, right, sigma0_px, .. } = reached(&sample, by(Strategy::Correlation, Refinement::None));
     assert!(matches > 3500 && right > 0.94 && sigma0_px < 0.17, "{matches} matches, {right} right, σ0 {sigma0_px} px");
+}
+
+#[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
+#[cfg_attr(not(target_arch = "wasm32"), test)]
+fn gradients_match_the_sample_without_an_offset() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let by = |refine| MatchOptions { strategy: Strategy::Gradient, refine, ..MatchOptions::default() };
+    let Reached { matches, right, sigma0_px, errors } = reached(&sample, by(Refinement::None));
+    assert!(matches > 2500 && right > 0.9, "{matches} matches, {right} right");
+    assert!(sigma0_px < 0.3 && errors[0] < 0.02 && errors[1] < 0.06, "σ0 {sigma0_px} px, errors {errors:?}");
+    let Reached { matches, right, sigma0_px: refined, .. } = reached(&sample, by(Refinement::LeastSquares));
+    assert!(matches > 1500 && right > 0.97 && refined < 0.7 * sigma0_px, "{matches} matches, {right} right, σ0 {refined} px");
 }
 
 #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]

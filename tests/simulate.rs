@@ -472,7 +472,7 @@ fn whole_pixels_do_not_pass_for_precision() {
         let input = PairInput { camera: Some(camera), left: left_photo, right: right_photo, offset: None };
         let mut settings = PairSettings::default();
         settings.orientation.base_mm = Some(base_mm);
-        let [left, right] = [&left, &right].map(|grey| PairImage { grey: grey.view(), exif: None });
+        let [left, right] = [&left, &right].map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
         let found = match_pair(left, right, &input, &settings).unwrap().orientation.unwrap();
         let total = found.total_standard_errors.unwrap();
         let ratio = (found.parameters.omega_deg - truth.omega_deg) / total.omega_deg;

@@ -12,7 +12,22 @@ import { checkPair, readTruth, scoreOf } from './truth.js';
 
 /**
  * @typedef {import('../node.js').PairOutput} PairOutput
+ * @typedef {import('../node.js').TwoViewModel['kind']} GeometryKind
  */
+
+/** @type {Readonly<Record<GeometryKind, string>>} */
+const GEOMETRIES = {
+  calibrated: 'orientation of calibrated cameras',
+  fundamental: 'epipolar geometry of unknown cameras',
+  homography: 'map of a plane',
+  rotation: 'rotation',
+};
+
+/** @type {Readonly<Record<import('../node.js').Degeneracy, string>>} */
+const DEGENERATE = {
+  plane: 'all points lie in a plane, or nearly so: the orientation is weak, and undetermined without known cameras',
+  'pure-rotation': 'pure rotation: both photos were taken from one place, there is no base',
+};
 
 const OPTIONS = [
   ...PAIR_OPTIONS,
@@ -68,7 +83,9 @@ function resultOf(output, settings) {
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
     orientation: output.orientation && { ...output.orientation, points: rows(output.orientation.points, 9) },
     orientation_reason: output.orientation_reason,
-    offset_px: output.offset.median_px,
+    offset_px: output.offset && output.offset.median_px,
+    geometry: output.match.geometry,
+    geometry_reason: output.match.geometry_reason,
     interior: output.interior,
     pixel_mm: output.pixel_mm,
     settings,
@@ -101,6 +118,17 @@ function describeScore(score, output) {
   ];
 }
 
+/** @param {PairOutput['match']} match @returns {string[]} */
+function describeGeometry({ geometry, geometry_reason: reason }) {
+  if (!geometry) return reason ? [`no geometry of the two views: ${reason}`] : [];
+  const { model, threshold_px: threshold, sigma_px: sigma, degenerate, focal } = geometry;
+  return [
+    `geometry of the two views: ${GEOMETRIES[model.kind]}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
+    ...(degenerate ? [DEGENERATE[degenerate]] : []),
+    ...(focal ? [`focal length by the matches ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`] : []),
+  ];
+}
+
 /** @param {PairOutput} output @returns {string[]} */
 function describe(output) {
   const { matches, ...refused } = output.match.counts;
@@ -108,7 +136,8 @@ function describe(output) {
     countTable([['left', output.left], ['right', output.right]]),
     '',
     table([['matches', matches], ...Object.entries(refused).map(([rule, count]) => [`refused: ${rule.replaceAll('_', ' ')}`, count])]),
-    `offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`,
+    ...(output.offset ? [`offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`] : []),
+    ...describeGeometry(output.match),
     '',
     ...(output.orientation ? describeOrientation(output.orientation, output.pixel_mm) : [`no orientation: ${output.orientation_reason}`]),
   ];

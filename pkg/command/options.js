@@ -158,6 +158,9 @@ export const POINT_OPTIONS = [
   setting('roundness', 'Q', 'points.roundness'),
   setting('suppress', 'N', 'points.suppression_window'),
   setting('ties', 'RULE', 'points.ties'),
+  setting('number', 'N', 'multiscale.number'),
+  setting('contrast', 'G', 'multiscale.contrast'),
+  setting('position', 'NAME', 'multiscale.position'),
 ];
 
 export const WINDOW = setting('window', 'N', 'window.side');
@@ -177,6 +180,9 @@ export const MATCH_OPTIONS = [
   setting('min-correlation', 'R', 'matching.min_correlation'),
   switchOff('no-left-right', 'matching.left_right', 'Correlation: without the check that the window found correlates best with the left point it came from.'),
   setting('max-standard-error', 'PX', 'matching.max_standard_error'),
+  switchOn('upright', 'gradient.upright'),
+  setting('threshold-px', 'PX', 'geometry.threshold_px'),
+  setting('largest-threshold-px', 'PX', 'geometry.largest_threshold_px'),
 ];
 
 /** Tests and weights of the orientation. */
@@ -218,6 +224,8 @@ export function settingsOf(options, values) {
     const [group = '', field = ''] = key.split('.');
     Object.assign(groups[group] ?? {}, { [field]: negates ? !given : given });
   }
+  // Gradients are made for points of many scales; those of another operator are described where they are asked for.
+  if (settings.matching.strategy === 'gradient' && !givenBy.has('points.operator')) settings.points.operator = 'multiscale';
   return settings;
 }
 

@@ -4,15 +4,19 @@
 import { parse_camera, parse_fiducials } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readText } from './files.js';
-import { BASE, MATCH_OPTIONS, pair, path, STATISTICS_OPTIONS } from './options.js';
+import { BASE, MATCH_OPTIONS, pair, path, real, STATISTICS_OPTIONS } from './options.js';
 
 /**
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
  * @typedef {import('./args.js').Call} Call
  */
 
+/** Side of a pixel, where only the focal length in px is known. */
+const NOMINAL_PIXEL_MM = 0.001;
+
 export const PAIR_OPTIONS = [
   path('camera', 'camera.json', 'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}.'),
+  { ...real('focal-px', 'focal_px', 'Focal length of both photos in px, in place of --camera: principal point in the middle, no distortion. A pixel is then taken to be 0.001 mm.', (f) => f > 0 && f <= 1e7, 'above 0, up to 10000000'), placeholder: 'F' },
   path('left-fiducials', 'F.csv', 'Fiducial marks measured in the scan of the left photo: col,row,x_mm,y_mm.'),
   path('right-fiducials', 'F.csv', 'The same of the right photo.'),
   pair('left-origin', 'COL,ROW', 'Place of the left image\'s top-left pixel in the scan whose fiducials were measured.'),
@@ -40,6 +44,11 @@ export function inputOf(call) {
   if (typeof camera === 'string') {
     const text = readText(camera);
     input.camera = about(camera, () => parse_camera(text));
+  }
+  const focal = values.get('focal-px');
+  if (typeof focal === 'number') {
+    if (input.camera) throw new UsageError('--camera and --focal-px both give a focal length; give one of them');
+    input.camera = { focal_mm: focal * NOMINAL_PIXEL_MM, pixel_mm: NOMINAL_PIXEL_MM };
   }
   for (const side of /** @type {const} */ (['left', 'right'])) {
     const file = values.get(`${side}-fiducials`);

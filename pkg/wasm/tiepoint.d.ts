@@ -107,13 +107,22 @@ export interface MatchResult {
     places: Float64Array;
     /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
     measures: Float64Array;
+    /** What relates the views, by which the strategy gradient verified its matches; null for the others and where there is nothing. */
+    geometry: Omit<TwoView, "inliers"> | null;
+    /** Why there is no geometry, where one was looked for. */
+    geometry_reason: string | null;
 }
+
+/** Points as matching takes them: `DescribedPoints`, or what of it the strategy needs. */
+export type GivenPoints = Pick<DescribedPoints, "points"> & Partial<Pick<DescribedPoints, "frames" | "moments" | "gradients">>;
+
 
 /** The outcome of a whole pair. */
 export interface PairOutput {
     left: DetectedPoints;
     right: DetectedPoints;
-    offset: OffsetField;
+    /** Absent where the strategy needs none. */
+    offset: OffsetField | null;
     match: MatchResult;
     interior: PairInterior | null;
     /** Side of a left pixel in mm. */
@@ -131,8 +140,22 @@ export interface PhotoInfo { width: number; height: number; format: string; bits
 /** An image halved a number of times: grey values 0..255, row by row. */
 export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
 
-/** Interest points: x and y in px and the interest value, stride 3; in raster order. */
-export interface DetectedPoints { counts: PointCounts; threshold: number; points: Float64Array }
+/** Interest points: x and y in px and the interest value, stride 3; in raster order, those of many scales by octave. */
+export interface DetectedPoints {
+    counts: PointCounts;
+    threshold: number;
+    points: Float64Array;
+    /** Of each point scale in px and dominant direction in rad from x towards y, stride 2; empty for operators that look at one scale. */
+    frames: Float64Array;
+}
+
+/** Interest points with what a strategy compares them by. */
+export interface DescribedPoints extends DetectedPoints {
+    /** Seven numbers a point for the strategies that compare moments, NaN where a window leaves the image or is constant; else empty. */
+    moments: Float64Array;
+    /** 128 bytes a point for the strategy that compares gradients; else empty. */
+    gradients: Uint8Array;
+}
 
 /** The window of a point: its grey values row by row, which of them lie within the outline, and its moments. */
 export interface WindowReport {
@@ -736,7 +759,7 @@ export type BlockView = "nadir" | "oblique" | "two-heights";
 /**
  * How the right point of a left one is found.
  */
-export type Strategy = "moments" | "invariants" | "correlation" | "least-squares";
+export type Strategy = "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
 
 /**
  * One image.
@@ -804,7 +827,8 @@ export interface BundleOptions {
 }
 
 /**
- * Options of [`detect`](crate::detect). What is absent takes the operator's own default.
+ * Options of [`detect`](crate::detect). What is absent takes the operator's own default; all but the operator is of those that look at one
+ * scale.
  */
 export interface PointOptions {
     operator: Operator;
@@ -882,6 +906,17 @@ export interface GuidedOptions {
      * Largest distance of two descriptors; absent: any.
      */
     largest_distance: number | null;
+}
+
+/**
+ * Options of [`match_features`].
+ */
+export interface FeatureMatchOptions {
+    nearest: NearestOptions;
+    /**
+     * What is known of the cameras, and the search for what relates the views.
+     */
+    geometry: TwoViewOptions;
 }
 
 /**
@@ -1001,7 +1036,7 @@ export interface MatchOptions {
     strategy: Strategy;
     refine: Refinement;
     /**
-     * Once the pair is oriented, matches again along the epipolar lines, until nothing changes.
+     * Once the pair is oriented, matches again along the epipolar lines, until nothing changes; gradients always do, once.
      */
     epipolar: boolean;
     denominator: Denominator;
@@ -1014,9 +1049,9 @@ export interface MatchOptions {
      */
     max_measure: number;
     /**
-     * Refused when the best measure exceeds this share of the second best, 0..1.
+     * Refused when the best measure exceeds this share of the second best, 0..1; absent: 0.9, for gradients 0.8.
      */
-    ambiguity: number;
+    ambiguity: number | null;
     /**
      * Number of nearest matches that give the expected y-parallax; 0 switches the rule off.
      */
@@ -1034,7 +1069,8 @@ export interface MatchOptions {
      */
     min_correlation: number;
     /**
-     * Refuses a correlated match whose right window correlates better with another place in the left image.
+     * Refuses a match whose right window correlates better with another place in the left image, or whose right descriptor is nearer to
+     * another left one.
      */
     left_right: boolean;
     /**
@@ -1221,6 +1257,11 @@ export interface Camera {
  */
 export interface RelativeOrientation extends FiveParameters {
     /**
+     * The angle by which the photo axes of ω φ κ by bz, the base and the points in the model are turned anticlockwise from those of the
+     * photo coordinates: 0, or 90 where [`orient_matches`](crate::orient_matches) met a base across the x axis.
+     */
+    turn_deg: number;
+    /**
      * The base component b that was fixed.
      */
     base_mm: number;
@@ -1399,8 +1440,21 @@ export interface PairInterior {
  */
 export interface PairSettings {
     points: PointOptions;
+    /**
+     * Of the operator of that name.
+     */
+    multiscale: MultiscaleOptions;
     window: WindowOptions;
+    /**
+     * Of the strategy of that name.
+     */
+    gradient: GradientOptions;
     matching: MatchOptions;
+    /**
+     * The geometry of the two views, by which the strategy gradient verifies its matches. Cameras that the pair knows take the place of
+     * those named here.
+     */
+    geometry: TwoViewOptions;
     orientation: OrientationOptions;
 }
 
@@ -1444,9 +1498,9 @@ export interface SharedPoints {
 }
 
 /**
- * The published interest operators.
+ * The published interest operators, and points of many scales.
  */
-export type Operator = "moravec" | "forstner" | "ground1" | "ground2";
+export type Operator = "moravec" | "forstner" | "ground1" | "ground2" | "multiscale";
 
 /**
  * The rule that decided on a left point.
@@ -1736,9 +1790,14 @@ export class Photo {
      */
     describe(point_list: Float64Array | number[], window: Given<WindowOptions>, strategy: Strategy): Float64Array;
     /**
-     * Finds interest points.
+     * Finds interest points and describes them as the strategy of the settings needs it.
      */
-    detect(options: Given<PointOptions>): DetectedPoints;
+    describe_points(settings: Given<PairSettings>, mask?: Uint8Array | number[] | null): DescribedPoints;
+    /**
+     * Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
+     * and row by row, are left out.
+     */
+    detect(settings: Given<PairSettings>, mask?: Uint8Array | number[] | null): DetectedPoints;
     /**
      * Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
      * of the image's size and row by row, are left out.
@@ -1793,6 +1852,11 @@ export class Report {
 }
 
 /**
+ * The ambiguity ratio of each strategy where none is chosen.
+ */
+export function ambiguity_defaults(): Record<Strategy, number>;
+
+/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
@@ -1844,6 +1908,11 @@ export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64
 export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
 
 /**
+ * The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
+ */
+export function estimated_interior(focal: FocalEstimate | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
+
+/**
  * The defaults of the options of features.
  */
 export function feature_defaults(): FeatureOptions;
@@ -1874,6 +1943,11 @@ export function flight_presets(): Preset[];
 export function geometry_parameters(): Parameter[];
 
 /**
+ * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
+ */
+export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
 export function interior(camera: Camera, photo: PhotoGeometry): Interior;
@@ -1899,12 +1973,12 @@ export function match_guided_descriptors(left_positions: Float64Array | number[]
 export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>): PairOutput;
 
 /**
- * Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+ * Matches two photos by any strategy.
  *
  * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
- * changes.
+ * changes. Only the strategy gradient does without an offset.
  */
-export function match_photos(left: Photo, right: Photo, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, interior: PairInterior | null, settings: Given<PairSettings>): MatchResult;
+export function match_photos(left: Photo, right: Photo, left_points: GivenPoints, right_points: GivenPoints, offset: OffsetField | null, interior: PairInterior | null, settings: Given<PairSettings>): MatchResult;
 
 /**
  * Matches described points: points of stride 3, descriptors of stride 7.
@@ -2013,6 +2087,7 @@ export interface InitOutput {
     readonly memory: WebAssembly.Memory;
     readonly __wbg_photo_free: (a: number, b: number) => void;
     readonly __wbg_report_free: (a: number, b: number) => void;
+    readonly ambiguity_defaults: () => any;
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly check_flight: (a: any) => [number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
@@ -2021,18 +2096,20 @@ export interface InitOutput {
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
+    readonly estimated_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly feature_defaults: () => any;
     readonly feature_parameters: () => any;
     readonly flight_parameters: () => any;
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
     readonly geometry_parameters: () => any;
+    readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly match_guided_descriptors: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
-    readonly match_photos: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: any, l: any, m: any) => [number, number, number];
+    readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
@@ -2047,7 +2124,8 @@ export interface InitOutput {
     readonly parse_observations: (a: number, b: number) => [number, number, number, number];
     readonly photo_decode: (a: number, b: number) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
-    readonly photo_detect: (a: number, b: any) => [number, number, number];
+    readonly photo_describe_points: (a: number, b: any, c: number, d: number) => [number, number, number];
+    readonly photo_detect: (a: number, b: any, c: number, d: number) => [number, number, number];
     readonly photo_features: (a: number, b: any, c: number, d: number) => [number, number, number];
     readonly photo_from_grey: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly photo_grey: (a: number) => [number, number];

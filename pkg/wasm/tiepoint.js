@@ -54,12 +54,31 @@ export class Photo {
         return v2;
     }
     /**
-     * Finds interest points.
-     * @param {Given<PointOptions>} options
+     * Finds interest points and describes them as the strategy of the settings needs it.
+     * @param {Given<PairSettings>} settings
+     * @param {Uint8Array | number[] | null} [mask]
+     * @returns {DescribedPoints}
+     */
+    describe_points(settings, mask) {
+        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+        var len0 = WASM_VECTOR_LEN;
+        const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
+     * and row by row, are left out.
+     * @param {Given<PairSettings>} settings
+     * @param {Uint8Array | number[] | null} [mask]
      * @returns {DetectedPoints}
      */
-    detect(options) {
-        const ret = wasm.photo_detect(this.__wbg_ptr, options);
+    detect(settings, mask) {
+        var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+        var len0 = WASM_VECTOR_LEN;
+        const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -234,6 +253,15 @@ export class Report {
     }
 }
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
+
+/**
+ * The ambiguity ratio of each strategy where none is chosen.
+ * @returns {Record<Strategy, number>}
+ */
+export function ambiguity_defaults() {
+    const ret = wasm.ambiguity_defaults();
+    return ret;
+}
 
 /**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
@@ -456,6 +484,23 @@ export function estimate_offset(left, right) {
 }
 
 /**
+ * The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
+ * @param {FocalEstimate | null} focal
+ * @param {number} left_width
+ * @param {number} left_height
+ * @param {number} right_width
+ * @param {number} right_height
+ * @returns {PairInterior | null}
+ */
+export function estimated_interior(focal, left_width, left_height, right_width, right_height) {
+    const ret = wasm.estimated_interior(focal, left_width, left_height, right_width, right_height);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * The defaults of the options of features.
  * @returns {FeatureOptions}
  */
@@ -511,6 +556,37 @@ export function flight_presets() {
 export function geometry_parameters() {
     const ret = wasm.geometry_parameters();
     return ret;
+}
+
+/**
+ * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
+ * @param {number} index
+ * @param {Uint8Array | number[]} left_gradients
+ * @param {Uint8Array | number[]} right_gradients
+ * @param {number} most
+ * @returns {Float64Array}
+ */
+export function gradient_candidates(index, left_gradients, right_gradients, most) {
+    const val3 = +index;
+    const val4 = +most;
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArray8ToWasm0(left_gradients, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(right_gradients, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.gradient_candidates(val3, ptr0, len0, ptr1, len1, val4);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+    return v5;
 }
 
 /**
@@ -621,42 +697,23 @@ export function match_pair(left, right, input, settings) {
 }
 
 /**
- * Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+ * Matches two photos by any strategy.
  *
  * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
- * changes.
+ * changes. Only the strategy gradient does without an offset.
  * @param {Photo} left
  * @param {Photo} right
- * @param {Float64Array | number[]} left_points
- * @param {Float64Array | number[]} left_descriptors
- * @param {Float64Array | number[]} right_points
- * @param {Float64Array | number[]} right_descriptors
- * @param {OffsetField} offset
+ * @param {GivenPoints} left_points
+ * @param {GivenPoints} right_points
+ * @param {OffsetField | null} offset
  * @param {PairInterior | null} interior
  * @param {Given<PairSettings>} settings
  * @returns {MatchResult}
  */
-export function match_photos(left, right, left_points, left_descriptors, right_points, right_descriptors, offset, interior, settings) {
+export function match_photos(left, right, left_points, right_points, offset, interior, settings) {
     _assertClass(left, Photo);
     _assertClass(right, Photo);
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-    try {
-        ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 8, 8); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
-        throw e;
-    }
-    const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, interior, settings);
+    const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, left_points, right_points, offset, interior, settings);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1094,6 +1151,10 @@ function __wbg_get_imports() {
         __wbg_closePath_e9e11e034c5d75a3: function(arg0) {
             arg0.closePath();
         },
+        __wbg_deleteProperty_3ad7a085da623822: function() { return handleError(function (arg0, arg1) {
+            const ret = Reflect.deleteProperty(arg0, arg1);
+            return ret;
+        }, arguments); },
         __wbg_fill_cb36fe21a8d46cd7: function(arg0) {
             arg0.fill();
         },
@@ -1143,6 +1204,10 @@ function __wbg_get_imports() {
             const ret = arg0.length;
             return ret;
         },
+        __wbg_length_5a8bb8abe1e54e15: function(arg0) {
+            const ret = arg0.length;
+            return ret;
+        },
         __wbg_length_6e9d2869242cabf3: function(arg0) {
             const ret = arg0.length;
             return ret;
@@ -1160,6 +1225,14 @@ function __wbg_get_imports() {
         },
         __wbg_moveTo_b4cd3b0b7e1585a5: function(arg0, arg1, arg2) {
             arg0.moveTo(arg1, arg2);
+        },
+        __wbg_new_13de428334042d26: function(arg0) {
+            const ret = new Uint8Array(arg0);
+            return ret;
+        },
+        __wbg_new_22589e9be6cca455: function(arg0) {
+            const ret = new Float64Array(arg0);
+            return ret;
         },
         __wbg_new_787b9fb330d55d78: function(arg0, arg1) {
             const ret = new Error(getStringFromWasm0(arg0, arg1));
@@ -1201,6 +1274,9 @@ function __wbg_get_imports() {
         },
         __wbg_prototypesetcall_4aea6470234c8414: function(arg0, arg1, arg2) {
             Uint32Array.prototype.set.call(getArrayU32FromWasm0(arg0, arg1), arg2);
+        },
+        __wbg_prototypesetcall_a366c038a3918afa: function(arg0, arg1, arg2) {
+            Float64Array.prototype.set.call(getArrayF64FromWasm0(arg0, arg1), arg2);
         },
         __wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
             arg0.rect(arg1, arg2, arg3, arg4);

@@ -26,6 +26,7 @@ pub use matches::{BlockMatches, FeatureMatch};
 pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
+pub(crate) use places::check as check_features;
 pub use points::{MultiRayPoints, PointRay};
 pub use selection::{SelectedPoints, select_points};
 pub use settings::{BlockSettings, PairChoice, choose_pairs};

@@ -63,7 +63,7 @@ impl Default for SelectOptions {
 
 impl SelectOptions {
     /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         check("selection.per_image", self.per_image as f64)?;
         check("selection.per_connection", self.per_connection as f64)
     }

@@ -135,6 +135,27 @@ impl Interior {
         }
     }
 
+    /// The same for photo axes turned by 90° anticlockwise: the new x axis is the old y axis.
+    pub fn turned(&self) -> Self {
+        let quarter = |[x, y]: [f64; 2]| [y, -x];
+        let [by_x, by_y] = self.parameters;
+        Self { parameters: [by_y, by_x.map(|v| -v)], principal_point_mm: quarter(self.principal_point_mm), ..*self }
+    }
+
+    /// Position in px, as a camera without distortion whose rows lie along the x axis would see it: the principal point stays where it is.
+    pub fn ideal_px(&self, x_px: f64, y_px: f64) -> [f64; 2] {
+        let ([x, y], pixel_mm, [x0, y0]) = (self.photo_mm(x_px, y_px), self.pixel_mm(), self.principal_point_px());
+        [x0 + x / pixel_mm, y0 - y / pixel_mm]
+    }
+
+    /// Where the principal point lies in the image, px.
+    pub fn principal_point_px(&self) -> [f64; 2] {
+        let [[a, b, tx], [d, e, ty]] = self.parameters;
+        let [x, y] = [self.principal_point_mm[0] - tx, self.principal_point_mm[1] - ty];
+        let determinant = a * e - b * d;
+        [(e * x - b * y) / determinant, (a * y - d * x) / determinant]
+    }
+
     /// Side of a pixel in mm: the root of the area that the transformation gives a pixel.
     pub fn pixel_mm(&self) -> f64 {
         let [[a, b, _], [d, e, _]] = self.parameters;

@@ -2,17 +2,7 @@
 
 use super::{ModelCamera, ModelRay};
 use crate::Error;
-
-/// Steps of the iteration, and the change in units of the focal length at which it ends.
-const MOST_STEPS: usize = 100;
-const SETTLED: f64 = 1e-14;
-
-impl ModelCamera {
-    /// Whether straight lines stay straight.
-    pub(super) fn is_free_of_distortion(&self) -> bool {
-        self.radial == [0.0; 3] && self.tangential == [0.0; 2]
-    }
-}
+use crate::camera::{MOST_STEPS, undistorted};
 
 /// The direction (x, y), y down, whose image by the camera's distortion is the ray: the inverse of the formula at [`ModelCamera`].
 ///
@@ -21,26 +11,7 @@ impl ModelCamera {
 pub(super) fn direction(camera: &ModelCamera, ray: &ModelRay) -> Result<[f64; 2], Error> {
     let [cx, cy] = camera.principal_point_px;
     let measured = [(ray.x_px - cx) / camera.focal_px, (ray.y_px - cy) / camera.focal_px];
-    if camera.is_free_of_distortion() {
-        return Ok(measured);
-    }
-    let ([k1, k2, k3], [p1, p2]) = (camera.radial, camera.tangential);
-    let [mut x, mut y] = measured;
-    for _ in 0..MOST_STEPS {
-        let r2 = x * x + y * y;
-        let radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-        let shift = [2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x), p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y];
-        let next = [(measured[0] - shift[0]) / radial, (measured[1] - shift[1]) / radial];
-        let change = (next[0] - x).abs() + (next[1] - y).abs();
-        [x, y] = next;
-        if !change.is_finite() {
-            break;
-        }
-        if change < SETTLED {
-            return Ok([x, y]);
-        }
-    }
-    Err(Error::NotConverged {
+    undistorted(measured, camera.radial, camera.tangential).ok_or_else(|| Error::NotConverged {
         what: "the correction of distortion",
         iterations: MOST_STEPS,
         reason: format!("the camera's distortion has no inverse at ({}, {}) px", ray.x_px, ray.y_px),

@@ -5,6 +5,7 @@ mod blocks;
 mod coarse_to_fine;
 mod correlation;
 mod cross_correlation;
+mod gradients;
 mod guided;
 mod index;
 mod least_squares;
@@ -27,13 +28,17 @@ mod texture;
 mod window_model;
 
 pub use blocks::DESCRIPTOR_BYTES;
+pub use gradients::gradient_candidates;
 pub use guided::{Guide, GuidedOptions, Located, guided_matches};
 pub use nearest::{DescriptorMatch, Nearest, NearestOptions, NearestTable, nearest, nearest_matches, nearest_of};
 pub use offset::{OffsetField, estimate_offset, estimate_offset_of_reduced};
 pub use options::{Denominator, MatchOptions, Refinement, Strategy};
 pub use region::{EpipolarLines, Expectation};
 pub use search::{Candidate, Described, candidates_of, match_points};
-pub use strategy::{MatchImage, match_images};
+pub use strategy::{Descriptors, MatchImage, match_images};
+
+pub(crate) use gradients::verified_set;
+pub(crate) use refine::refine;
 
 use serde::{Deserialize, Serialize};
 
@@ -54,11 +59,11 @@ pub enum Rule {
     Ambiguous,
     /// Another left point matches the same right point better.
     ManyToOne,
-    /// Its y-parallax deviates from that of the nearest matches, or from its epipolar line.
+    /// Its y-parallax deviates from that of the nearest matches, or from its epipolar line; or it fits no geometry of the two views.
     Parallax,
     /// The best correlation lies on the border of the search window: the true one may lie beyond it.
     Border,
-    /// The right window correlates better with another place in the left image.
+    /// The right window correlates better with another place in the left image, or the right descriptor is nearer to another left one.
     LeftRight,
     /// Least squares matching did not settle, or ran away from where it started.
     NotConverged,
@@ -91,7 +96,7 @@ pub struct Verdict {
     pub best: Option<usize>,
     /// The best place in the right image in px; absent where there was none.
     pub position: Option<[f64; 2]>,
-    /// The best measure: a dissimilarity of moments, or 1 minus the correlation coefficient. Infinite where there was no candidate.
+    /// The best measure: a dissimilarity of moments, 1 minus the correlation coefficient, or a distance of gradient descriptors. Infinite where there was no candidate.
     pub measure: f64,
     /// The second best measure; infinite where there was no second candidate.
     pub second: f64,

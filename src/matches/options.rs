@@ -17,15 +17,30 @@ pub enum Strategy {
     Correlation,
     /// Least squares matching from coarse to fine.
     LeastSquares,
+    /// The right interest point of the nearest gradient descriptor, wherever it lies; what fits no geometry of the two views is refused.
+    Gradient,
 }
 
 impl Strategy {
-    /// What the strategy compares interest points by; absent where it compares grey values.
+    /// The moments by which the strategy compares interest points; absent where it compares something else.
     pub fn measure(self) -> Option<Measure> {
         match self {
             Self::Moments => Some(Measure::Dm),
             Self::Invariants => Some(Measure::Di),
-            Self::Correlation | Self::LeastSquares => None,
+            Self::Correlation | Self::LeastSquares | Self::Gradient => None,
+        }
+    }
+
+    /// Whether the strategy looks for the right point near an expected place.
+    pub fn needs_offset(self) -> bool {
+        self != Self::Gradient
+    }
+
+    /// The share of the second best measure that the best may have, where none is chosen: the paper's, and Lowe's.
+    pub const fn default_ambiguity(self) -> f64 {
+        match self {
+            Self::Gradient => 0.8,
+            _ => 0.9,
         }
     }
 }
@@ -58,15 +73,15 @@ pub enum Denominator {
 pub struct MatchOptions {
     pub strategy: Strategy,
     pub refine: Refinement,
-    /// Once the pair is oriented, matches again along the epipolar lines, until nothing changes.
+    /// Once the pair is oriented, matches again along the epipolar lines, until nothing changes; gradients always do, once.
     pub epipolar: bool,
     pub denominator: Denominator,
     /// Side of the search window in px, odd.
     pub search: usize,
     /// The best measure must be below this.
     pub max_measure: f64,
-    /// Refused when the best measure exceeds this share of the second best, 0..1.
-    pub ambiguity: f64,
+    /// Refused when the best measure exceeds this share of the second best, 0..1; absent: 0.9, for gradients 0.8.
+    pub ambiguity: Option<f64>,
     /// Number of nearest matches that give the expected y-parallax; 0 switches the rule off.
     pub parallax_neighbours: usize,
     /// Least deviation of the y-parallax that is refused, in px.
@@ -75,7 +90,8 @@ pub struct MatchOptions {
     pub template: usize,
     /// Least correlation coefficient of a match by grey values, -1..1.
     pub min_correlation: f64,
-    /// Refuses a correlated match whose right window correlates better with another place in the left image.
+    /// Refuses a match whose right window correlates better with another place in the left image, or whose right descriptor is nearer to
+    /// another left one.
     pub left_right: bool,
     /// Largest standard error of a right position found by least squares matching, in px.
     pub max_standard_error: f64,
@@ -90,7 +106,7 @@ impl Default for MatchOptions {
             denominator: Denominator::Maxabs,
             search: 25,
             max_measure: 3.0,
-            ambiguity: 0.9,
+            ambiguity: None,
             parallax_neighbours: 12,
             parallax_tolerance: 1.0,
             template: 13,
@@ -105,14 +121,20 @@ impl MatchOptions {
     /// Whether the second best is too nearly as good as the best. Two that are exactly as good, as in a repeated pattern, are ambiguous by
     /// any ratio but 1, which switches the rule off.
     pub(super) fn is_ambiguous(&self, best: f64, second: f64) -> bool {
-        self.ambiguity < 1.0 && second.is_finite() && best >= self.ambiguity * second
+        let ambiguity = self.ambiguity();
+        ambiguity < 1.0 && second.is_finite() && best >= ambiguity * second
+    }
+
+    /// The share of the second best measure that the best may have: as chosen, or the strategy's own.
+    pub fn ambiguity(&self) -> f64 {
+        self.ambiguity.unwrap_or(self.strategy.default_ambiguity())
     }
 
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
         check("matching.search", self.search as f64)?;
         check("matching.max_measure", self.max_measure)?;
-        check("matching.ambiguity", self.ambiguity)?;
+        check("matching.ambiguity", self.ambiguity())?;
         check("matching.parallax_neighbours", self.parallax_neighbours as f64)?;
         check("matching.parallax_tolerance", self.parallax_tolerance)?;
         check("matching.template", self.template as f64)?;

@@ -22,7 +22,7 @@ pub(super) fn set_of(left: &[InterestPoint], verdicts: Vec<Verdict>) -> MatchSet
 }
 
 /// Of the left points that won the same right point, or the same pixel, only the best keeps it; of equal ones the first.
-fn refuse_many_to_one(verdicts: &mut [Verdict]) {
+pub(super) fn refuse_many_to_one(verdicts: &mut [Verdict]) {
     let mut keepers: HashMap<(i64, i64), usize> = HashMap::new();
     for left in 0..verdicts.len() {
         let Some([x, y]) = verdicts[left].matched() else { continue };

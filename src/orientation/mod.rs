@@ -26,6 +26,7 @@ pub use error_model::ErrorModel;
 pub(crate) use field::{Field, square_distance};
 pub(crate) use normals::Normals;
 pub use options::{OrientationMethod, OrientationOptions, Weighting};
+pub(crate) use precision::BY_AND_BZ;
 pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};
 pub use shared::SharedErrors;

@@ -7,6 +7,9 @@ use crate::Error;
 use crate::camera::angles_from_rotation;
 use nalgebra::{Matrix3, Vector3};
 
+/// What a base across the x axis leaves undetermined.
+pub(crate) const BY_AND_BZ: &str = "by and bz";
+
 /// Least share of the base along x; below it by and bz in units of b mean nothing.
 const LEAST_ALONG_X: f64 = 1e-3;
 
@@ -46,7 +49,7 @@ pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
             "the base has {along_x:.1e} of its length along x (at least {LEAST_ALONG_X} is needed), so by and bz have no size in units of b; \
              turn both photos by 90°"
         );
-        return Err(Error::Degenerate { what: "by and bz", reason });
+        return Err(Error::Degenerate { what: BY_AND_BZ, reason });
     }
     let cosine = (pose.rotation[(0, 0)] * pose.rotation[(0, 0)] + pose.rotation[(1, 0)] * pose.rotation[(1, 0)]).sqrt();
     if !(cosine >= LEAST_COSINE) {

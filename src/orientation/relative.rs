@@ -158,6 +158,7 @@ impl Outcome {
         let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
         RelativeOrientation {
             parameters: parameters(&adjusted.pose, self.base_mm),
+            turn_deg: 0.0,
             base_mm: self.base_mm,
             focal_mm,
             method: options.method,

@@ -106,6 +106,9 @@ pub enum Weakness {
 pub struct RelativeOrientation {
     #[serde(flatten)]
     pub parameters: FiveParameters,
+    /// The angle by which the photo axes of ω φ κ by bz, the base and the points in the model are turned anticlockwise from those of the
+    /// photo coordinates: 0, or 90 where [`orient_matches`](crate::orient_matches) met a base across the x axis.
+    pub turn_deg: f64,
     /// The base component b that was fixed.
     pub base_mm: f64,
     pub focal_mm: f64,
@@ -149,6 +152,15 @@ pub struct RelativeOrientation {
     pub points: Vec<Option<PointStatistics>>,
     /// Indices of the observations that were left out as gross errors.
     pub rejected: Vec<usize>,
+}
+
+impl RelativeOrientation {
+    /// The orientation in photo axes that were turned by 90° for it: corrections go back to the axes of the photo coordinates.
+    pub(crate) fn turned_back(mut self) -> Self {
+        self.turn_deg = 90.0;
+        self.residuals_mm.iter_mut().for_each(|v| *v = [-v[1], v[0], -v[3], v[2]]);
+        self
+    }
 }
 
 #[cfg(test)]

@@ -1,16 +1,41 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
 use super::{PairImage, PairInput, PhotoInput};
-use crate::{Camera, Error, Interior, orient_fiducials};
+use crate::{Camera, Error, FocalEstimate, Interior, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
+/// Side of a pixel where nobody knows it.
+const NOMINAL_PIXEL_MM: f64 = 0.001;
+
+/// Standard error of an estimated focal length, as a share of it, up to which it serves.
+const LARGEST_ERROR: f64 = 0.1;
+
 /// The interior orientations of a pair, of one focal length.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PairInterior {
     pub left: Interior,
     pub right: Interior,
     pub focal_mm: f64,
+}
+
+impl PairInterior {
+    /// The same in photo axes turned by 90° anticlockwise.
+    pub(super) fn turned(&self) -> Self {
+        Self { left: self.left.turned(), right: self.right.turned(), focal_mm: self.focal_mm }
+    }
+
+    /// From the focal length that the matches themselves gave, where it is known to a tenth: principal points in the middle of the images,
+    /// a pixel being a thousandth of a millimetre.
+    pub fn estimated(focal: &FocalEstimate, [left, right]: [(usize, usize); 2]) -> Option<Self> {
+        if !(focal.standard_error_px < LARGEST_ERROR * focal.focal_px) {
+            return None;
+        }
+        let focal_mm = focal.focal_px * NOMINAL_PIXEL_MM;
+        let camera = Camera { focal_mm, principal_point_mm: [0.0; 2], pixel_mm: Some(NOMINAL_PIXEL_MM), radial_distortion: [0.0; 3] };
+        let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
+        Some(Self { left: of(left)?, right: of(right)?, focal_mm })
+    }
 }
 
 /// The interior orientations; or, in words, what is missing.

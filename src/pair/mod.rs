@@ -1,14 +1,20 @@
 //! The whole way of one pair: points, descriptors, offset, matches, photo coordinates, relative orientation.
 
+mod described;
 mod geometry;
+mod orienting;
 mod rounds;
+mod verification;
 
+pub use described::{DescribedImage, describe_image};
 pub use geometry::{PairInterior, photo_interior};
-pub use rounds::{match_in_rounds, match_weights, observations, orient_matches};
+pub use orienting::{match_weights, observations, orient_matches};
+pub use rounds::{PairMatching, match_in_rounds};
+pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 
 use crate::{
-    Camera, Error, ExifCamera, Fiducial, FiducialModel, GreyView, MatchImage, MatchOptions, MatchSet, OffsetField, OrientationOptions,
-    PointOptions, PointSet, RelativeOrientation, WindowOptions, describe, detect, estimate_offset,
+    Camera, Degeneracy, Error, ExifCamera, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet, MultiscaleOptions,
+    OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, TwoView, TwoViewOptions, WindowOptions, estimate_offset,
 };
 use serde::{Deserialize, Serialize};
 
@@ -18,8 +24,15 @@ use serde::{Deserialize, Serialize};
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PairSettings {
     pub points: PointOptions,
+    /// Of the operator of that name.
+    pub multiscale: MultiscaleOptions,
     pub window: WindowOptions,
+    /// Of the strategy of that name.
+    pub gradient: GradientOptions,
     pub matching: MatchOptions,
+    /// The geometry of the two views, by which the strategy gradient verifies its matches. Cameras that the pair knows take the place of
+    /// those named here.
+    pub geometry: TwoViewOptions,
     pub orientation: OrientationOptions,
 }
 
@@ -53,8 +66,11 @@ pub struct PairInput {
 pub struct PairResult {
     pub left: PointSet,
     pub right: PointSet,
-    pub offset: OffsetField,
+    /// Absent where the strategy needs none and none was given.
+    pub offset: Option<OffsetField>,
     pub matching: MatchSet,
+    /// As in [`PairMatching`].
+    pub geometry: Option<Result<TwoView, String>>,
     pub interior: Option<PairInterior>,
     /// The orientation; or, in words, why there is none.
     pub orientation: Result<RelativeOrientation, String>,
@@ -65,6 +81,8 @@ pub struct PairResult {
 pub struct PairImage<'a> {
     pub grey: GreyView<'a>,
     pub exif: Option<&'a ExifCamera>,
+    /// As large as the image: points whose pixel is 0 in it are left out.
+    pub mask: Option<GreyView<'a>>,
 }
 
 /// Matches and orients a pair.
@@ -76,27 +94,29 @@ pub struct PairImage<'a> {
 pub fn match_pair(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput, settings: &PairSettings) -> Result<PairResult, Error> {
     // What is wrong with the camera is told before the images are searched.
     let interior = geometry::pair_interior(left, right, input)?;
-    let [left_points, right_points] = [detect(left.grey, &settings.points)?, detect(right.grey, &settings.points)?];
-    let described = |image: PairImage<'_>, set: &PointSet| match settings.matching.strategy.measure() {
-        Some(measure) => describe(image.grey, &set.points, &settings.window, measure),
-        None => Ok(Vec::new()),
-    };
-    let descriptors = [described(left, &left_points)?, described(right, &right_points)?];
+    let described = [describe_image(left.grey, left.mask, settings)?, describe_image(right.grey, right.mask, settings)?];
+    let strategy = settings.matching.strategy;
     let offset = match input.offset {
-        Some([dx, dy]) => OffsetField::constant(dx, dy),
-        None => estimate_offset(left.grey, right.grey),
+        Some([dx, dy]) => Some(OffsetField::constant(dx, dy)),
+        None => strategy.needs_offset().then(|| estimate_offset(left.grey, right.grey)),
     };
-    let images = [
-        MatchImage { grey: left.grey, points: &left_points.points, descriptors: &descriptors[0] },
-        MatchImage { grey: right.grey, points: &right_points.points, descriptors: &descriptors[1] },
-    ];
-    let matching = match_in_rounds(images, &offset, interior.as_ref().ok(), settings)?;
+    let images = [described[0].match_image(left.grey, strategy), described[1].match_image(right.grey, strategy)];
+    let expected = offset.clone().unwrap_or(OffsetField::constant(0.0, 0.0));
+    let PairMatching { set: matching, geometry } = match_in_rounds(images, &expected, interior.as_ref().ok(), settings)?;
+    let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
+    let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
+    let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));
+    let from_one_place = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
     let orientation = match &interior {
         Err(reason) => Err(reason.clone()),
+        Ok(_) if from_one_place => {
+            Err("the photos were taken from one place: they differ by a rotation alone, so there is no base".to_string())
+        }
         Ok(interior) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
             outcome => outcome.map_err(|error| error.to_string()),
         },
     };
-    Ok(PairResult { left: left_points, right: right_points, offset, matching, interior: interior.ok(), orientation })
+    let [left, right] = described.map(|image| image.set);
+    Ok(PairResult { left, right, offset, matching, geometry, interior: interior.ok(), orientation })
 }

@@ -1,10 +1,11 @@
 //! Matching and orienting by turns: an orientation narrows the search to the epipolar lines, which gives a better orientation.
 
-use super::{PairInterior, PairSettings};
-use crate::math::median;
+use super::verification::{PairCameras, verify};
+use super::{PairInterior, PairSettings, orient_matches};
+use crate::matches::{refine, verified_set};
 use crate::{
-    EpipolarLines, Error, ErrorModel, Expectation, Fit, Interior, Match, MatchImage, MatchSet, Observation, OffsetField,
-    OrientationOptions, RelativeOrientation, SharedErrors, match_images, orient_relative_with,
+    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, OffsetField,
+    RelativeOrientation, Strategy, TwoView, match_images,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.
@@ -15,22 +16,35 @@ const MAX_ROUNDS: usize = 5;
 const TOLERANCE: f64 = 4.0;
 const LEAST_TOLERANCE_PX: f64 = 1.5;
 
+/// The matches of a pair.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PairMatching {
+    pub set: MatchSet,
+    /// For the strategy that looks for no expected place: what relates the views, by which its matches were verified; its inliers are
+    /// indices of the matches. Or, in words, why there is nothing.
+    pub geometry: Option<Result<TwoView, String>>,
+}
+
 /// Matches a pair; with `settings.matching.epipolar` and a camera, matches again along the epipolar lines of its orientation until
-/// nothing changes, at most 5 times.
+/// nothing changes, at most 5 times. Matches by gradients are verified by the geometry of the two views, known cameras or not, and matched
+/// again along its lines; where there is none, none is left.
 ///
 /// A pair that cannot be oriented keeps the matches it has.
 ///
 /// # Errors
-/// As [`match_images`], and [`Error::InvalidOption`] of the orientation.
+/// As [`match_images`], and [`Error::InvalidOption`] of the geometry and the orientation.
 pub fn match_in_rounds(
     images: [MatchImage<'_>; 2],
     offset: &OffsetField,
     interior: Option<&PairInterior>,
     settings: &PairSettings,
-) -> Result<MatchSet, Error> {
+) -> Result<PairMatching, Error> {
     let [left, right] = images;
     let mut set = match_images(left, right, offset, &settings.matching)?;
-    let Some(interior) = interior.filter(|_| settings.matching.epipolar) else { return Ok(set) };
+    if settings.matching.strategy == Strategy::Gradient {
+        return verified(images, &set, interior, settings);
+    }
+    let Some(interior) = interior.filter(|_| settings.matching.epipolar) else { return Ok(PairMatching { set, geometry: None }) };
     for _ in 0..MAX_ROUNDS {
         let orientation = match orient_matches(&set.matches, interior, &settings.orientation) {
             Ok(orientation) => orientation,
@@ -45,90 +59,46 @@ pub fn match_in_rounds(
             break;
         }
     }
-    Ok(set)
+    Ok(PairMatching { set, geometry: None })
 }
 
-/// Windows of points nearer than this overlap, or see the same edges and roofs.
-const NEIGHBOURHOOD_PX: f64 = 64.0;
-
-/// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
-const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
-
-/// Whether all four positions of a match lie at the centres of pixels.
-fn are_whole_pixels(positions: &[f64; 4]) -> bool {
-    positions.iter().all(|v| v - libm::floor(*v) == 0.5)
+/// The matches that agree with the geometry of the two views, refined where that is wanted.
+fn verified(
+    images: [MatchImage<'_>; 2],
+    set: &MatchSet,
+    interior: Option<&PairInterior>,
+    settings: &PairSettings,
+) -> Result<PairMatching, Error> {
+    let [left, right] = images;
+    let cameras = PairCameras::new(interior, images.map(|image| (image.grey.width(), image.grey.height())));
+    let positions = [0, 1].map(|side| cameras.ideal(side, images[side].points.iter().map(|p| [p.x, p.y])));
+    let located = |side: usize| Located {
+        positions: &positions[side],
+        descriptors: match images[side].descriptors {
+            Descriptors::Gradients(bytes) => bytes,
+            _ => &[],
+        },
+    };
+    // Their measures stand in the set.
+    let pair = |m: &Match| m.right.map(|right| DescriptorMatch { left: m.left, right, square: 0, second_square: None });
+    let first: Vec<DescriptorMatch> = set.matches.iter().filter_map(pair).collect();
+    let found = verify(located(0), located(1), &first, &cameras.options(&settings.geometry))?;
+    let all = verified_set(set, &found.matches, left, right);
+    let set = refine(all, left, right, &settings.matching);
+    // Refinement refuses some.
+    let geometry = found.geometry.map(|geometry| TwoView { inliers: (0..set.matches.len()).collect(), ..geometry });
+    Ok(PairMatching { set, geometry: Some(geometry) })
 }
 
 fn epipolar_lines(orientation: &RelativeOrientation, interior: &PairInterior) -> EpipolarLines {
     let p = orientation.parameters;
     let scatter_px = std::f64::consts::SQRT_2 * orientation.sigma0_mm.unwrap_or(0.0) / interior.right.pixel_mm();
+    let axes = if orientation.turn_deg == 0.0 { *interior } else { interior.turned() };
     EpipolarLines::new(
-        [interior.left, interior.right],
+        [axes.left, axes.right],
         orientation.focal_mm,
         [p.omega_deg, p.phi_deg, p.kappa_deg].map(f64::to_radians),
         [orientation.base_mm, p.by_mm, p.bz_mm],
         (TOLERANCE * scatter_px).max(LEAST_TOLERANCE_PX),
     )
-}
-
-/// Orients the right photo from matches, weighted by the precision that least squares matching gave them. The total standard errors allow
-/// for what neighbouring matches share, and for the errors of the interior orientations where these have covariances.
-///
-/// # Errors
-/// As [`orient_relative`](crate::orient_relative).
-pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
-    let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
-    let mut observed = observations(&positions, &interior.left, &interior.right);
-    let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
-    observed.iter_mut().zip(match_weights(&fits)).for_each(|(observation, weight)| observation.weight = weight);
-    let pixel_mm = interior.left.pixel_mm();
-    let errors = ErrorModel {
-        shared: interior_errors(&positions, interior),
-        neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
-        resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
-    };
-    orient_relative_with(&observed, &errors, interior.focal_mm, options)
-}
-
-/// What errors of the interior orientations do to the observations: each row of either affine transformation has three parameters, which
-/// act by column, row and 1 on the coordinate that the row gives. Distortion changes that by less than a hundredth.
-fn interior_errors(positions: &[[f64; 4]], interior: &PairInterior) -> Vec<SharedErrors> {
-    let (Some(left), Some(right)) = (interior.left.covariance, interior.right.covariance) else { return Vec::new() };
-    let group = |coordinate: usize, covariance: [[f64; 3]; 3]| {
-        let side = coordinate / 2 * 2;
-        let effect = |m: &[f64; 4]| [m[side], m[side + 1], 1.0].map(|by| std::array::from_fn(|k| if k == coordinate { by } else { 0.0 }));
-        SharedErrors { effects: positions.iter().map(effect).collect(), covariance }
-    };
-    [(0, left), (1, left), (2, right), (3, right)].map(|(coordinate, covariance)| group(coordinate, covariance)).into()
-}
-
-/// Photo coordinates of matches, given as `[x_left, y_left, x_right, y_right]` in px.
-pub fn observations(matches: &[[f64; 4]], left: &Interior, right: &Interior) -> Vec<Observation> {
-    matches.iter().map(|[xl, yl, xr, yr]| Observation::new(left.photo_mm(*xl, *yl), right.photo_mm(*xr, *yr))).collect()
-}
-
-/// Weights of matches by the variances v of their right positions: 2 m / (m + v) with m the median variance, so that a match of median
-/// precision has the weight 1; 1 for matches without a fit.
-///
-/// The covariance of a fit tells what noise of grey values does. The shape of the ground within the window, which it does not see, is taken
-/// to be as large in the median: a weight never exceeds 2.
-pub fn match_weights(fits: &[Option<Fit>]) -> Vec<f64> {
-    let variance = |fit: &Fit| 0.5 * (fit.covariance[0] + fit.covariance[2]);
-    let usable = |v: &f64| v.is_finite() && *v >= 0.0;
-    let middle = median(&mut fits.iter().flatten().map(variance).filter(usable).collect::<Vec<_>>()).unwrap_or(0.0);
-    let weight = |fit: &Fit| 2.0 * middle / (middle + variance(fit));
-    fits.iter().map(|fit| fit.as_ref().map_or(1.0, weight)).map(|w| if w > 1e-6 { w } else { 1.0 }).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_match_of_median_precision_has_the_weight_one() {
-        let fit = |v: f64| Some(Fit { correlation: 0.9, covariance: [v, 0.0, v], iterations: 3 });
-        assert_eq!(match_weights(&[fit(1e-4), fit(4e-4), fit(1e-2), None]), [1.6, 1.0, 2.0 * 4.0 / 104.0, 1.0]);
-        assert_eq!(match_weights(&[None, None]), [1.0, 1.0]);
-        assert_eq!(match_weights(&[fit(0.0), fit(f64::NAN)]), [1.0, 1.0]);
-    }
 }

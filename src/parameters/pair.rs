@@ -8,8 +8,8 @@ pub const PARAMETERS: &[Parameter] = &[
         "points.operator",
         "Operator",
         "",
-        choice(&["ground2", "ground1", "forstner", "moravec"]),
-        "The interest operator. Ground 2 is the paper's choice: contrast to the neighbours, then roundness.",
+        choice(&["ground2", "ground1", "forstner", "moravec", "multiscale"]),
+        "The interest operator. Ground 2 is the paper's choice: contrast to the neighbours, then roundness. Multiscale finds points of many sizes, for images of different scales.",
     ),
     parameter(
         "points.threshold",
@@ -79,8 +79,8 @@ pub const PARAMETERS: &[Parameter] = &[
         "matching.strategy",
         "Strategy",
         "",
-        choice(&["moments", "invariants", "correlation", "least-squares"]),
-        "Moments and invariants compare interest points of both images; invariants also where these are rotated. Correlation and least squares compare grey values and find a place between pixels.",
+        choice(&["moments", "invariants", "correlation", "least-squares", "gradient"]),
+        "Moments and invariants compare interest points of both images; invariants also where these are rotated. Correlation and least squares compare grey values and find a place between pixels. Gradient matches photos of any rotation, scale and obliquity, and needs no offset.",
     ),
     parameter(
         "matching.refine",
@@ -94,7 +94,7 @@ pub const PARAMETERS: &[Parameter] = &[
         "Along epipolar lines",
         "",
         ParameterKind::Flag,
-        "Once the pair is oriented, matches again near the epipolar lines, until nothing changes. Needs a camera.",
+        "Once the pair is oriented, matches again near the epipolar lines, until nothing changes. Needs a camera. Gradient always does, with or without one.",
     ),
     parameter(
         "matching.denominator",
@@ -122,7 +122,7 @@ pub const PARAMETERS: &[Parameter] = &[
         "Ambiguity ratio",
         "",
         real(0.0, 1.0),
-        "Refused as ambiguous when the best measure exceeds this share of the second best. 1 switches the rule off.",
+        "Refused as ambiguous when the best measure exceeds this share of the second best. 1 switches the rule off. Empty: 0.9, for gradients 0.8.",
     ),
     parameter(
         "matching.parallax_neighbours",
@@ -157,7 +157,7 @@ pub const PARAMETERS: &[Parameter] = &[
         "Left-right check",
         "",
         ParameterKind::Flag,
-        "Correlation: the window found must correlate best with the left point it came from.",
+        "Correlation: the window found must correlate best with the left point it came from. Gradient: the descriptor found must be nearest to that of the left point.",
     ),
     parameter(
         "matching.max_standard_error",

@@ -15,6 +15,7 @@ pub use options::{MultiscaleOptions, Position};
 
 pub(crate) use level::Level;
 
+use super::mask::Mask;
 use crate::{Error, GreyView};
 use distribution::well_distributed;
 use extrema::Extremum;
@@ -98,13 +99,7 @@ pub fn multiscale_points(
     if width.min(height) < LEAST_SIDE {
         return Err(Error::ImageTooSmall { width, height, operation: "the pyramid of scales", min_side: LEAST_SIDE });
     }
-    if let Some(mask) = mask.filter(|mask| (mask.width(), mask.height()) != (width, height)) {
-        return Err(Error::InvalidInput {
-            what: "mask",
-            got: format!("{} x {} px", mask.width(), mask.height()),
-            allowed: format!("the image's {width} x {height} px"),
-        });
-    }
+    let mask = Mask::new(mask, image)?;
     let mut extrema = Vec::new();
     let mut octaves = Vec::new();
     let mut source = Source::Image(image);
@@ -118,9 +113,7 @@ pub fn multiscale_points(
         }
         source = octave.next;
     }
-    if let Some(mask) = mask {
-        extrema.retain(|c| mask.at((c.x.max(0.0) as usize).min(width - 1), (c.y.max(0.0) as usize).min(height - 1)) != 0);
-    }
+    extrema.retain(|c| mask.allows(c.x, c.y));
     let space = ScaleSpace { octaves, per_octave: options.levels };
     let side = width.max(height) as f64 / options.cells as f64;
     let across = (width as f64 / side) as usize + 1;

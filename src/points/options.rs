@@ -5,7 +5,7 @@ use crate::Error;
 use crate::parameters::refuse;
 use serde::{Deserialize, Serialize};
 
-/// The published interest operators.
+/// The published interest operators, and points of many scales.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -14,6 +14,8 @@ pub enum Operator {
     Forstner,
     Ground1,
     Ground2,
+    /// Points distinct in position and scale: [`multiscale_points`](crate::multiscale_points), which has options of its own.
+    Multiscale,
 }
 
 /// Which of equal neighbouring values survive the suppression of non-maxima.
@@ -27,7 +29,8 @@ pub enum Ties {
     First,
 }
 
-/// Options of [`detect`](crate::detect). What is absent takes the operator's own default.
+/// Options of [`detect`](crate::detect). What is absent takes the operator's own default; all but the operator is of those that look at one
+/// scale.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -85,9 +88,11 @@ impl PointOptions {
 }
 
 impl Operator {
-    /// The paper's threshold; for Moravec, where it has none, one that suits well exposed 8-bit aerial photographs.
+    /// The paper's threshold; for Moravec, where it has none, one that suits well exposed 8-bit aerial photographs; 0 where the operator has
+    /// none.
     pub const fn default_threshold(self) -> f64 {
         match self {
+            Operator::Multiscale => 0.0,
             Operator::Moravec => 4000.0,
             Operator::Forstner => 1.0,
             Operator::Ground1 | Operator::Ground2 => 40.0,
@@ -97,15 +102,16 @@ impl Operator {
     /// The lower end of the paper's range; 0 where the operator has no roundness.
     pub const fn default_roundness(self) -> f64 {
         match self {
-            Operator::Moravec | Operator::Ground1 => 0.0,
+            Operator::Moravec | Operator::Ground1 | Operator::Multiscale => 0.0,
             Operator::Forstner => 0.5,
             Operator::Ground2 => 0.32,
         }
     }
 
-    /// Side of the operator's window in px.
+    /// Side of the operator's window in px; 0 where it has none of one size.
     pub const fn default_window(self) -> usize {
         match self {
+            Operator::Multiscale => 0,
             Operator::Moravec => 4,
             Operator::Forstner => 5,
             Operator::Ground1 | Operator::Ground2 => 3,

@@ -74,7 +74,8 @@ impl Report {
         let study = match done {
             Some(study) => Study { name, ..study.clone() },
             None => {
-                let images = self.images.each_ref().map(|image| PairImage { grey: image.grey.view(), exif: image.exif.as_ref() });
+                let images =
+                    self.images.each_ref().map(|image| PairImage { grey: image.grey.view(), exif: image.exif.as_ref(), mask: None });
                 study::study(name, settings, images, &self.input, self.truth.as_ref())?
             }
         };

@@ -31,6 +31,7 @@ pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
         ("invariants", Strategy::Invariants),
         ("correlation", Strategy::Correlation),
         ("least squares", Strategy::LeastSquares),
+        ("gradients", Strategy::Gradient),
     ];
     let others = strategies.map(|(name, strategy)| (name, by(strategy)));
     std::iter::once(("this run", settings.clone())).chain(others).collect()

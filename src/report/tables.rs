@@ -252,7 +252,7 @@ fn difference_of_matches(moments: &Study) -> Markup {
 
 /// Which matches the rules of consistency refuse, of those that are switched on.
 fn inconsistent(options: &MatchOptions) -> &'static str {
-    match (options.ambiguity < 1.0, options.parallax_neighbours > 0) {
+    match (options.ambiguity() < 1.0, options.parallax_neighbours > 0) {
         (true, true) => "ambiguous, many to one, or off the y-parallax of their neighbours",
         (true, false) => "ambiguous or many to one",
         (false, true) => "many to one, or off the y-parallax of their neighbours",

@@ -1,9 +1,12 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{object, pack};
-use crate::{Operator, PARAMETERS, PairSettings, SAMPLE_SEED};
+use crate::{FEATURE_PARAMETERS, GEOMETRY_PARAMETERS, Operator, PARAMETERS, PairSettings, SAMPLE_SEED, Strategy};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
+
+/// What `geometry` holds of the cameras.
+const CAMERA: [&str; 2] = ["geometry.focal_px", "geometry.principal_px"];
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
@@ -53,13 +56,29 @@ pub fn operator_defaults() -> JsValue {
         ("forstner", of(Operator::Forstner)),
         ("ground1", of(Operator::Ground1)),
         ("ground2", of(Operator::Ground2)),
+        ("multiscale", of(Operator::Multiscale)),
+    ])
+}
+
+/// The ambiguity ratio of each strategy where none is chosen.
+#[wasm_bindgen(unchecked_return_type = "Record<Strategy, number>")]
+pub fn ambiguity_defaults() -> JsValue {
+    let of = |strategy: Strategy| strategy.default_ambiguity().into();
+    object([
+        ("moments", of(Strategy::Moments)),
+        ("invariants", of(Strategy::Invariants)),
+        ("correlation", of(Strategy::Correlation)),
+        ("least-squares", of(Strategy::LeastSquares)),
+        ("gradient", of(Strategy::Gradient)),
     ])
 }
 
 /// Every tunable with label, unit, range and help, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> JsValue {
-    pack(&PARAMETERS)
+    // Cameras are no settings: they belong to the photos.
+    let geometry = GEOMETRY_PARAMETERS.iter().filter(|p| p.key.starts_with("geometry.") && !CAMERA.contains(&p.key));
+    pack(&PARAMETERS.iter().chain(FEATURE_PARAMETERS).chain(geometry).collect::<Vec<_>>())
 }
 
 /// The seed of the built-in sample pair.

@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, numbers, object, pack, read_options, thrown};
 use super::photo::Photo;
-use crate::{FEATURE_PARAMETERS, FeatureOptions, GreyView, features};
+use crate::{FEATURE_PARAMETERS, FeatureOptions, features};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -29,9 +29,7 @@ impl Photo {
         mask: Option<Vec<u8>>,
     ) -> JsResult<JsValue> {
         let options: FeatureOptions = read_options("features", options)?;
-        let image = self.view();
-        let mask = mask.as_ref().map(|mask| GreyView::new(image.width(), image.height(), mask)).transpose().map_err(thrown)?;
-        let found = features(image, mask, &options).map_err(thrown)?;
+        let found = features(self.view(), self.masked(&mask)?, &options).map_err(thrown)?;
         let points = found.iter().flat_map(|f| [f.point.x, f.point.y, f.point.scale_px, f.orientation_rad, f.point.weight]);
         let descriptors: Vec<u8> = found.iter().flat_map(|f| f.descriptor).collect();
         Ok(object([("points", numbers(points)), ("descriptors", Uint8Array::from(&descriptors[..]).into())]))

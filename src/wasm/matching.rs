@@ -1,14 +1,15 @@
 //! Offsets and matches between two sets of points.
 
-use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, thrown};
+use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown};
 use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
-    Descriptor, Error, Fit, GreyImage, InterestPoint, Match, MatchImage, MatchOptions, MatchSet, OffsetField, PairInput, PairInterior,
-    PairResult, PairSettings, Reduced, Rule, candidates_of, estimate_offset_of_reduced, match_in_rounds, match_pair as match_images,
+    DescribedImage, Descriptor, Error, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet,
+    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, TwoView,
+    candidates_of, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients, match_in_rounds, match_pair as match_images,
     match_points as match_described,
 };
-use js_sys::{Int32Array, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
 
@@ -31,13 +32,22 @@ export interface MatchResult {
     places: Float64Array;
     /** For each left point the best and the second best measure, Infinity where there is none; stride 2. */
     measures: Float64Array;
+    /** What relates the views, by which the strategy gradient verified its matches; null for the others and where there is nothing. */
+    geometry: Omit<TwoView, "inliers"> | null;
+    /** Why there is no geometry, where one was looked for. */
+    geometry_reason: string | null;
 }
+
+/** Points as matching takes them: `DescribedPoints`, or what of it the strategy needs. */
+export type GivenPoints = Pick<DescribedPoints, "points"> & Partial<Pick<DescribedPoints, "frames" | "moments" | "gradients">>;
+
 
 /** The outcome of a whole pair. */
 export interface PairOutput {
     left: DetectedPoints;
     right: DetectedPoints;
-    offset: OffsetField;
+    /** Absent where the strategy needs none. */
+    offset: OffsetField | null;
     match: MatchResult;
     interior: PairInterior | null;
     /** Side of a left pixel in mm. */
@@ -84,36 +94,54 @@ pub fn match_points(
     let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
     let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
     let set = match_described(left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
-    Ok(pack_matches(&set))
+    Ok(pack_matching(&PairMatching { set, geometry: None }))
 }
 
-/// Matches two photos by any strategy: points of stride 3, descriptors of stride 7 as `Photo.describe` gives them for the strategy.
+/// Matches two photos by any strategy.
 ///
 /// With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
-/// changes.
+/// changes. Only the strategy gradient does without an offset.
 #[wasm_bindgen(unchecked_return_type = "MatchResult")]
-#[allow(clippy::too_many_arguments)]
 pub fn match_photos(
     left: &Photo,
     right: &Photo,
-    left_points: &[f64],
-    left_descriptors: &[f64],
-    right_points: &[f64],
-    right_descriptors: &[f64],
-    #[wasm_bindgen(unchecked_param_type = "OffsetField")] offset: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenPoints")] left_points: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenPoints")] right_points: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "OffsetField | null")] offset: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
 ) -> JsResult<JsValue> {
-    let described = [Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?];
-    let (offset, interior) = (read_offset(offset)?, read::<Option<PairInterior>>("interior", interior)?);
     let settings = read_options::<PairSettings>("settings", settings)?;
-    let images = [(left, &described[0]), (right, &described[1])].map(|(photo, Described { points, descriptors })| MatchImage {
-        grey: photo.view(),
-        points,
-        descriptors,
-    });
-    let set = match_in_rounds(images, &offset, interior.as_ref(), &settings).map_err(thrown)?;
-    Ok(pack_matches(&set))
+    let strategy = settings.matching.strategy;
+    let offset = match offset.is_null() && !strategy.needs_offset() {
+        true => OffsetField::constant(0.0, 0.0),
+        false => read_offset(offset)?,
+    };
+    let interior = read::<Option<PairInterior>>("interior", interior)?;
+    let given = [read_points(left_points)?, read_points(right_points)?];
+    let images = [given[0].match_image(left.view(), strategy), given[1].match_image(right.view(), strategy)];
+    match_in_rounds(images, &offset, interior.as_ref(), &settings).map(|matching| pack_matching(&matching)).map_err(thrown)
+}
+
+/// The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
+#[wasm_bindgen]
+pub fn gradient_candidates(index: usize, left_gradients: &[u8], right_gradients: &[u8], most: usize) -> JsResult<Vec<f64>> {
+    let all = nearest_by_gradients(index, left_gradients, right_gradients, most).map_err(thrown)?;
+    Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
+}
+
+/// The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
+#[wasm_bindgen(unchecked_return_type = "PairInterior | null")]
+pub fn estimated_interior(
+    #[wasm_bindgen(unchecked_param_type = "FocalEstimate | null")] focal: &JsValue,
+    left_width: usize,
+    left_height: usize,
+    right_width: usize,
+    right_height: usize,
+) -> JsResult<JsValue> {
+    let focal: Option<FocalEstimate> = read("focal length", focal)?;
+    let sizes = [(left_width, left_height), (right_width, right_height)];
+    Ok(pack(&focal.and_then(|focal| PairInterior::estimated(&focal, sizes))))
 }
 
 /// The candidates of one left point, the best first: index of the right point and measure, stride 2.
@@ -150,12 +178,29 @@ fn pack_pair(result: &PairResult) -> JsValue {
         ("left", pack_points(&result.left)),
         ("right", pack_points(&result.right)),
         ("offset", pack(&result.offset)),
-        ("match", pack_matches(&result.matching)),
+        ("match", pack_matching(&PairMatching { set: result.matching.clone(), geometry: result.geometry.clone() })),
         ("interior", pack(&result.interior)),
         ("pixel_mm", pack(&result.interior.as_ref().map(|i| i.left.pixel_mm()))),
         ("orientation", result.orientation.as_ref().map_or(JsValue::NULL, pack_orientation)),
         ("orientation_reason", pack(&result.orientation.as_ref().err())),
     ])
+}
+
+fn pack_matching(matching: &PairMatching) -> JsValue {
+    let packed = pack_matches(&matching.set);
+    set_geometry(&packed, matching.geometry.as_ref());
+    packed
+}
+
+/// Sets what relates the views, or why nothing does. All matches agree with it: inliers are left out.
+pub(super) fn set_geometry(object: &JsValue, geometry: Option<&Result<TwoView, String>>) {
+    let found = geometry.and_then(|geometry| geometry.as_ref().ok()).map(|found| TwoView { inliers: Vec::new(), ..found.clone() });
+    let packed = pack(&found);
+    if found.is_some() {
+        Reflect::delete_property(packed.unchecked_ref::<Object>(), &"inliers".into()).expect("a plain object gives up its fields");
+    }
+    set(object, "geometry", &packed);
+    set(object, "geometry_reason", &pack(&geometry.and_then(|geometry| geometry.as_ref().err())));
 }
 
 fn pack_matches(set: &MatchSet) -> JsValue {
@@ -195,6 +240,26 @@ impl Described {
     fn parts(&self) -> crate::Described<'_> {
         (&self.points, &self.descriptors)
     }
+}
+
+/// Points with what the strategy compares them by.
+fn read_points(value: &JsValue) -> JsResult<DescribedImage> {
+    let field = |name: &str| Reflect::get(value, &name.into()).ok().filter(|found| !found.is_undefined() && !found.is_null());
+    let floats = |name: &str| field(name).map_or(Vec::new(), |found| js_sys::Float64Array::new(&found).to_vec());
+    let (frames, moments) = (floats("frames"), floats("moments"));
+    let (frames, moments) = (rows::<2>("frames", &frames)?, rows::<7>("moments", &moments)?);
+    let set = PointSet {
+        points: points("points", &floats("points"))?,
+        frames: frames
+            .iter()
+            .map(|[scale_px, orientation_rad]| LocalFrame { scale_px: *scale_px, orientation_rad: *orientation_rad })
+            .collect(),
+        counts: PointCounts::default(),
+        threshold: 0.0,
+    };
+    let moments = moments.iter().map(|d| d.iter().all(|v| v.is_finite()).then_some(*d)).collect();
+    let gradients = field("gradients").map_or(Vec::new(), |found| Uint8Array::new(&found).to_vec());
+    Ok(DescribedImage { set, moments, gradients })
 }
 
 fn read_offset(value: &JsValue) -> JsResult<OffsetField> {

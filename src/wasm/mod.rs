@@ -17,3 +17,4 @@ mod photo;
 mod report;
 mod simulate;
 mod tables;
+mod verification;

@@ -1,9 +1,9 @@
 //! An image in wasm memory, and what is found in it.
 
-use super::convert::{JsResult, numbers, object, pack, points, read, read_options, thrown};
+use super::convert::{JsResult, numbers, object, pack, points, read, read_options, set, thrown};
 use crate::{
-    DecodeLimits, Error, ExifCamera, GreyImage, GreyView, PairImage, PointOptions, PointSet, Reduced, ReportImage, Strategy, WindowOptions,
-    decode, describe, detect, reduce_to, window_moments,
+    DecodeLimits, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced, ReportImage, Strategy, WindowOptions,
+    decode, describe, describe_image, detect, reduce_to, window_moments,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -17,8 +17,22 @@ export interface PhotoInfo { width: number; height: number; format: string; bits
 /** An image halved a number of times: grey values 0..255, row by row. */
 export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
 
-/** Interest points: x and y in px and the interest value, stride 3; in raster order. */
-export interface DetectedPoints { counts: PointCounts; threshold: number; points: Float64Array }
+/** Interest points: x and y in px and the interest value, stride 3; in raster order, those of many scales by octave. */
+export interface DetectedPoints {
+    counts: PointCounts;
+    threshold: number;
+    points: Float64Array;
+    /** Of each point scale in px and dominant direction in rad from x towards y, stride 2; empty for operators that look at one scale. */
+    frames: Float64Array;
+}
+
+/** Interest points with what a strategy compares them by. */
+export interface DescribedPoints extends DetectedPoints {
+    /** Seven numbers a point for the strategies that compare moments, NaN where a window leaves the image or is constant; else empty. */
+    moments: Float64Array;
+    /** 128 bytes a point for the strategy that compares gradients; else empty. */
+    gradients: Uint8Array;
+}
 
 /** The window of a point: its grey values row by row, which of them lie within the outline, and its moments. */
 export interface WindowReport {
@@ -90,11 +104,32 @@ impl Photo {
         pack_reduced(&reduce_to(self.grey.view(), max_side))
     }
 
-    /// Finds interest points.
+    /// Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
+    /// and row by row, are left out.
     #[wasm_bindgen(unchecked_return_type = "DetectedPoints")]
-    pub fn detect(&self, #[wasm_bindgen(unchecked_param_type = "Given<PointOptions>")] options: &JsValue) -> JsResult<JsValue> {
-        let options: PointOptions = read_options("points", options)?;
-        detect(self.grey.view(), &options).map(|set| pack_points(&set)).map_err(thrown)
+    pub fn detect(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+        mask: Option<Vec<u8>>,
+    ) -> JsResult<JsValue> {
+        let settings: PairSettings = read_options("settings", settings)?;
+        let set = detect(self.view(), self.masked(&mask)?, &settings.points, &settings.multiscale).map_err(thrown)?;
+        Ok(pack_points(&set))
+    }
+
+    /// Finds interest points and describes them as the strategy of the settings needs it.
+    #[wasm_bindgen(unchecked_return_type = "DescribedPoints")]
+    pub fn describe_points(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+        mask: Option<Vec<u8>>,
+    ) -> JsResult<JsValue> {
+        let settings: PairSettings = read_options("settings", settings)?;
+        let described = describe_image(self.view(), self.masked(&mask)?, &settings).map_err(thrown)?;
+        let packed = pack_points(&described.set);
+        set(&packed, "moments", &numbers(described.moments.into_iter().flat_map(|d| d.unwrap_or([f64::NAN; 7]))));
+        set(&packed, "gradients", &Uint8Array::from(&described.gradients[..]).into());
+        Ok(packed)
     }
 
     /// Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
@@ -126,7 +161,12 @@ impl Photo {
 
 impl Photo {
     pub(super) fn pair_image(&self) -> PairImage<'_> {
-        PairImage { grey: self.grey.view(), exif: self.camera.as_ref() }
+        PairImage { grey: self.grey.view(), exif: self.camera.as_ref(), mask: None }
+    }
+
+    /// A mask of the image's size.
+    pub(super) fn masked<'m>(&self, mask: &'m Option<Vec<u8>>) -> JsResult<Option<GreyView<'m>>> {
+        mask.as_ref().map(|mask| GreyView::new(self.grey.width(), self.grey.height(), mask)).transpose().map_err(thrown)
     }
 
     /// A copy with a name, for a report.
@@ -186,6 +226,7 @@ pub(super) fn pack_points(set: &PointSet) -> JsValue {
         ("counts", pack(&set.counts)),
         ("threshold", set.threshold.into()),
         ("points", numbers(set.points.iter().flat_map(|p| [p.x, p.y, p.value]))),
+        ("frames", numbers(set.frames.iter().flat_map(|f| [f.scale_px, f.orientation_rad]))),
     ])
 }
 

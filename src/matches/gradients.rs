@@ -1,0 +1,90 @@
+//! The strategy that compares gradient descriptors: the nearest one of the whole right image.
+
+use super::rules::{refuse_many_to_one, set_of};
+use super::{DescriptorMatch, MatchImage, MatchOptions, MatchSet, Nearest, Rule, Verdict, nearest};
+use crate::Error;
+
+/// Length of a descriptor before it was rounded to bytes.
+const UNIT: f64 = 512.0;
+
+/// Matches left points with the right points of the nearest descriptors.
+///
+/// The measure is the Euclidean distance of the descriptors as unit vectors, 0 to √2. Nothing is known of where right points lie: what
+/// fits no geometry of the two views is still there.
+///
+/// # Errors
+/// [`Error::InvalidInput`] where points and descriptors differ in number.
+pub(super) fn match_gradients(
+    left: (MatchImage<'_>, &[u8]),
+    right: (MatchImage<'_>, &[u8]),
+    options: &MatchOptions,
+) -> Result<MatchSet, Error> {
+    let table = nearest(left.1, right.1)?;
+    let verdict = |(k, found): (usize, &Option<Nearest>)| {
+        let Some(found) = found else { return Verdict::none(Rule::NoCandidate) };
+        let mut verdict = found_at(found, right.0);
+        verdict.rule = if verdict.measure >= options.max_measure {
+            Rule::Threshold
+        } else if options.is_ambiguous(verdict.measure, verdict.second) {
+            Rule::Ambiguous
+        } else if options.left_right && table.of_right()[found.index].is_none_or(|(back, _)| back != k) {
+            Rule::LeftRight
+        } else {
+            Rule::Matched
+        };
+        verdict
+    };
+    let mut verdicts: Vec<Verdict> = table.of_left().iter().enumerate().map(verdict).collect();
+    refuse_many_to_one(&mut verdicts);
+    Ok(set_of(left.0.points, verdicts))
+}
+
+/// The matches of a set of [`match_gradients`] that a look at the geometry of the two views left: the others of the set are refused for
+/// their parallax, and the ones it does not have are added to it.
+pub(crate) fn verified_set(set: &MatchSet, verified: &[DescriptorMatch], left: MatchImage<'_>, right: MatchImage<'_>) -> MatchSet {
+    let mut verdicts = set.verdicts.clone();
+    verdicts.iter_mut().filter(|v| v.rule == Rule::Matched).for_each(|v| v.rule = Rule::Parallax);
+    for found in verified {
+        let verdict = &mut verdicts[found.left];
+        if verdict.best == Some(found.right) {
+            verdict.rule = Rule::Matched;
+        } else {
+            *verdict = found_at(&Nearest { index: found.right, square: found.square, second_square: found.second_square }, right);
+        }
+    }
+    set_of(left.points, verdicts)
+}
+
+fn found_at(found: &Nearest, right: MatchImage<'_>) -> Verdict {
+    let point = right.points[found.index];
+    let measure = |square: u32| f64::from(square).sqrt() / UNIT;
+    Verdict {
+        best: Some(found.index),
+        position: Some([point.x, point.y]),
+        measure: measure(found.square),
+        second: found.second_square.map_or(f64::INFINITY, measure),
+        ..Verdict::none(Rule::Matched)
+    }
+}
+
+/// The right points in the order of their descriptors' distances from that of a left one, up to `most`: index and measure.
+///
+/// # Errors
+/// [`Error::InvalidInput`] where there is no such left descriptor, or bytes are left over.
+pub fn gradient_candidates(index: usize, left: &[u8], right: &[u8], most: usize) -> Result<Vec<super::Candidate>, Error> {
+    let (left, right) = (super::nearest::descriptors("left descriptors", left)?, super::nearest::descriptors("right descriptors", right)?);
+    let own = left.get(index).ok_or_else(|| Error::InvalidInput {
+        what: "index of a left point",
+        got: index.to_string(),
+        allowed: format!("below {}, the number of left points", left.len()),
+    })?;
+    let mut squares: Vec<(u32, usize)> =
+        right.iter().enumerate().map(|(k, other)| (super::blocks::square_distance(own, other), k)).collect();
+    let most = most.min(squares.len());
+    if most < squares.len() {
+        squares.select_nth_unstable(most);
+        squares.truncate(most);
+    }
+    squares.sort_unstable();
+    Ok(squares.into_iter().map(|(square, right)| super::Candidate { right, measure: f64::from(square).sqrt() / UNIT }).collect())
+}

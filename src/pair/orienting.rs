@@ -1,0 +1,99 @@
+//! From matches and interior orientations to the relative orientation.
+
+use super::PairInterior;
+use crate::math::median;
+use crate::orientation::BY_AND_BZ;
+use crate::{
+    Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors, orient_relative_with,
+};
+
+/// Windows of points nearer than this overlap, or see the same edges and roofs.
+const NEIGHBOURHOOD_PX: f64 = 64.0;
+
+/// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
+const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
+
+/// Whether all four positions of a match lie at the centres of pixels.
+fn are_whole_pixels(positions: &[f64; 4]) -> bool {
+    positions.iter().all(|v| v - libm::floor(*v) == 0.5)
+}
+
+/// Orients the right photo from matches, weighted by the precision that least squares matching gave them. The total standard errors allow
+/// for what neighbouring matches share, and for the errors of the interior orientations where these have covariances.
+///
+/// by and bz are in units of b, so the base must lie along the x axis rather than along y: where it does not, ω φ κ by bz are those of
+/// photo axes turned by 90°, as [`RelativeOrientation::turn_deg`] tells.
+///
+/// # Errors
+/// As [`orient_relative`](crate::orient_relative).
+pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
+    let plain = orient_along_x(matches, interior, options);
+    let is_across = match &plain {
+        Ok(found) => found.parameters.by_mm.abs() > found.base_mm.abs(),
+        Err(error) => matches!(error, Error::Degenerate { what: BY_AND_BZ, .. }),
+    };
+    if !is_across {
+        return plain;
+    }
+    match orient_along_x(matches, &interior.turned(), options) {
+        Ok(turned) => Ok(turned.turned_back()),
+        Err(_) => plain,
+    }
+}
+
+fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
+    let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+    let mut observed = observations(&positions, &interior.left, &interior.right);
+    let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
+    observed.iter_mut().zip(match_weights(&fits)).for_each(|(observation, weight)| observation.weight = weight);
+    let pixel_mm = interior.left.pixel_mm();
+    let errors = ErrorModel {
+        shared: interior_errors(&positions, interior),
+        neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
+        resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
+    };
+    orient_relative_with(&observed, &errors, interior.focal_mm, options)
+}
+
+/// What errors of the interior orientations do to the observations: each row of either affine transformation has three parameters, which
+/// act by column, row and 1 on the coordinate that the row gives. Distortion changes that by less than a hundredth.
+fn interior_errors(positions: &[[f64; 4]], interior: &PairInterior) -> Vec<SharedErrors> {
+    let (Some(left), Some(right)) = (interior.left.covariance, interior.right.covariance) else { return Vec::new() };
+    let group = |coordinate: usize, covariance: [[f64; 3]; 3]| {
+        let side = coordinate / 2 * 2;
+        let effect = |m: &[f64; 4]| [m[side], m[side + 1], 1.0].map(|by| std::array::from_fn(|k| if k == coordinate { by } else { 0.0 }));
+        SharedErrors { effects: positions.iter().map(effect).collect(), covariance }
+    };
+    [(0, left), (1, left), (2, right), (3, right)].map(|(coordinate, covariance)| group(coordinate, covariance)).into()
+}
+
+/// Photo coordinates of matches, given as `[x_left, y_left, x_right, y_right]` in px.
+pub fn observations(matches: &[[f64; 4]], left: &Interior, right: &Interior) -> Vec<Observation> {
+    matches.iter().map(|[xl, yl, xr, yr]| Observation::new(left.photo_mm(*xl, *yl), right.photo_mm(*xr, *yr))).collect()
+}
+
+/// Weights of matches by the variances v of their right positions: 2 m / (m + v) with m the median variance, so that a match of median
+/// precision has the weight 1; 1 for matches without a fit.
+///
+/// The covariance of a fit tells what noise of grey values does. The shape of the ground within the window, which it does not see, is taken
+/// to be as large in the median: a weight never exceeds 2.
+pub fn match_weights(fits: &[Option<Fit>]) -> Vec<f64> {
+    let variance = |fit: &Fit| 0.5 * (fit.covariance[0] + fit.covariance[2]);
+    let usable = |v: &f64| v.is_finite() && *v >= 0.0;
+    let middle = median(&mut fits.iter().flatten().map(variance).filter(usable).collect::<Vec<_>>()).unwrap_or(0.0);
+    let weight = |fit: &Fit| 2.0 * middle / (middle + variance(fit));
+    fits.iter().map(|fit| fit.as_ref().map_or(1.0, weight)).map(|w| if w > 1e-6 { w } else { 1.0 }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_match_of_median_precision_has_the_weight_one() {
+        let fit = |v: f64| Some(Fit { correlation: 0.9, covariance: [v, 0.0, v], iterations: 3 });
+        assert_eq!(match_weights(&[fit(1e-4), fit(4e-4), fit(1e-2), None]), [1.6, 1.0, 2.0 * 4.0 / 104.0, 1.0]);
+        assert_eq!(match_weights(&[None, None]), [1.0, 1.0]);
+        assert_eq!(match_weights(&[fit(0.0), fit(f64::NAN)]), [1.0, 1.0]);
+    }
+}

@@ -1,0 +1,112 @@
+//! Matches of features from one image to the other, verified by the geometry that relates the two views, and completed by it.
+
+use super::PairInterior;
+use crate::{
+    DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel, TwoViewOptions,
+    guided_matches, nearest_matches, two_view,
+};
+use serde::{Deserialize, Serialize};
+
+/// Candidates lie within this many thresholds of the geometry: the first one, of fewer matches, is less sure than the last.
+const REACH: f64 = 2.0;
+
+/// Options of [`match_features`].
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct FeatureMatchOptions {
+    pub nearest: NearestOptions,
+    /// What is known of the cameras, and the search for what relates the views.
+    pub geometry: TwoViewOptions,
+}
+
+/// What is left of the matches of two images once their geometry is known, with those it added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VerifiedMatches {
+    /// Those that agree with the geometry, in ascending order of the left features; none without one.
+    pub matches: Vec<DescriptorMatch>,
+    /// Its inliers are indices of `matches`: all of them. Or, in words, why there is none.
+    pub geometry: Result<TwoView, String>,
+}
+
+/// Matches the features of two images: nearest descriptors, the geometry of the two views, then more matches along its epipolar lines (or
+/// at the places that the map of a plane gives), and the geometry of all.
+///
+/// Positions are in px of cameras without distortion where `options.geometry` names cameras: see [`Interior::ideal_px`].
+///
+/// # Errors
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] where positions and descriptors do not fit together.
+pub fn match_features(left: Located<'_>, right: Located<'_>, options: &FeatureMatchOptions) -> Result<VerifiedMatches, Error> {
+    let first = nearest_matches(left.descriptors, right.descriptors, &options.nearest)?;
+    verify(left, right, &first, &options.geometry)
+}
+
+/// Finds the geometry of two views by matches of which many may be wrong, and all matches that agree with it.
+pub(super) fn verify(
+    left: Located<'_>,
+    right: Located<'_>,
+    first: &[DescriptorMatch],
+    options: &TwoViewOptions,
+) -> Result<VerifiedMatches, Error> {
+    let positions = |matches: &[DescriptorMatch]| -> Vec<[f64; 4]> {
+        let both = |m: &DescriptorMatch| (left.positions[m.left], right.positions[m.right]);
+        matches.iter().map(both).map(|([xl, yl], [xr, yr])| [xl, yl, xr, yr]).collect()
+    };
+    let start = match two_view(&positions(first), options) {
+        Ok(start) => start,
+        Err(error) if error.is_usage() || matches!(error, Error::InvalidInput { .. }) => return Err(error),
+        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(error.to_string()) }),
+    };
+    let guided = GuidedOptions { radius_px: REACH * start.threshold_px, ..GuidedOptions::default() };
+    let second = guided_matches(left, right, &guide(&start), &guided)?;
+    // Along epipolar lines alone, more wrong matches may agree than right ones are added.
+    let (found, all) = match two_view(&positions(&second), options) {
+        Ok(better) if better.inliers.len() >= start.inliers.len() => (better, &second[..]),
+        _ => (start, first),
+    };
+    let matches: Vec<DescriptorMatch> = found.inliers.iter().map(|k| all[*k]).collect();
+    let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
+    Ok(VerifiedMatches { matches, geometry })
+}
+
+fn guide(found: &TwoView) -> Guide {
+    match found.model {
+        TwoViewModel::Calibrated { fundamental, .. } | TwoViewModel::Fundamental { fundamental } => Guide::Lines(fundamental),
+        TwoViewModel::Homography { homography } | TwoViewModel::Rotation { homography, .. } => Guide::Places(homography),
+    }
+}
+
+/// The camera without distortion to which [`Interior::ideal_px`] leads.
+fn pinhole(interior: &Interior, focal_mm: f64) -> Pinhole {
+    Pinhole { focal_px: Some(focal_mm / interior.pixel_mm()), principal_px: interior.principal_point_px() }
+}
+
+/// What is known of the cameras of a pair, as the geometry of two views takes it, with positions of its images in such cameras.
+pub(super) struct PairCameras<'a> {
+    interior: Option<&'a PairInterior>,
+    /// Middles of the images, for cameras that are not known.
+    middles: [[f64; 2]; 2],
+}
+
+impl<'a> PairCameras<'a> {
+    pub(super) fn new(interior: Option<&'a PairInterior>, sizes: [(usize, usize); 2]) -> Self {
+        Self { interior, middles: sizes.map(|(width, height)| [0.5 * width as f64, 0.5 * height as f64]) }
+    }
+
+    /// Options with these cameras.
+    pub(super) fn options(&self, options: &TwoViewOptions) -> TwoViewOptions {
+        let [left, right] = match self.interior {
+            Some(interior) => [&interior.left, &interior.right].map(|side| pinhole(side, interior.focal_mm)),
+            None => self.middles.map(|principal_px| Pinhole { focal_px: None, principal_px }),
+        };
+        TwoViewOptions { left: Some(left), right: Some(right), ..options.clone() }
+    }
+
+    /// Positions in the left (0) or the right (1) camera.
+    pub(super) fn ideal(&self, side: usize, positions: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+        match self.interior.map(|interior| [&interior.left, &interior.right][side]) {
+            Some(own) => positions.map(|[x, y]| own.ideal_px(x, y)).collect(),
+            None => positions.collect(),
+        }
+    }
+}

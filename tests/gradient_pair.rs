@@ -1,0 +1,147 @@
+//! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
+
+use tiepoint::{
+    Camera, Degeneracy, GreyImage, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions, Refinement, Rule,
+    SAMPLE_SEED, Sample, Strategy, match_pair, sample_pair,
+};
+
+/// The image turned by a quarter clockwise.
+fn turned(image: &GreyImage) -> GreyImage {
+    let (view, height) = (image.view(), image.height());
+    GreyImage::from_fn(height, image.width(), |col, row| view.at(row, height - 1 - col)).unwrap()
+}
+
+fn settings() -> PairSettings {
+    let mut settings = PairSettings::default();
+    settings.points.operator = Operator::Multiscale;
+    settings.matching.strategy = Strategy::Gradient;
+    settings
+}
+
+fn matched(left: &GreyImage, right: &GreyImage, input: &PairInput, settings: &PairSettings) -> PairResult {
+    let [left, right] = [left, right].map(|image| PairImage { grey: image.view(), exif: None, mask: None });
+    match_pair(left, right, input, settings).unwrap()
+}
+
+/// The camera of the sample, whose images are patches of a larger scan: their principal points lie far outside.
+fn input(sample: &Sample) -> PairInput {
+    let photo = |fiducials: &Vec<_>, origin| PhotoInput { fiducials: fiducials.clone(), origin: Some(origin), ..PhotoInput::default() };
+    PairInput {
+        camera: Some(sample.camera),
+        left: photo(&sample.left_fiducials, sample.left_origin),
+        right: photo(&sample.right_fiducials, sample.right_origin),
+        offset: None,
+    }
+}
+
+#[test]
+fn a_quarter_turn_of_one_photo_changes_little() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let plain = matched(&sample.left, &sample.right, &PairInput::default(), &settings());
+    let other = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings());
+    let count = |result: &PairResult| result.matching.matches.len();
+    assert!(count(&plain) > 2000 && count(&other) > 4 * count(&plain) / 5, "{} and {} matches", count(&plain), count(&other));
+    // Back in the first photo's axes the matches lie where they lay.
+    let height = sample.right.height() as f64;
+    let mut same = 0;
+    for m in &other.matching.matches {
+        let [x, y] = [m.right_px[1], height - m.right_px[0]];
+        let near = |n: &&tiepoint::Match| (n.left_px[0] - m.left_px[0]).abs() < 0.3 && (n.left_px[1] - m.left_px[1]).abs() < 0.3;
+        same += usize::from(
+            plain.matching.matches.iter().find(near).is_some_and(|n| (n.right_px[0] - x).abs() < 1.0 && (n.right_px[1] - y).abs() < 1.0),
+        );
+    }
+    assert!(10 * same > 8 * count(&other), "{same} of {}", count(&other));
+}
+
+#[test]
+fn a_base_along_y_is_oriented_in_turned_axes() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let along_x = matched(&sample.left, &sample.right, &input(&sample), &settings());
+    // Both photos turned: marks and origins with them. A clockwise quarter turn takes (col, row) to (height - row, col).
+    let mut across = input(&sample);
+    for (photo, image) in [(&mut across.left, &sample.left), (&mut across.right, &sample.right)] {
+        let [col, row] = photo.origin.unwrap();
+        let height = image.height() as f64 + row;
+        photo.fiducials.iter_mut().for_each(|mark| {
+            (mark.col, mark.row) = (height - mark.row, mark.col);
+            (mark.x_mm, mark.y_mm) = (mark.y_mm, -mark.x_mm);
+        });
+        photo.origin = Some([0.0, col]);
+    }
+    let along_y = matched(&turned(&sample.left), &turned(&sample.right), &across, &settings());
+    let (a, b) = (along_x.orientation.unwrap(), along_y.orientation.unwrap());
+    assert_eq!((a.turn_deg, b.turn_deg), (0.0, 90.0));
+    // The turned axes are those of the photos before they were turned, or the opposite ones.
+    let direction = b.base_mm.signum() * a.base_mm.signum();
+    let (p, q) = (a.parameters, b.parameters);
+    let differences = [p.omega_deg - direction * q.omega_deg, p.phi_deg - direction * q.phi_deg, p.kappa_deg - q.kappa_deg];
+    assert!(differences.iter().all(|d| d.abs() < 0.03), "{p:?} {q:?}");
+    let scale = a.base_mm / b.base_mm;
+    assert!((p.by_mm - scale * q.by_mm).abs() < 0.1 && (p.bz_mm - direction * scale * q.bz_mm).abs() < 0.1, "{p:?} {q:?}");
+}
+
+#[test]
+fn every_operator_can_be_described_by_gradients() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    for operator in [Operator::Ground2, Operator::Forstner] {
+        let mut settings = settings();
+        settings.points = PointOptions { operator, ..PointOptions::default() };
+        let result = matched(&sample.left, &sample.right, &input(&sample), &settings);
+        assert_eq!(result.left.frames.len(), result.left.points.len());
+        assert!(result.matching.matches.len() > 500 && result.orientation.is_ok(), "{operator:?}: {:?}", result.matching.counts);
+    }
+}
+
+#[test]
+fn an_image_and_itself_differ_by_a_rotation_alone() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let camera = Camera { focal_mm: 150.0, principal_point_mm: [0.0; 2], pixel_mm: Some(0.1), radial_distortion: [0.0; 3] };
+    let result = matched(&sample.left, &turned(&sample.left), &PairInput { camera: Some(camera), ..PairInput::default() }, &settings());
+    let geometry = result.geometry.unwrap().unwrap();
+    assert_eq!(geometry.degenerate, Some(Degeneracy::PureRotation));
+    assert!(result.orientation.unwrap_err().contains("rotation alone"));
+    assert!(result.matching.matches.len() > 3000);
+}
+
+#[test]
+fn different_grounds_are_not_matched_and_the_reason_is_told() {
+    let (one, other) = (sample_pair(SAMPLE_SEED).unwrap(), sample_pair(SAMPLE_SEED + 1).unwrap());
+    let result = matched(&one.left, &other.right, &input(&one), &settings());
+    assert!(result.matching.matches.is_empty());
+    assert!(result.geometry.unwrap().unwrap_err().contains("by chance"));
+    assert!(result.orientation.is_err());
+    assert!(result.matching.verdicts.iter().any(|v| v.rule == Rule::Parallax));
+}
+
+#[test]
+fn points_under_a_mask_are_left_out() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let half = GreyImage::from_fn(sample.left.width(), sample.left.height(), |col, _| if col < sample.left.width() / 2 { 0 } else { 255 })
+        .unwrap();
+    let small = GreyImage::from_fn(20, 20, |_, _| 255).unwrap();
+    for operator in [Operator::Multiscale, Operator::Ground2] {
+        let mut settings = settings();
+        settings.points.operator = operator;
+        let left = PairImage { grey: sample.left.view(), exif: None, mask: Some(half.view()) };
+        let right = PairImage { grey: sample.right.view(), exif: None, mask: None };
+        let result = match_pair(left, right, &PairInput::default(), &settings).unwrap();
+        assert!(result.left.points.len() > 500);
+        assert!(result.left.points.iter().all(|p| p.x >= (sample.left.width() / 2) as f64));
+        let wrong = PairImage { mask: Some(small.view()), ..right };
+        assert!(matches!(
+            match_pair(left, wrong, &PairInput::default(), &settings),
+            Err(tiepoint::Error::InvalidInput { what: "mask", .. })
+        ));
+    }
+}
+
+#[test]
+fn refinement_follows_a_quarter_turn() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let mut settings = settings();
+    settings.matching.refine = Refinement::LeastSquares;
+    let result = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings);
+    assert!(result.matching.matches.len() > 1000, "{:?}", result.matching.counts);
+    assert!(result.matching.matches.iter().all(|m| m.fit.is_some_and(|fit| fit.correlation > 0.7)));
+}
