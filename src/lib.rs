@@ -49,9 +49,9 @@ pub use descriptors::{
 };
 pub use error::Error;
 pub use formats::{
-    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay,
-    PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_camera_rules, parse_surveyed_points,
-    read_colmap_model, read_project, write_project,
+    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ImageMark, ModelCamera, ModelImage, ModelPoint, ModelPose,
+    ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_camera_rules,
+    parse_image_marks, parse_surveyed_points, read_colmap_model, read_project, write_project,
 };
 pub use geometry::{
     Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,

@@ -5,6 +5,7 @@ import { camera_rules_of, parse_camera_rules } from '../wasm/tiepoint.js';
 
 /**
  * @typedef {import('./types.js').GroupedCamera} GroupedCamera
+ * @typedef {import('./types.js').PairCamera} PairCamera
  * @typedef {import('./types.js').FeatureHead} FeatureHead
  * @typedef {import('../wasm/tiepoint.js').CameraRule} CameraRule
  */
@@ -68,12 +69,17 @@ const plain = (width, height) => ({ width_px: width, height_px: height, principa
 
 /**
  * What is known of the cameras of a pair: two focal lengths or none.
- * @param {GroupedCamera} left @param {GroupedCamera} right @returns {[import('../wasm/tiepoint.js').Pinhole, import('../wasm/tiepoint.js').Pinhole]}
+ * @param {GroupedCamera} left @param {GroupedCamera} right @returns {[PairCamera, PairCamera]}
  */
-export function pinholes(left, right) {
+export function pairCameras(left, right) {
   const both = left.focal_px !== null && right.focal_px !== null;
-  const pinhole = (/** @type {GroupedCamera} */ { focal_px, principal_point_px }) => ({ focal_px: both ? focal_px : null, principal_px: principal_point_px });
-  return [pinhole(left), pinhole(right)];
+  /** @param {GroupedCamera} camera @returns {PairCamera} */
+  const of = (camera) => {
+    const { focal_px, principal_point_px, radial, tangential } = camera;
+    const bent = both && [...radial, ...tangential].some((k) => k !== 0);
+    return { pinhole: { focal_px: both ? focal_px : null, principal_px: principal_point_px }, lens: bent ? modelCamera(camera) : null };
+  };
+  return [of(left), of(right)];
 }
 
 /** A camera as a block holds it, with a guess where nothing is known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').ModelCamera} */

@@ -20,6 +20,7 @@ export function writeBlock(run, formats, write) {
   write(PROJECT_FILE, write_project(run.project));
   const graph = explain_connections(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
+  if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
   const exports = formats.map((format) => ({ format, refused: writeFormat(run, format, write) }));
   const summary = summaryOf(run, graph.groups, exports);
@@ -71,7 +72,7 @@ const quoted = (text) => (/[,"]/.test(text) ? `"${text.replaceAll('"', '""')}"` 
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
  */
 function summaryOf(run, groups, exports) {
-  const { images, leftOut, cameras, connections, points, selection, model } = run;
+  const { images, leftOut, cameras, connections, points, selection } = run;
   const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
   return {
     images: { read: images.length, left_out: leftOut, features: images.reduce((sum, { features }) => sum + features, 0) },
@@ -83,10 +84,37 @@ function summaryOf(run, groups, exports) {
     },
     groups: groups.map((group) => group.map((image) => images[image]?.name)),
     points: { found: points.count, rays: points.rays, with_rays: withRays(points.histogram), joining: points.join },
-    selection: { points: model.points.length, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: least(selection.raysOfImages), least_places_of_an_image: least(selection.placesOfImages) },
+    selection: { points: selection.points, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: least(selection.raysOfImages), least_places_of_an_image: least(selection.placesOfImages) },
+    orientation: orientationOf(run),
     exports,
     settings: run.settings,
   };
+}
+
+/** @param {BlockRun} run */
+function orientationOf({ assembly, assemblyReason, images, model }) {
+  if (!assembly) return { oriented: 0, reason: assemblyReason };
+  const poses = model.images.filter(({ pose }) => pose).length;
+  return {
+    oriented: poses,
+    points: model.points.length,
+    rays: model.points.reduce((sum, { rays }) => sum + rays.length, 0),
+    models: assembly.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
+      images: own.length, in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
+      degrees_of_freedom: adjusted.degrees_of_freedom,
+      rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
+      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps ? [gps.residual] : []))), weaknesses,
+    })),
+    cameras: model.cameras,
+    unoriented: assembly.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),
+    origin: model.origin ?? null,
+  };
+}
+
+/** Of each coordinate; null without any.  @param {number[][]} residuals */
+function rootMeanSquare(residuals) {
+  if (residuals.length === 0) return null;
+  return [0, 1, 2].map((axis) => Math.sqrt(residuals.reduce((sum, residual) => sum + (residual[axis] ?? 0) ** 2, 0) / residuals.length));
 }
 
 /** @param {number[]} histogram */

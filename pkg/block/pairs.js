@@ -2,7 +2,7 @@
 /** The second stage: every chosen pair is matched once, and its verified matches are kept. */
 
 import { version } from '../wasm/tiepoint.js';
-import { pinholes } from './cameras.js';
+import { pairCameras } from './cameras.js';
 import { ownFault } from './errors.js';
 import { keptFeatures, transferable } from './images.js';
 import { digest, readPair, RECORD_VERSION } from './records.js';
@@ -41,7 +41,7 @@ export async function matchPairs(chosen, images, cameras, settings, { pool, stor
   /** @param {ChosenPair} pair @returns {Promise<{ result: MatchedPair, found: boolean }>} */
   const act = async (pair) => {
     const [left, right] = both(pair);
-    const known = pinholes(camera(left), camera(right));
+    const known = pairCameras(camera(left), camera(right));
     const key = await digest(JSON.stringify(['pair', RECORD_VERSION, version(), left.key, right.key, known, nearest, geometry, leastMatches]));
     const result = { ...pair, key };
     const kept = await keptMatches(store, key);

@@ -3,11 +3,13 @@
 
 import { block_settings } from '../wasm/tiepoint.js';
 import { groupCameras, modelCamera } from './cameras.js';
-import { BlockError } from './errors.js';
+import { describeBlock } from './description.js';
+import { BlockError, ownFault } from './errors.js';
 import { readImages } from './images.js';
 import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
+import { runStage } from './stage.js';
 
 /**
  * @typedef {import('./types.js').Source} Source
@@ -34,18 +36,38 @@ export async function runBlock(sources, options, surroundings) {
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
   const { block, join, selected } = await joinPoints(images, pairs, settings, surroundings);
   try {
-    const model = block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
+    const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
+      name: 'orientation', items: [null], width: 1, label: () => '',
+      act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, options.control), settings.selection) }, found: false }),
+      ...(surroundings.progress && { progress: surroundings.progress }), ...(surroundings.signal && { signal: surroundings.signal }),
+    }));
+    const model = oriented.model ?? block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
     const project = { block: model, connections, joining: settings.block, selection: settings.selection };
     return {
       settings, images, leftOut, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: block.count, rays: block.ray_count, histogram: Array.from(block.ray_histogram()), shared: Array.from(block.shared()) },
-      selection: { raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      assembly: oriented.assembly, assemblyReason: oriented.reason,
       model, project,
     };
   } finally {
     block.free();
+  }
+}
+
+/**
+ * A block whose images cannot be oriented keeps its points all the same.
+ * @typedef {{ assembly: BlockRun['assembly'], model: BlockRun['model'] | null, reason: string | null }} Oriented
+ * @param {import('../wasm/tiepoint.js').BlockPoints} block @param {import('../wasm/tiepoint.js').BlockDescription} description
+ * @param {import('../wasm/tiepoint.js').SelectOptions} selection @returns {Oriented}
+ */
+function orientation(block, description, selection) {
+  try {
+    return { ...block.assemble(description, { selection }), reason: null };
+  } catch (error) {
+    return { assembly: null, model: null, reason: ownFault(error) };
   }
 }
 

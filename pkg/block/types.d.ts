@@ -1,7 +1,7 @@
 /** The types that the stages of a block share. */
 
 import type {
-  BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, PairOutcome, Pinhole, Project, TwoViewResult,
+  Assembly, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, TwoViewResult,
 } from '../wasm/tiepoint.js';
 
 /** An image file that can be read any number of times. */
@@ -26,10 +26,17 @@ export interface PairJob {
   key: string;
   left: { record: Uint8Array; key: string };
   right: { record: Uint8Array; key: string };
-  cameras: [Pinhole, Pinhole];
+  cameras: [PairCamera, PairCamera];
   nearest: BlockSettings['nearest'];
   geometry: BlockSettings['geometry'];
   leastMatches: number;
+}
+
+/** A camera as a pair takes it. */
+export interface PairCamera {
+  pinhole: Pinhole;
+  /** Whose distortion positions are freed of; null where none is known. */
+  lens: ModelCamera | null;
 }
 
 /** Counts, for one image, the mutual matches of its coarse features with those of others. */
@@ -120,9 +127,13 @@ export interface RunOptions {
   settings?: Given<BlockSettings>;
   /** Cameras in place of those of EXIF, as the text of a file. */
   cameras?: { name: string; text: string };
-  /** Whether recorded positions are used, to choose pairs and to place the block. */
+  /** Whether recorded positions are used, to choose pairs and, where there are no surveyed points, to place the block. */
   gps?: 'use' | 'ignore';
+  control?: ControlText;
 }
+
+/** Surveyed points and where the images show them, as the texts of two files. */
+export interface ControlText { points: string; marks: string }
 
 export interface Surroundings {
   pool: Pool;
@@ -142,7 +153,10 @@ export interface BlockRun {
   geometries: PairHead['geometry'][];
   /** `histogram`: how many points have 0, 1, 2, … rays; `shared`: two images and how many points they have in common, stride 3. */
   points: { join: JoinCounts; count: number; rays: number; histogram: number[]; shared: number[] };
-  selection: { raysOfImages: number[]; placesOfImages: number[] };
+  selection: { points: number; raysOfImages: number[]; placesOfImages: number[] };
+  /** Absent where the block has no model, and then why. */
+  assembly: Assembly | null;
+  assemblyReason: string | null;
   model: BlockModel;
   project: Project;
 }

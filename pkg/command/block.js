@@ -3,15 +3,15 @@ import { readdirSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock, writeBlock } from '../block/index.js';
-import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules } from '../node.js';
+import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
 import { isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
 import { FolderStore } from './folder-store.js';
-import { JSON_FLAG, list, parameterOption, path, word } from './options.js';
+import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
-import { DEFAULT_WORKERS, ThreadPool } from './pool.js';
+import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
-import { table } from './text.js';
+import { fixed, table } from './text.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
@@ -49,7 +49,7 @@ const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;
 /** @type {import('./args.js').Command} */
 export const block = {
   name: 'block',
-  summary: 'Matches a block of images: pairs, multi-ray points, the best of them, and files for other programs.',
+  summary: 'Matches and orients a block of images: pairs, multi-ray points, the best of them, adjustment, files for other programs.',
   positionals: [],
   rest: 'FOLDER|IMAGE…',
   options: [
@@ -58,11 +58,13 @@ export const block = {
     ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
     word('gps', ['use', 'ignore'], 'Whether positions that the images record choose the pairs (default: use).'),
+    path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
+    path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
-    { ...parameterOption('workers', { key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; the result is the same for any number. Default: ${DEFAULT_WORKERS}.` }) },
+    workersOption('the result is'),
     JSON_FLAG,
   ],
-  details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, summary.json. Images of one make, model, focal length and size share a '
+  details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
     + 'camera. An image that cannot be read is told and left out. JSON: what summary.json holds.',
   run,
 };
@@ -76,7 +78,7 @@ async function run(call) {
   const settings = settingsOf(values);
   const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
   const cameras = values.get('cameras');
-  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }) };
+  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values) };
   makeFolder(out);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new StageProgress(values.has('json'));
@@ -100,6 +102,18 @@ function camerasOf(file) {
   const text = readText(file);
   about(file, () => parse_camera_rules(text));
   return { name: file, text };
+}
+
+/** @param {Call['values']} values */
+function controlOf(values) {
+  const [control, marks] = [values.get('control'), values.get('marks')];
+  if (typeof control !== 'string' && typeof marks !== 'string') return {};
+  if (typeof control !== 'string') throw new UsageError('--marks needs --control beside it');
+  if (typeof marks !== 'string') throw new UsageError('--control needs --marks beside it');
+  const texts = { points: readText(control), marks: readText(marks) };
+  about(control, () => parse_surveyed_points(texts.points));
+  about(marks, () => parse_image_marks(texts.marks));
+  return { control: texts };
 }
 
 /** The settings that were given, and no others.  @param {Call['values']} values */
@@ -138,14 +152,17 @@ function imagesIn(folder) {
 }
 
 /** @param {string} out @param {any} summary @returns {string[]} */
-function describe(out, { images, cameras, pairs, groups, points, selection }) {
+function describe(out, { images, cameras, pairs, groups, points, selection, orientation }) {
   return [
     table([
       ['images', images.read], ['left out', images.left_out.length], ['cameras', cameras.length], ['features', images.features],
       ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
       ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
-      ['fewest rays of an image', selection.least_rays_of_an_image],
+      ['fewest rays of an image', selection.least_rays_of_an_image], ['images oriented', orientation.oriented],
+      ...(orientation.models ?? []).slice(0, 1).flatMap((/** @type {any} */ model) => [['sigma0 [px]', fixed(model.sigma0_px, 3)], ['residuals, RMS [px]', fixed(model.rmse_px, 3)]]),
     ]),
+    ...(orientation.reason ? ['', `not oriented: ${orientation.reason}`] : []),
+    ...(orientation.unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`),
     '', `written to ${out}`,
   ];
 }

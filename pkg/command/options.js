@@ -1,6 +1,7 @@
 // @ts-check
 /** The options of all commands. Those that stand for a setting take kind, range, help and default from the crate. */
 
+import { availableParallelism } from 'node:os';
 import { defaults, parameters } from '../node.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
@@ -146,6 +147,14 @@ export const pair = (name, placeholder, help) => ({
     if (parts.length !== 2) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: two numbers with a comma between, ${placeholder}`);
     return [number(name, parts[0] ?? ''), number(name, parts[1] ?? '')];
   },
+});
+
+/** Threads that are used unless told. */
+export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
+
+/** @param {string} same what does not depend on it, with its verb @returns {Option} */
+export const workersOption = (same) => parameterOption('workers', {
+  key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number. Default: ${DEFAULT_WORKERS}.`,
 });
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');

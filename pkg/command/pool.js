@@ -1,16 +1,12 @@
 // @ts-check
 /** Worker threads that run named jobs. */
 
-import { availableParallelism } from 'node:os';
 import { Worker } from 'node:worker_threads';
 
 /**
  * @typedef {{ name: string, input: unknown, transfer: readonly ArrayBufferLike[], resolve: (output: any) => void, reject: (error: Error) => void }} Job
  * @typedef {{ worker: Worker, job: Job | null }} Lane
  */
-
-/** Threads that are used unless told. */
-export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
 /** Jobs wait in line for the first thread that is free. A thread that broke down is replaced, and its job rejected. */
 export class ThreadPool {

@@ -3,9 +3,9 @@ import { join } from 'node:path';
 import { block_flight_defaults, block_flight_parameters, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, replaceInto } from './files.js';
-import { flag, JSON_FLAG, parameterOption, path, word } from './options.js';
+import { DEFAULT_WORKERS, flag, JSON_FLAG, parameterOption, path, workersOption } from './options.js';
 import { print, printJson } from './output.js';
-import { DEFAULT_WORKERS, ThreadPool } from './pool.js';
+import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
 import { shellWord } from './text.js';
 import { runStage } from '../block/stage.js';
@@ -36,7 +36,7 @@ export const simulateBlock = {
     flag('block', 'A block of photos, not a pair.'),
     path('out', 'DIR', 'Folder that receives the files; required.'),
     ...FIELDS.map(option),
-    word('workers', Array.from({ length: 64 }, (_, i) => String(i + 1)), `Threads; the photos are the same for any number (default: ${DEFAULT_WORKERS}).`),
+    workersOption('the photos are'),
     JSON_FLAG,
   ],
   details: 'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), '

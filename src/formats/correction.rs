@@ -9,13 +9,32 @@ use crate::camera::{MOST_STEPS, undistorted};
 /// # Errors
 /// [`Error::NotConverged`] where the distortion folds the image at that place, so that it has no inverse.
 pub(super) fn direction(camera: &ModelCamera, ray: &ModelRay) -> Result<[f64; 2], Error> {
+    ideal(camera, [ray.x_px, ray.y_px])
+}
+
+fn ideal(camera: &ModelCamera, [x_px, y_px]: [f64; 2]) -> Result<[f64; 2], Error> {
     let [cx, cy] = camera.principal_point_px;
-    let measured = [(ray.x_px - cx) / camera.focal_px, (ray.y_px - cy) / camera.focal_px];
+    let measured = [(x_px - cx) / camera.focal_px, (y_px - cy) / camera.focal_px];
     undistorted(measured, camera.radial, camera.tangential).ok_or_else(|| Error::NotConverged {
         what: "the correction of distortion",
         iterations: MOST_STEPS,
-        reason: format!("the camera's distortion has no inverse at ({}, {}) px", ray.x_px, ray.y_px),
+        reason: format!("the camera's distortion has no inverse at ({x_px}, {y_px}) px"),
     })
+}
+
+impl ModelCamera {
+    /// Where the camera would have seen, in px, what it has at a position if it had no distortion.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] where the distortion folds the image at that place, so that it has no inverse.
+    pub fn ideal_px(&self, measured_px: [f64; 2]) -> Result<[f64; 2], Error> {
+        if self.radial == [0.0; 3] && self.tangential == [0.0; 2] {
+            return Ok(measured_px);
+        }
+        let [x, y] = ideal(self, measured_px)?;
+        let [cx, cy] = self.principal_point_px;
+        Ok([cx + self.focal_px * x, cy + self.focal_px * y])
+    }
 }
 
 #[cfg(test)]
@@ -41,6 +60,9 @@ mod tests {
             let row = 1490.0 + 3500.0 * (y * radial + 0.0007 * (r2 + 2.0 * y * y) - 2.0 * 0.0004 * x * y);
             assert!((col - x_px).abs() < 1e-8 && (row - y_px).abs() < 1e-8, "{col} {row}");
         }
+        assert_eq!(ModelCamera { radial: [0.0; 3], tangential: [0.0; 2], ..camera.clone() }.ideal_px([10.1, 20.7]).unwrap(), [10.1, 20.7]);
+        let [x, y] = direction(&camera, &ModelRay { image: 0, x_px: 10.0, y_px: 20.0, confidence: 1.0 }).unwrap();
+        assert_eq!(camera.ideal_px([10.0, 20.0]).unwrap(), [2010.0 + 3500.0 * x, 1490.0 + 3500.0 * y]);
         let folded = ModelCamera { radial: [-9.0, 0.0, 0.0], ..camera };
         let error = direction(&folded, &ModelRay { image: 0, x_px: 0.0, y_px: 0.0, confidence: 1.0 }).unwrap_err();
         assert_eq!(error.code(), "not-converged");

@@ -83,7 +83,7 @@ pub struct BlockPoints {
     images: Vec<Positions>,
     counts: Vec<u32>,
     matches: BlockMatches,
-    points: MultiRayPoints,
+    pub(super) points: MultiRayPoints,
 }
 
 #[wasm_bindgen]

@@ -4,6 +4,7 @@
 
 mod about;
 mod block;
+mod block_assembly;
 mod block_files;
 mod block_scene;
 mod convert;
