@@ -171,8 +171,10 @@ test('surveyed points place the block', () => {
       if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
     }
   }
+  // Straight down, a focal length and a height stand for each other: the camera is known here.
+  const known = ['--cameras', file(at, 'cameras.json', JSON.stringify({ cameras: [{ focal_px: camera.focal_px, fixed: true }] }))];
   const control = file(at, 'control.csv', points.map(({ name, at: place }) => [name, ...place].join()).join('\n'));
-  const { out, summary } = ran('--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
+  const { out, summary } = ran(...known, '--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
   assert.equal(summary.orientation.models[0].datum, 'control');
   const { block } = read_project(readFileSync(join(out, 'project.tiepoint')));
   block.images.forEach((/** @type {any} */ image, /** @type {number} */ i) => {
@@ -225,8 +227,8 @@ test('calls that cannot be run are refused by name', () => {
   ])) {
     const ended = tiepoint(...args);
     assert.equal(ended.code, code, `${args}: ${ended.stderr}`);
-    assert.match(ended.stderr, pattern);
-    assert.equal(ended.stderr.trimEnd().split('\n').length, 1, ended.stderr);
+    // Behind the lines of the stages that were done.
+    assert.match(ended.stderr.trimEnd().split('\n').at(-1) ?? '', pattern);
   }
 });
 
