@@ -1,11 +1,10 @@
 // @ts-check
-import { readdirSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock, writeBlock } from '../block/index.js';
 import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
+import { filesIn, isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
@@ -146,9 +145,9 @@ function sourcesOf(given) {
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {
-  const names = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.isDirectory() && IMAGE.test(entry.name)).map(({ name }) => name);
+  const names = filesIn(folder).filter((name) => IMAGE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
-  return names.sort((a, b) => (a < b ? -1 : 1)).map((name) => join(folder, name));
+  return names.map((name) => join(folder, name));
 }
 
 /** @param {string} out @param {any} summary @returns {string[]} */

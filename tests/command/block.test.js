@@ -140,6 +140,18 @@ test('an image that cannot be read is told and left out', () => {
   assert.match(alone.stderr, /a block needs two images or more; 1 of 2 could be read \(a_text\.jpg: /);
 });
 
+test('images of the same content share what is kept of them', () => {
+  const twins = folder();
+  const [name = ''] = readdirSync(BLOCK.photos);
+  for (const copy of ['img_10.png', 'img_9.png', 'IMG.png', 'img_9b.png']) copyFileSync(join(BLOCK.photos, name), join(twins, copy));
+  const out = folder();
+  const summary = json('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1');
+  assert.equal(records(out, 'features'), 1);
+  assert.equal(summary.images.read, 4);
+  const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
+  assert.deepEqual(rows.map((row) => row.split(',')[1]), ['IMG.png', 'img_9.png', 'img_9b.png', 'img_10.png']);
+});
+
 test('cameras of a file take the place of those of EXIF', () => {
   const at = folder();
   const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
