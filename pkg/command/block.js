@@ -38,8 +38,7 @@ const SETTINGS = [
 /** @param {string} name @param {string} key @param {number | undefined} fallback @returns {Option} */
 function setting(name, key, fallback) {
   const p = /** @type {Parameter} */ (PARAMETERS.get(key));
-  const option = parameterOption(name, p);
-  return { ...option, help: `${option.help} Default: ${fallback}.` };
+  return { ...parameterOption(name, p), ...(fallback !== undefined && { fallback }) };
 }
 
 /** What files an image may have in a folder. */
@@ -56,7 +55,7 @@ export const block = {
     word('pairs', RULES, PARAMETERS.get('pairs.rule')?.help ?? ''),
     ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
-    word('gps', ['use', 'ignore'], 'Whether positions that the images record choose the pairs (default: use).'),
+    { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),

@@ -8,7 +8,7 @@ import { DataError } from './errors.js';
 import { makeFolder, reasonOf } from './files.js';
 
 const ENDING = '.record';
-const PARTS = ['features', 'pairs'];
+const PARTS = ['features', 'likeness', 'pairs'];
 
 export class FolderStore {
   #root;
