@@ -1,6 +1,7 @@
 //! The whole way of one pair: points, descriptors, offset, matches, photo coordinates, relative orientation.
 
 mod described;
+mod frames;
 mod geometry;
 mod orienting;
 mod rounds;
