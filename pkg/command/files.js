@@ -1,7 +1,8 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
@@ -59,6 +60,27 @@ export function isFolder(path) {
   return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
 }
 
+/** The names of the files of a folder, in the order of their letters and of the numbers in them.  @param {string} path @returns {string[]} */
+export function filesIn(path) {
+  const entries = attempt('read the folder', path, () => readdirSync(path, { withFileTypes: true }));
+  return entries.filter((entry) => !entry.isDirectory()).map(({ name }) => name).sort(byNumbers);
+}
+
+/** `photo_9` comes before `photo_10`.  @param {string} a @param {string} b */
+function byNumbers(a, b) {
+  const [left, right] = [a, b].map((text) => text.match(/\d+|\D+/g) ?? []);
+  for (const [i, part] of (left ?? []).entries()) {
+    const other = right?.[i] ?? '';
+    // Numbers of any length: of two without leading zeros the longer one is larger.
+    const [one, two] = [part, other].map((word) => (/^\d/.test(word) ? word.replace(/^0+(?=\d)/, '') : word));
+    if (one === two || one === undefined || two === undefined) continue;
+    const numbers = /^\d/.test(part) && /^\d/.test(other);
+    if (numbers && one.length !== two.length) return one.length - two.length;
+    return one < two ? -1 : 1;
+  }
+  return (left?.length ?? 0) - (right?.length ?? 0) || (a < b ? -1 : 1);
+}
+
 /** Makes a folder and what is missing above it, and says at once if that cannot be.  @param {string} path */
 export function makeFolder(path) {
   attempt('write to the folder', path, () => makeParts(path));
@@ -85,4 +107,58 @@ export function writeInto(folder, name, content) {
   const path = join(folder, name);
   attempt('write', path, () => writeFileSync(path, content));
   return path;
+}
+
+/** The ending of a file that is being written, with the process that writes it. */
+const unfinishedEnding = `.tiepoint-${process.pid}.part`;
+
+/**
+ * Writes a file whole or not at all, whatever ends the command.
+ * @param {string} folder @param {string} name with slashes between folders, which are made @param {string | Uint8Array} content
+ */
+export function replaceInto(folder, name, content) {
+  const path = join(folder, ...name.split('/'));
+  makeFolder(dirname(path));
+  const unfinished = path + unfinishedEnding;
+  attempt('write', path, () => {
+    try {
+      writeFileSync(unfinished, content);
+      renameSync(unfinished, path);
+    } finally {
+      rmSync(unfinished, { force: true });
+    }
+  });
+}
+
+/**
+ * As `replaceInto`, without waiting for the disk; `turn` tells writers of one path apart.
+ * @param {string} path @param {Uint8Array} content @param {number} turn
+ */
+export async function replaceFile(path, content, turn) {
+  const unfinished = `${path}.${turn}${unfinishedEnding}`;
+  try {
+    await writeFile(unfinished, content);
+    await rename(unfinished, path);
+  } catch (error) {
+    rmSync(unfinished, { force: true });
+    throw new DataError(`cannot write ${path}: ${reasonOf(error)}`);
+  }
+}
+
+/** Removes what commands that were ended have left unfinished below a folder.  @param {string} folder */
+export function removeUnfinished(folder) {
+  for (const name of attempt('read the folder', folder, () => readdirSync(folder, { recursive: true, encoding: 'utf8' }))) {
+    const owner = /\.tiepoint-(\d+)\.part$/.exec(name)?.[1];
+    if (owner !== undefined && !isRunning(Number(owner))) rmSync(join(folder, name), { force: true });
+  }
+}
+
+/** Whether another process of this number runs.  @param {number} pid */
+function isRunning(pid) {
+  try {
+    process.kill(pid, 0);
+    return pid !== process.pid;
+  } catch (error) {
+    return /** @type {NodeJS.ErrnoException} */ (error).code === 'EPERM';
+  }
 }

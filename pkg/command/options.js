@@ -1,6 +1,7 @@
 // @ts-check
 /** The options of all commands. Those that stand for a setting take kind, range, help and default from the crate. */
 
+import { availableParallelism } from 'node:os';
 import { defaults, parameters } from '../node.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
@@ -13,6 +14,7 @@ import { UsageError } from './errors.js';
  * @property {string} help
  * @property {string} [key] what it stands for, as messages of the crate name it: `group.field` of a setting or a flight, or an argument
  * @property {string} [range] what is allowed, in words, where no setting tells it
+ * @property {number | string} [fallback] its default, where that of the setting does not hold
  * @property {boolean} [negates] the flag switches the setting off
  * @property {Readonly<Record<string, string>>} [words] other words for some values of the setting
  * @property {(text: string) => Value} read checks and converts what was given
@@ -80,6 +82,17 @@ export const word = (name, words, help) => ({
   },
 });
 
+/** Some of some words, with commas between.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
+export const list = (name, words, help) => ({
+  name, placeholder: 'NAME,…', range: words.join(', '), help,
+  read: (text) => {
+    const given = text.split(',').map((one) => one.trim());
+    const wrong = given.find((one, i) => !words.includes(one) || given.indexOf(one) !== i);
+    if (wrong !== undefined) throw new UsageError(`--${name} has ${wrong || 'an empty name'}${words.includes(wrong) ? ' twice' : ''}; allowed, with commas between: ${words.join(', ')}`);
+    return given.join(',');
+  },
+});
+
 /** An option that stands for a setting.  @param {string} name @param {string} placeholder @param {string} key @returns {Option} */
 function setting(name, placeholder, key) {
   const p = parameterOf(key);
@@ -87,7 +100,7 @@ function setting(name, placeholder, key) {
 }
 
 /** @param {string} name @param {string} help @returns {Option} */
-const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
+export const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
 
 /** A flag that switches a setting on.  @param {string} name @param {string} key @returns {Option} */
 const switchOn = (name, key) => ({ ...flag(name, parameterOf(key).help), key });
@@ -139,6 +152,15 @@ export const pair = (name, placeholder, help) => ({
 
 /** What a mask is. */
 export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
+
+/** Threads that are used unless told. */
+export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
+
+/** @param {string} same what does not depend on it, with its verb @returns {Option} */
+export const workersOption = (same) => ({
+  ...parameterOption('workers', { key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number.` }),
+  fallback: DEFAULT_WORKERS,
+});
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
 export const HELP_FLAG = flag('help', 'Prints this text.');
@@ -228,7 +250,8 @@ export function withOptionNames(options, message) {
 }
 
 /** The default of an option, as `--help` shows it; empty where there is none.  @param {Option} option @returns {string} */
-export function defaultText({ key, placeholder, words }) {
+export function defaultText({ key, placeholder, words, fallback }) {
+  if (fallback !== undefined) return String(fallback);
   if (!key || !placeholder || words) return '';
   const [group = '', field = ''] = key.split('.');
   /** @type {Record<string, Record<string, unknown>>} */
