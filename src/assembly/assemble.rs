@@ -1,9 +1,10 @@
 //! The assembly as it is called: one model after another, until no images are left that make one.
 
+use super::adjusting::{CameraPrior, camera_prior};
 use super::description::BlockDescription;
 use super::finish::{Finished, Material, finish};
 use super::frame::Frame;
-use super::growth::{CameraPrior, Growth, camera_prior};
+use super::growth::Growth;
 use super::net::Net;
 use super::options::AssemblyOptions;
 use super::rays::Rays;

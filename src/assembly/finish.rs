@@ -1,8 +1,9 @@
 //! From a grown model to an adjusted block: all points, the choice among them, the bundle adjustment.
 
+use super::adjusting::CameraPrior;
 use super::description::BlockDescription;
 use super::frame::Frame;
-use super::growth::{CameraPrior, Growth};
+use super::growth::Growth;
 use super::net::Net;
 use super::options::AssemblyOptions;
 use super::rays::Rays;

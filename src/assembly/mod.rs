@@ -1,9 +1,10 @@
 //! A block from nothing but its rays: which images can be oriented, and how.
 //!
 //! Data flow: [`BlockDescription`] with multi-ray points → `rays` (who sees what) → `start` (two images) → `growth` (`resection` of images by
-//! `p3p`, `intersection` of points, adjustments on the way) → `frame` (into the system of observed positions) → `finish` (all points, the
+//! `p3p`, `intersection` of points, `adjusting` on the way) → `frame` (into the system of observed positions) → `finish` (all points, the
 //! choice among them, the bundle adjustment) → [`Assembly`].
 
+mod adjusting;
 mod assemble;
 mod description;
 mod finish;
