@@ -51,7 +51,8 @@ async function pair(job) {
  */
 function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
   const [ofLeft, ofRight] = cameras;
-  const options = { nearest, geometry: { ...geometry, left: ofLeft.pinhole, right: ofRight.pinhole } };
+  const sizeOf = (/** @type {Features} */ { head }) => /** @type {[number, number]} */ ([head.width, head.height]);
+  const options = { nearest, sizes: /** @type {[[number, number], [number, number]]} */ ([sizeOf(left), sizeOf(right)]), geometry: { ...geometry, left: ofLeft.pinhole, right: ofRight.pinhole } };
   const found = match_features(ideal(left, ofLeft), left.descriptors, ideal(right, ofRight), right.descriptors, options);
   const matches = found.indices.length / 2;
   const { geometry: views, geometry_reason: reason } = found;

@@ -55,6 +55,32 @@ export interface NearestPiece {
 
 
 
+/** Matches of features that agree with the geometry of their two images. */
+export interface VerifiedMatches extends DescriptorMatches {
+    /** What relates the views; null where there is nothing, and then there are no matches. */
+    geometry: Omit<TwoView, "inliers"> | null;
+    /** Why there is no geometry. */
+    geometry_reason: string | null;
+}
+
+
+
+/** Multi-ray points: the rays of point i are those from starts[i] to before starts[i + 1]. */
+export interface RayTable {
+    starts: Uint32Array;
+    /** Image and feature of each ray; stride 2. */
+    rays: Uint32Array;
+    /** Probability, 0..1, that a ray belongs to its point. */
+    ray_confidence: Float32Array;
+    /** Probability, 0..1, that all rays of a point belong together. */
+    confidence: Float32Array;
+}
+
+/** Points that were chosen, with the rays and the filled von Gruber places of each image. */
+export interface SelectedRays { points: Uint32Array; rays_of_images: Uint32Array; places_of_images: Uint32Array }
+
+
+
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
@@ -294,6 +320,32 @@ export interface BlockModel {
 }
 
 /**
+ * A camera before its calibration; symbols as at [`BlockCamera`](crate::BlockCamera).
+ */
+export interface AssemblyCamera {
+    width_px: number;
+    height_px: number;
+    /**
+     * Approximate principal distance in px; absent: not known. It is guessed then, and estimated in any case.
+     */
+    focal_px?: number | null;
+    /**
+     * Approximate principal point in px; absent: the middle of the image.
+     */
+    principal_point_px?: [number, number] | null;
+    radial?: [number, number, number];
+    tangential?: [number, number];
+    /**
+     * What the block estimates of it, where it determines that: by default all but k3, p1 and p2.
+     */
+    free?: FreeParameters;
+    /**
+     * Side of a pixel in mm, for exports in photo coordinates.
+     */
+    pixel_mm?: number | null;
+}
+
+/**
  * A camera parameter that was to be estimated and was fixed, since the block does not determine it.
  */
 export interface FixedParameter {
@@ -316,6 +368,34 @@ export interface Pinhole {
      * Principal point in px.
      */
     principal_px: [number, number];
+}
+
+/**
+ * A camera, and the images that it took.
+ */
+export interface CameraRule {
+    /**
+     * Names of images: `*` stands for any characters, `?` for one, large and small letters are the same. The first rule that fits holds.
+     */
+    images?: string;
+    /**
+     * Principal distance in px.
+     */
+    focal_px: number;
+    /**
+     * `[c_x, c_y]` in px, the centre of the top-left pixel at (0.5, 0.5); absent: the middle of the image.
+     */
+    principal_point_px?: [number, number] | null;
+    /**
+     * As in [`ModelCamera`].
+     */
+    radial?: [number, number, number];
+    tangential?: [number, number];
+    pixel_mm?: number | null;
+    /**
+     * Whether the block takes the camera as it is; otherwise it is calibrated from these values.
+     */
+    fixed?: boolean;
 }
 
 /**
@@ -389,6 +469,45 @@ export interface FocalEstimate {
 export type ExportFormat = "colmap" | "micmac" | "bundler" | "nvm" | "opensfm" | "bingo" | "isat" | "agisoft" | "patb" | "csv" | "json" | "geojson";
 
 /**
+ * A model: images that are oriented to each other, adjusted.
+ */
+export interface AssembledModel {
+    /**
+     * The image of the block that each image of the adjusted one is, ascending.
+     */
+    images: number[];
+    /**
+     * The camera of the block that each camera of the adjusted one is, ascending.
+     */
+    cameras: number[];
+    /**
+     * Cameras of the block whose focal length was not known.
+     */
+    guessed_focal: number[];
+    /**
+     * What each point of the adjusted block is.
+     */
+    points: AssembledPoint[];
+    /**
+     * What each ray of the adjusted block is.
+     */
+    rays: AssembledRay[];
+    /**
+     * Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
+     */
+    rejected: RejectedRay[];
+    adjusted: BundleResult;
+    /**
+     * Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
+     */
+    in_system: boolean;
+    /**
+     * What is weak about it, in words.
+     */
+    weaknesses: string[];
+}
+
+/**
  * A multi-ray point.
  */
 export interface ModelPoint {
@@ -435,6 +554,28 @@ export interface ChosenPair {
  * A parameter of a camera.
  */
 export type CameraParameter = "focal" | "principal_x" | "principal_y" | "k1" | "k2" | "k3" | "p1" | "p2";
+
+/**
+ * A place on the earth as a receiver had it.
+ */
+export interface ExifPosition {
+    /**
+     * East positive.
+     */
+    longitude_deg: number;
+    /**
+     * North positive.
+     */
+    latitude_deg: number;
+    /**
+     * Above the level that the camera refers to, which most do not tell; absent where there is none.
+     */
+    height_m: number | null;
+    /**
+     * Horizontal positioning error that the receiver states.
+     */
+    error_m: number | null;
+}
 
 /**
  * A point as one image sees it.
@@ -519,6 +660,77 @@ export interface ControlPoint {
 }
 
 /**
+ * A position that was observed; all of a block are of the same kind.
+ */
+export type ObservedPosition = { system: "local"; position: [number, number, number]; sigma: [number, number, number] } | { system: "geographic"; longitude_deg: number; latitude_deg: number; height_m: number; sigma_m: [number, number, number] };
+
+/**
+ * A ray that does not fit to its point.
+ */
+export interface RejectedRay {
+    /**
+     * Index of the image in the adjusted block.
+     */
+    image: number;
+    /**
+     * Index of the point in the adjusted block.
+     */
+    point: number;
+    /**
+     * Column and row in px.
+     */
+    x_px: number;
+    y_px: number;
+    /**
+     * Length of its residual before the bundle adjustment in px; absent where the point lies behind the image.
+     */
+    residual_px: number | null;
+}
+
+/**
+ * A surveyed point as an image shows it.
+ */
+export interface ControlRay {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    x_px: number;
+    y_px: number;
+}
+
+/**
+ * A surveyed point as it was measured in an image.
+ */
+export interface ImageMark {
+    /**
+     * File name of the image.
+     */
+    image: string;
+    /**
+     * Name of the point.
+     */
+    point: string;
+    /**
+     * Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    x_px: number;
+    y_px: number;
+}
+
+/**
+ * A surveyed point with the images in which it was measured.
+ */
+export interface AssemblyControl {
+    name: string;
+    position: ObservedPosition;
+    rays: ControlRay[];
+}
+
+/**
  * An adjusted block with its precision and reliability.
  *
  * Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
@@ -582,6 +794,39 @@ export interface PhotoGeometry {
      * Place `[col, row]` of the image's top-left pixel in the scan whose fiducials were measured.
      */
     origin?: [number, number] | null;
+}
+
+/**
+ * An image before its orientation.
+ */
+export interface AssemblyImage {
+    /**
+     * File name; no two images have the same.
+     */
+    name: string;
+    /**
+     * Index of its camera.
+     */
+    camera: number;
+    /**
+     * Where GPS has the perspective centre.
+     */
+    position?: ObservedPosition | null;
+}
+
+/**
+ * An image that is in no model.
+ */
+export interface UnorientedImage {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    reason: UnorientedReason;
+    /**
+     * The same in words.
+     */
+    text: string;
 }
 
 /**
@@ -683,6 +928,7 @@ export interface MatchCounts {
     left_right: number;
     not_converged: number;
     imprecise: number;
+    frame: number;
 }
 
 /**
@@ -734,6 +980,39 @@ export interface BlockOptions {
      * Share of right matches that is expected where no third image tells, above 0 and below 1.
      */
     expected_right?: number;
+}
+
+/**
+ * How near a block is to its truth.
+ */
+export interface BlockScore {
+    /**
+     * Images of the truth that the block has, and those of them that it has oriented.
+     */
+    images: number;
+    oriented: number;
+    /**
+     * Root mean square errors of x, y, z of the perspective centres in m, after the similarity transformation that brings all of them
+     * nearest to the truth: what the placing of the block adds is no part of it. Absent for fewer than three or those in one place.
+     */
+    position_rmse_m: [number, number, number] | null;
+    /**
+     * Root mean square angle in degrees between the oriented and the true directions, after the same transformation.
+     */
+    angle_rmse_deg: number | null;
+    /**
+     * Points with two or more rays in images of the truth.
+     */
+    points: number;
+    /**
+     * Those of which all rays meet, by the true orientations, within 1.5 px in each image. Of two rays only the error across the epipolar
+     * line shows.
+     */
+    right_points: number;
+    /**
+     * Root mean square distance in px of the rays of right points from where they meet.
+     */
+    right_rmse_px: number | null;
 }
 
 /**
@@ -827,6 +1106,48 @@ export interface BundleOptions {
 }
 
 /**
+ * Options of [`assemble_block`](crate::assemble_block).
+ */
+export interface AssemblyOptions {
+    /**
+     * What says where the block lies, in place of that of `bundle`; absent: the observed positions that suffice for it, else none.
+     */
+    datum?: Datum | null;
+    /**
+     * Rays an image has while the block grows: more are safer, fewer are faster.
+     */
+    growing_rays?: number;
+    /**
+     * Least number of rays that agree on the orientation of an image.
+     */
+    least_rays?: number;
+    /**
+     * Least angle in degrees between two rays of a point.
+     */
+    least_angle_deg?: number;
+    /**
+     * Largest residual of a ray in px while the block grows; it follows the residuals down from there.
+     */
+    largest_residual_px?: number;
+    /**
+     * The points that the bundle adjustment is given; absent: all.
+     */
+    selection?: SelectOptions | null;
+    /**
+     * Models that are given at most where the block falls apart, the largest first.
+     */
+    most_models?: number;
+    /**
+     * Start of the random numbers.
+     */
+    seed?: number;
+    /**
+     * By default as [`BundleOptions`] is, but that camera parameters are fixed beyond 20 px.
+     */
+    bundle?: BundleOptions;
+}
+
+/**
  * Options of [`detect`](crate::detect). What is absent takes the operator's own default; all but the operator is of those that look at one
  * scale.
  */
@@ -913,6 +1234,11 @@ export interface GuidedOptions {
  */
 export interface FeatureMatchOptions {
     nearest: NearestOptions;
+    /**
+     * Width and height of both images in px: what lies at the same place of both frames is left out then, as film borders are. Absent:
+     * nothing is.
+     */
+    sizes: [[number, number], [number, number]] | null;
     /**
      * What is known of the cameras, and the search for what relates the views.
      */
@@ -1030,6 +1356,21 @@ export interface TwoViewOptions {
 }
 
 /**
+ * Options of a block from its images to its tie points.
+ */
+export interface BlockSettings {
+    features: FeatureOptions;
+    pairs: PairChoice;
+    nearest: NearestOptions;
+    /**
+     * Its cameras are those of the block.
+     */
+    geometry: TwoViewOptions;
+    block: BlockOptions;
+    selection: SelectOptions;
+}
+
+/**
  * Options of the matching.
  */
 export interface MatchOptions {
@@ -1077,6 +1418,10 @@ export interface MatchOptions {
      * Largest standard error of a right position found by least squares matching, in px.
      */
     max_standard_error: number;
+    /**
+     * Gradients: leaves out what lies at the same place of both frames, as the film's border, fiducial marks and data strip.
+     */
+    without_frame: boolean;
 }
 
 /**
@@ -1228,6 +1573,15 @@ export interface BlockCamera {
      * What the adjustment estimates.
      */
     free?: FreeParameters;
+}
+
+/**
+ * The cameras and images of a block with whatever positions were observed.
+ */
+export interface BlockDescription {
+    cameras: AssemblyCamera[];
+    images: AssemblyImage[];
+    control?: AssemblyControl[];
 }
 
 /**
@@ -1436,6 +1790,18 @@ export interface PairInterior {
 }
 
 /**
+ * The models of a block, the one with most images first, and the images that are in none.
+ */
+export interface Assembly {
+    models: AssembledModel[];
+    unoriented: UnorientedImage[];
+    /**
+     * Where (0, 0, 0) of the models that lie in the system of geographic positions is.
+     */
+    origin: GeographicOrigin | null;
+}
+
+/**
  * The options of all stages.
  */
 export interface PairSettings {
@@ -1456,6 +1822,21 @@ export interface PairSettings {
      */
     geometry: TwoViewOptions;
     orientation: OrientationOptions;
+}
+
+/**
+ * The oriented part of an exchanged block, as an adjustment takes it.
+ */
+export interface OrientedPart {
+    block: Block;
+    /**
+     * The image of the exchanged block that each image is.
+     */
+    images: number[];
+    /**
+     * The point of the exchanged block that each point is.
+     */
+    points: number[];
 }
 
 /**
@@ -1505,7 +1886,7 @@ export type Operator = "moravec" | "forstner" | "ground1" | "ground2" | "multisc
 /**
  * The rule that decided on a left point.
  */
-export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax" | "border" | "left_right" | "not_converged" | "imprecise";
+export type Rule = "matched" | "no_descriptor" | "no_candidate" | "threshold" | "ambiguous" | "many_to_one" | "parallax" | "border" | "left_right" | "not_converged" | "imprecise" | "frame";
 
 /**
  * The standard error ellipse of two unknowns.
@@ -1544,6 +1925,37 @@ export type FiducialModel = "affine" | "similarity";
  * The window's outline.
  */
 export type WindowShape = "square" | "circle";
+
+/**
+ * What a point of an adjusted block is.
+ */
+export type AssembledPoint = { multi_ray: number } | { control: number };
+
+/**
+ * What a ray of an adjusted block is.
+ */
+export interface AssembledRay {
+    /**
+     * Index of the feature in its image; absent for a ray to a surveyed point.
+     */
+    feature: number | null;
+    /**
+     * Probability, 0..1, that it belongs to its point, as the matches have it.
+     */
+    confidence: number;
+}
+
+/**
+ * What an exchanged camera has beside its calibration.
+ */
+export interface CameraLabel {
+    width_px: number;
+    height_px: number;
+    /**
+     * Side of a pixel in mm.
+     */
+    pixel_mm?: number | null;
+}
 
 /**
  * What became of the matches.
@@ -1620,6 +2032,15 @@ export interface BlockFlight {
      * Standard deviation of a feature's coordinate.
      */
     noise_px?: number;
+    /**
+     * Standard deviation of each coordinate of a position that the receiver records.
+     */
+    receiver_m?: number;
+    /**
+     * Houses and trees on a km² of a photographed scene, where lots and gardens are left for them.
+     */
+    buildings?: number;
+    trees?: number;
     seed?: number;
 }
 
@@ -1673,6 +2094,24 @@ export type TwoViewModel = { kind: "calibrated"; fundamental: [[number, number, 
  * What says where the block lies in object space.
  */
 export type Datum = "free" | "gps" | "control" | "gps_and_control";
+
+/**
+ * What the EXIF of an image tells beside its pixels; what it does not tell is absent.
+ */
+export interface ExifImage {
+    /**
+     * Also where the focal length is not told.
+     */
+    make: string | null;
+    model: string | null;
+    camera: ExifCamera | null;
+    /**
+     * How the stored image is turned for display, 1..8 as the standard counts: 1 not at all, 3 half round, 6 a quarter to the right, 8 a
+     * quarter to the left, the others mirrored too. Positions in px are always those of the stored image.
+     */
+    orientation: number | null;
+    position: ExifPosition | null;
+}
 
 /**
  * What the adjustment says of an observed position.
@@ -1758,6 +2197,32 @@ export type ParameterKind = { kind: "integer"; min: number; max: number; odd: bo
 export type Ties = "keep" | "first";
 
 /**
+ * Which pairs of a block are tried, and what connects them.
+ */
+export interface PairChoice {
+    /**
+     * Absent: all pairs of few images; of more, near ones where each image has a position, else those alike.
+     */
+    rule: PairRule | null;
+    /**
+     * The so many nearest ones of each image.
+     */
+    near: number;
+    /**
+     * The so many that follow each image.
+     */
+    sequence: number;
+    /**
+     * The so many most similar ones of each image.
+     */
+    alike: number;
+    /**
+     * A pair is connected by so many verified matches.
+     */
+    least_matches: number;
+}
+
+/**
  * Why a pair was chosen.
  */
 export type PairRule = "all" | "near" | "sequence" | "alike";
@@ -1768,10 +2233,101 @@ export type PairRule = "all" | "near" | "sequence" | "alike";
 export type RayVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 
 /**
+ * Why an image is not oriented.
+ */
+export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number };
+
+/**
  * Why the general geometry is not determined.
  */
 export type Degeneracy = "plane" | "pure-rotation";
 
+
+/**
+ * The features and matches of a block in wasm memory, and the points made of them. Call `free` when it is no longer needed.
+ *
+ * First every image with `set_image`, then every pair with `add_pair`, in any order each, then `join`.
+ */
+export class BlockPoints {
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Takes the matches of two images: the features of each match (stride 2), and how strong it is.
+     */
+    add_pair(first: number, second: number, indices: Uint32Array | number[], strengths: Float32Array | number[]): void;
+    /**
+     * Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
+     */
+    assemble(description: BlockDescription, options: Given<AssemblyOptions>): { assembly: Assembly; model: BlockModel | null };
+    /**
+     * Joins the matches to multi-ray points, in place of those made before.
+     */
+    join(options: Given<BlockOptions>): JoinCounts;
+    /**
+     * The block with these of its points, before any of it is oriented.
+     */
+    model(cameras: ModelCamera[], images: ModelImage[], chosen: Uint32Array | number[]): BlockModel;
+    /**
+     * A block of images with these numbers of features.
+     */
+    constructor(counts: Uint32Array | number[]);
+    /**
+     * How many points have 2, 3, 4, … rays, from 0 rays on.
+     */
+    ray_histogram(): Uint32Array;
+    /**
+     * Chooses few points, well distributed.
+     */
+    select(options: Given<SelectOptions>): SelectedRays;
+    /**
+     * Takes the size of an image in px and the positions x, y of its features in px (stride 2).
+     */
+    set_image(image: number, width_px: number, height_px: number, positions: Float32Array | number[]): void;
+    /**
+     * For each two images with points in common: both and how many; stride 3.
+     */
+    shared(): Uint32Array;
+    /**
+     * All points.
+     */
+    table(): RayTable;
+    /**
+     * How many points there are.
+     */
+    readonly count: number;
+    /**
+     * How many rays they have together.
+     */
+    readonly ray_count: number;
+}
+
+/**
+ * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
+ */
+export class BlockScene {
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Builds the scene of a flight; parameters that are absent take their defaults.
+     */
+    constructor(flight: Given<BlockFlight>);
+    /**
+     * Takes a photo.
+     */
+    photo(index: number): SampleImage;
+    /**
+     * Longitude and latitude in degrees and height in m as the receiver recorded them.
+     */
+    recorded_position(index: number): Float64Array;
+    /**
+     * The true cameras and exterior orientations.
+     */
+    truth(): BlockModel;
+    /**
+     * How many photos the flight takes.
+     */
+    readonly photos: number;
+}
 
 /**
  * A grey image in wasm memory. Call `free` when it is no longer needed.
@@ -1857,6 +2413,41 @@ export class Report {
 export function ambiguity_defaults(): Record<Strategy, number>;
 
 /**
+ * The defaults of the options of the assembly.
+ */
+export function assembly_defaults(): AssemblyOptions;
+
+/**
+ * Every tunable of the assembly and of the bundle adjustment.
+ */
+export function assembly_parameters(): Parameter[];
+
+/**
+ * The default flight of a block.
+ */
+export function block_flight_defaults(): BlockFlight;
+
+/**
+ * Every parameter of a block's flight with label, unit, range and help.
+ */
+export function block_flight_parameters(): Parameter[];
+
+/**
+ * Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+ */
+export function block_parameters(): Parameter[];
+
+/**
+ * All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
+ */
+export function block_settings(given: Given<BlockSettings>): BlockSettings;
+
+/**
+ * For each name of an image the index of the first rule that it fits, -1 without one.
+ */
+export function camera_rules_of(rules: CameraRule[], names: string[]): Int32Array;
+
+/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
@@ -1865,6 +2456,11 @@ export function candidates(index: number, left_points: Float64Array | number[], 
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
  */
 export function check_flight(flight: Given<Flight>): void;
+
+/**
+ * The pairs of a block that are tried, each once: `positions` as in `pair_rule`; `similar`: two images and their similarity; stride 3.
+ */
+export function choose_pairs(positions: Float64Array | number[], similar: Float64Array | number[], choice: Given<PairChoice>): ChosenPair[];
 
 /**
  * The same offset (right minus left position, px) everywhere.
@@ -1903,6 +2499,13 @@ export function draw_points(context: CanvasRenderingContext2D, points: Float64Ar
 export function draw_vectors(context: CanvasRenderingContext2D, vectors: Float64Array | number[], codes: Uint8Array | number[], widths: Float64Array | number[], colours: string[], factor: number, view: Float64Array | number[]): number;
 
 /**
+ * Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
+ * positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
+ * line passes the other image, whose width and height are given.
+ */
+export function epipolar_line(from: "left" | "right", x: number, y: number, model: TwoViewModel, interior: PairInterior | null, other_width: number, other_height: number): Float64Array;
+
+/**
  * Estimates the offsets between two images from `Photo.reduced(1024)` of each.
  */
 export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
@@ -1911,6 +2514,21 @@ export function estimate_offset(left: ReducedImage, right: ReducedImage): Offset
  * The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
  */
 export function estimated_interior(focal: FocalEstimate | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
+
+/**
+ * Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
+ */
+export function explain_connections(images: number, connections: Connection[]): { reasons: string[]; groups: number[][] };
+
+/**
+ * Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
+ */
+export function export_block(model: BlockModel, format: ExportFormat, emit: (path: string, text: string) => void): void;
+
+/**
+ * The names of the formats that blocks are written in.
+ */
+export function export_formats(): ExportFormat[];
 
 /**
  * The defaults of the options of features.
@@ -1948,6 +2566,11 @@ export function geometry_parameters(): Parameter[];
 export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
 
 /**
+ * Positions in px (stride 2) freed of a camera's distortion.
+ */
+export function ideal_positions(camera: ModelCamera, positions: Float64Array | number[]): Float64Array;
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
 export function interior(camera: Camera, photo: PhotoGeometry): Interior;
@@ -1958,9 +2581,20 @@ export function interior(camera: Camera, photo: PhotoGeometry): Interior;
 export function join_nearest(pieces: NearestPiece[], options: Given<NearestOptions>): DescriptorMatches;
 
 /**
+ * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
+ */
+export function local_positions(geographic: Float64Array | number[]): Float64Array;
+
+/**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
  */
 export function match_descriptors(left: Uint8Array | number[], right: Uint8Array | number[], options: Given<NearestOptions>): DescriptorMatches;
+
+/**
+ * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
+ * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
+ */
+export function match_features(left_positions: Float64Array | number[], left_descriptors: Uint8Array | number[], right_positions: Float64Array | number[], right_descriptors: Uint8Array | number[], options: Given<FeatureMatchOptions>): VerifiedMatches;
 
 /**
  * Matches byte descriptors near the epipolar line, or the place, of each left point: positions x, y in px (stride 2), 128 bytes each.
@@ -1968,9 +2602,9 @@ export function match_descriptors(left: Uint8Array | number[], right: Uint8Array
 export function match_guided_descriptors(left_positions: Float64Array | number[], left_descriptors: Uint8Array | number[], right_positions: Float64Array | number[], right_descriptors: Uint8Array | number[], guide: MatchGuide, options: Given<GuidedOptions>): DescriptorMatches;
 
 /**
- * Matches and orients a pair on one thread.
+ * Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.
  */
-export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>): PairOutput;
+export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, settings: Given<PairSettings>, left_mask?: Uint8Array | number[] | null, right_mask?: Uint8Array | number[] | null): PairOutput;
 
 /**
  * Matches two photos by any strategy.
@@ -2022,6 +2656,11 @@ export function orient_matches(matches: Float64Array | number[], fits: Float64Ar
 export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
 
 /**
+ * The rule that chooses the pairs of a block. `positions`: x, y, z in m of each image, NaN where it has none; stride 3.
+ */
+export function pair_rule(positions: Float64Array | number[], choice: Given<PairChoice>): PairRule;
+
+/**
  * Every tunable with label, unit, range and help, in the order of the pipeline.
  */
 export function parameters(): Parameter[];
@@ -2032,9 +2671,19 @@ export function parameters(): Parameter[];
 export function parse_camera(json: string): Camera;
 
 /**
+ * Reads cameras that hold for the images whose names fit a pattern.
+ */
+export function parse_camera_rules(json: string): CameraRule[];
+
+/**
  * Reads fiducial marks: columns col, row, x_mm, y_mm.
  */
 export function parse_fiducials(csv: string): Fiducial[];
+
+/**
+ * Reads where images show surveyed points: lines of image, point, x, y in px.
+ */
+export function parse_image_marks(text: string): ImageMark[];
 
 /**
  * Reads photo coordinates: columns x_left_mm, y_left_mm, x_right_mm, y_right_mm; stride 4.
@@ -2042,9 +2691,24 @@ export function parse_fiducials(csv: string): Fiducial[];
 export function parse_observations(csv: string): Float64Array;
 
 /**
+ * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
+ */
+export function parse_surveyed_points(text: string): SurveyedPoint[];
+
+/**
  * Writes points (stride 3) as CSV.
  */
 export function points_csv(points: Float64Array | number[]): string;
+
+/**
+ * What EXIF tells of an image of this size beside its pixels.
+ */
+export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
+
+/**
+ * Reads a project; a file that is damaged or of another kind is refused whole.
+ */
+export function read_project(bytes: Uint8Array | number[]): Project;
 
 /**
  * The names of the rules, in the order of their codes.
@@ -2060,6 +2724,11 @@ export function sample_seed(): number;
  * The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
  */
 export function scaled_interior(interior: Interior, factor: number): Interior;
+
+/**
+ * Scores an oriented block by the truth of its photos, which have the same names.
+ */
+export function score_block(model: BlockModel, truth: BlockModel): BlockScore;
 
 /**
  * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
@@ -2081,22 +2750,58 @@ export function two_view(points: Float64Array | number[], options: Given<TwoView
  */
 export function version(): string;
 
+/**
+ * Writes a project.
+ */
+export function write_project(project: Project): string;
+
 export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembly.Module;
 
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
+    readonly __wbg_blockpoints_free: (a: number, b: number) => void;
+    readonly __wbg_blockscene_free: (a: number, b: number) => void;
     readonly __wbg_photo_free: (a: number, b: number) => void;
     readonly __wbg_report_free: (a: number, b: number) => void;
     readonly ambiguity_defaults: () => any;
+    readonly assembly_defaults: () => any;
+    readonly assembly_parameters: () => any;
+    readonly block_flight_defaults: () => any;
+    readonly block_flight_parameters: () => any;
+    readonly block_parameters: () => any;
+    readonly block_settings: (a: any) => [number, number, number];
+    readonly blockpoints_add_pair: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number];
+    readonly blockpoints_assemble: (a: number, b: any, c: any) => [number, number, number];
+    readonly blockpoints_count: (a: number) => number;
+    readonly blockpoints_join: (a: number, b: any) => [number, number, number];
+    readonly blockpoints_model: (a: number, b: any, c: any, d: number, e: number) => [number, number, number];
+    readonly blockpoints_new: (a: number, b: number) => [number, number, number];
+    readonly blockpoints_ray_count: (a: number) => number;
+    readonly blockpoints_ray_histogram: (a: number) => [number, number];
+    readonly blockpoints_select: (a: number, b: any) => [number, number, number];
+    readonly blockpoints_set_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number];
+    readonly blockpoints_shared: (a: number) => [number, number];
+    readonly blockpoints_table: (a: number) => any;
+    readonly blockscene_new: (a: any) => [number, number, number];
+    readonly blockscene_photo: (a: number, b: number) => [number, number, number];
+    readonly blockscene_photos: (a: number) => number;
+    readonly blockscene_recorded_position: (a: number, b: number) => [number, number, number, number];
+    readonly blockscene_truth: (a: number) => any;
+    readonly camera_rules_of: (a: any, b: any) => [number, number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly check_flight: (a: any) => [number, number];
+    readonly choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
     readonly defaults: () => any;
     readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
+    readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
     readonly estimated_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
+    readonly explain_connections: (a: number, b: any) => [number, number, number];
+    readonly export_block: (a: any, b: any, c: any) => [number, number];
+    readonly export_formats: () => any;
     readonly feature_defaults: () => any;
     readonly feature_parameters: () => any;
     readonly flight_parameters: () => any;
@@ -2104,11 +2809,14 @@ export interface InitOutput {
     readonly flight_presets: () => any;
     readonly geometry_parameters: () => any;
     readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
+    readonly ideal_positions: (a: any, b: number, c: number) => [number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
+    readonly local_positions: (a: number, b: number) => [number, number, number];
     readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
+    readonly match_features: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
     readonly match_guided_descriptors: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
-    readonly match_pair: (a: number, b: number, c: any, d: any) => [number, number, number];
+    readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number, g: number, h: number) => [number, number, number];
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
@@ -2118,10 +2826,14 @@ export interface InitOutput {
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
+    readonly pair_rule: (a: number, b: number, c: any) => [number, number, number];
     readonly parameters: () => any;
     readonly parse_camera: (a: number, b: number) => [number, number, number];
+    readonly parse_camera_rules: (a: number, b: number) => [number, number, number];
     readonly parse_fiducials: (a: number, b: number) => [number, number, number];
+    readonly parse_image_marks: (a: number, b: number) => [number, number, number];
     readonly parse_observations: (a: number, b: number) => [number, number, number, number];
+    readonly parse_surveyed_points: (a: number, b: number) => [number, number, number];
     readonly photo_decode: (a: number, b: number) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
     readonly photo_describe_points: (a: number, b: any, c: number, d: number) => [number, number, number];
@@ -2135,6 +2847,8 @@ export interface InitOutput {
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly read_exif: (a: number, b: number, c: number, d: number) => any;
+    readonly read_project: (a: number, b: number) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
@@ -2142,10 +2856,12 @@ export interface InitOutput {
     readonly rule_names: () => any;
     readonly sample_seed: () => number;
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
+    readonly score_block: (a: any, b: any) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly simulate: (a: any) => [number, number, number];
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
+    readonly write_project: (a: any) => [number, number, number, number];
     readonly wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;

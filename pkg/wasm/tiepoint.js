@@ -1,6 +1,253 @@
 /* @ts-self-types="./tiepoint.d.ts" */
 
 /**
+ * The features and matches of a block in wasm memory, and the points made of them. Call `free` when it is no longer needed.
+ *
+ * First every image with `set_image`, then every pair with `add_pair`, in any order each, then `join`.
+ */
+export class BlockPoints {
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        BlockPointsFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_blockpoints_free(ptr, 0);
+    }
+    /**
+     * Takes the matches of two images: the features of each match (stride 2), and how strong it is.
+     * @param {number} first
+     * @param {number} second
+     * @param {Uint32Array | number[]} indices
+     * @param {Float32Array | number[]} strengths
+     */
+    add_pair(first, second, indices, strengths) {
+        const val3 = +first;
+        const val4 = +second;
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passArray32ToWasm0(indices, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = passArrayF32ToWasm0(strengths, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
+            throw e;
+        }
+        const ret = wasm.blockpoints_add_pair(this.__wbg_ptr, val3, val4, ptr0, len0, ptr1, len1);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
+     * @param {BlockDescription} description
+     * @param {Given<AssemblyOptions>} options
+     * @returns {{ assembly: Assembly; model: BlockModel | null }}
+     */
+    assemble(description, options) {
+        const ret = wasm.blockpoints_assemble(this.__wbg_ptr, description, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * How many points there are.
+     * @returns {number}
+     */
+    get count() {
+        const ret = wasm.blockpoints_count(this.__wbg_ptr);
+        return ret >>> 0;
+    }
+    /**
+     * Joins the matches to multi-ray points, in place of those made before.
+     * @param {Given<BlockOptions>} options
+     * @returns {JoinCounts}
+     */
+    join(options) {
+        const ret = wasm.blockpoints_join(this.__wbg_ptr, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The block with these of its points, before any of it is oriented.
+     * @param {ModelCamera[]} cameras
+     * @param {ModelImage[]} images
+     * @param {Uint32Array | number[]} chosen
+     * @returns {BlockModel}
+     */
+    model(cameras, images, chosen) {
+        const ptr0 = passArray32ToWasm0(chosen, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.blockpoints_model(this.__wbg_ptr, cameras, images, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * A block of images with these numbers of features.
+     * @param {Uint32Array | number[]} counts
+     */
+    constructor(counts) {
+        const ptr0 = passArray32ToWasm0(counts, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.blockpoints_new(ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        this.__wbg_ptr = ret[0];
+        BlockPointsFinalization.register(this, this.__wbg_ptr, this);
+        return this;
+    }
+    /**
+     * How many rays they have together.
+     * @returns {number}
+     */
+    get ray_count() {
+        const ret = wasm.blockpoints_ray_count(this.__wbg_ptr);
+        return ret >>> 0;
+    }
+    /**
+     * How many points have 2, 3, 4, … rays, from 0 rays on.
+     * @returns {Uint32Array}
+     */
+    ray_histogram() {
+        const ret = wasm.blockpoints_ray_histogram(this.__wbg_ptr);
+        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
+    }
+    /**
+     * Chooses few points, well distributed.
+     * @param {Given<SelectOptions>} options
+     * @returns {SelectedRays}
+     */
+    select(options) {
+        const ret = wasm.blockpoints_select(this.__wbg_ptr, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Takes the size of an image in px and the positions x, y of its features in px (stride 2).
+     * @param {number} image
+     * @param {number} width_px
+     * @param {number} height_px
+     * @param {Float32Array | number[]} positions
+     */
+    set_image(image, width_px, height_px, positions) {
+        const val2 = +image;
+        const val3 = +width_px;
+        const val4 = +height_px;
+        const ptr0 = passArrayF32ToWasm0(positions, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.blockpoints_set_image(this.__wbg_ptr, val2, val3, val4, ptr0, len0);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * For each two images with points in common: both and how many; stride 3.
+     * @returns {Uint32Array}
+     */
+    shared() {
+        const ret = wasm.blockpoints_shared(this.__wbg_ptr);
+        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
+    }
+    /**
+     * All points.
+     * @returns {RayTable}
+     */
+    table() {
+        const ret = wasm.blockpoints_table(this.__wbg_ptr);
+        return ret;
+    }
+}
+if (Symbol.dispose) BlockPoints.prototype[Symbol.dispose] = BlockPoints.prototype.free;
+
+/**
+ * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
+ */
+export class BlockScene {
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        BlockSceneFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_blockscene_free(ptr, 0);
+    }
+    /**
+     * Builds the scene of a flight; parameters that are absent take their defaults.
+     * @param {Given<BlockFlight>} flight
+     */
+    constructor(flight) {
+        const ret = wasm.blockscene_new(flight);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        this.__wbg_ptr = ret[0];
+        BlockSceneFinalization.register(this, this.__wbg_ptr, this);
+        return this;
+    }
+    /**
+     * Takes a photo.
+     * @param {number} index
+     * @returns {SampleImage}
+     */
+    photo(index) {
+        const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * How many photos the flight takes.
+     * @returns {number}
+     */
+    get photos() {
+        const ret = wasm.blockscene_photos(this.__wbg_ptr);
+        return ret >>> 0;
+    }
+    /**
+     * Longitude and latitude in degrees and height in m as the receiver recorded them.
+     * @param {number} index
+     * @returns {Float64Array}
+     */
+    recorded_position(index) {
+        const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+        return v1;
+    }
+    /**
+     * The true cameras and exterior orientations.
+     * @returns {BlockModel}
+     */
+    truth() {
+        const ret = wasm.blockscene_truth(this.__wbg_ptr);
+        return ret;
+    }
+}
+if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
+
+/**
  * A grey image in wasm memory. Call `free` when it is no longer needed.
  */
 export class Photo {
@@ -264,6 +511,80 @@ export function ambiguity_defaults() {
 }
 
 /**
+ * The defaults of the options of the assembly.
+ * @returns {AssemblyOptions}
+ */
+export function assembly_defaults() {
+    const ret = wasm.assembly_defaults();
+    return ret;
+}
+
+/**
+ * Every tunable of the assembly and of the bundle adjustment.
+ * @returns {Parameter[]}
+ */
+export function assembly_parameters() {
+    const ret = wasm.assembly_parameters();
+    return ret;
+}
+
+/**
+ * The default flight of a block.
+ * @returns {BlockFlight}
+ */
+export function block_flight_defaults() {
+    const ret = wasm.block_flight_defaults();
+    return ret;
+}
+
+/**
+ * Every parameter of a block's flight with label, unit, range and help.
+ * @returns {Parameter[]}
+ */
+export function block_flight_parameters() {
+    const ret = wasm.block_flight_parameters();
+    return ret;
+}
+
+/**
+ * Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+ * @returns {Parameter[]}
+ */
+export function block_parameters() {
+    const ret = wasm.block_parameters();
+    return ret;
+}
+
+/**
+ * All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
+ * @param {Given<BlockSettings>} given
+ * @returns {BlockSettings}
+ */
+export function block_settings(given) {
+    const ret = wasm.block_settings(given);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * For each name of an image the index of the first rule that it fits, -1 without one.
+ * @param {CameraRule[]} rules
+ * @param {string[]} names
+ * @returns {Int32Array}
+ */
+export function camera_rules_of(rules, names) {
+    const ret = wasm.camera_rules_of(rules, names);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v1 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+    return v1;
+}
+
+/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  * @param {number} index
  * @param {Float64Array | number[]} left_points
@@ -311,6 +632,32 @@ export function check_flight(flight) {
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
+}
+
+/**
+ * The pairs of a block that are tried, each once: `positions` as in `pair_rule`; `similar`: two images and their similarity; stride 3.
+ * @param {Float64Array | number[]} positions
+ * @param {Float64Array | number[]} similar
+ * @param {Given<PairChoice>} choice
+ * @returns {ChosenPair[]}
+ */
+export function choose_pairs(positions, similar, choice) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(similar, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.choose_pairs(ptr0, len0, ptr1, len1, choice);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -470,6 +817,29 @@ export function draw_vectors(context, vectors, codes, widths, colours, factor, v
 }
 
 /**
+ * Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
+ * positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
+ * line passes the other image, whose width and height are given.
+ * @param {"left" | "right"} from
+ * @param {number} x
+ * @param {number} y
+ * @param {TwoViewModel} model
+ * @param {PairInterior | null} interior
+ * @param {number} other_width
+ * @param {number} other_height
+ * @returns {Float64Array}
+ */
+export function epipolar_line(from, x, y, model, interior, other_width, other_height) {
+    const ret = wasm.epipolar_line(from, x, y, model, interior, other_width, other_height);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+    return v1;
+}
+
+/**
  * Estimates the offsets between two images from `Photo.reduced(1024)` of each.
  * @param {ReducedImage} left
  * @param {ReducedImage} right
@@ -498,6 +868,42 @@ export function estimated_interior(focal, left_width, left_height, right_width, 
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
+ * @param {number} images
+ * @param {Connection[]} connections
+ * @returns {{ reasons: string[]; groups: number[][] }}
+ */
+export function explain_connections(images, connections) {
+    const ret = wasm.explain_connections(images, connections);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
+ * @param {BlockModel} model
+ * @param {ExportFormat} format
+ * @param {(path: string, text: string) => void} emit
+ */
+export function export_block(model, format, emit) {
+    const ret = wasm.export_block(model, format, emit);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
+ * The names of the formats that blocks are written in.
+ * @returns {ExportFormat[]}
+ */
+export function export_formats() {
+    const ret = wasm.export_formats();
+    return ret;
 }
 
 /**
@@ -590,6 +996,22 @@ export function gradient_candidates(index, left_gradients, right_gradients, most
 }
 
 /**
+ * Positions in px (stride 2) freed of a camera's distortion.
+ * @param {ModelCamera} camera
+ * @param {Float64Array | number[]} positions
+ * @returns {Float64Array}
+ */
+export function ideal_positions(camera, positions) {
+    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.ideal_positions(camera, ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  * @param {Camera} camera
  * @param {PhotoGeometry} photo
@@ -618,6 +1040,21 @@ export function join_nearest(pieces, options) {
 }
 
 /**
+ * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
+ * @param {Float64Array | number[]} geographic
+ * @returns {Float64Array}
+ */
+export function local_positions(geographic) {
+    const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.local_positions(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
  * @param {Uint8Array | number[]} left
  * @param {Uint8Array | number[]} right
@@ -637,6 +1074,41 @@ export function match_descriptors(left, right, options) {
         throw e;
     }
     const ret = wasm.match_descriptors(ptr0, len0, ptr1, len1, options);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Matches the features of two images (positions x, y in px, stride 2; 128 bytes each) by nearest descriptors, verified by the geometry of
+ * the two views and completed along its lines. Where `options.geometry` names cameras, positions are those of cameras without distortion.
+ * @param {Float64Array | number[]} left_positions
+ * @param {Uint8Array | number[]} left_descriptors
+ * @param {Float64Array | number[]} right_positions
+ * @param {Uint8Array | number[]} right_descriptors
+ * @param {Given<FeatureMatchOptions>} options
+ * @returns {VerifiedMatches}
+ */
+export function match_features(left_positions, left_descriptors, right_positions, right_descriptors, options) {
+    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    try {
+        ptr0 = passArrayF64ToWasm0(left_positions, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArray8ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArrayF64ToWasm0(right_positions, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+        ptr3 = passArray8ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
+        len3 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 8, 8); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        throw e;
+    }
+    const ret = wasm.match_features(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -679,17 +1151,30 @@ export function match_guided_descriptors(left_positions, left_descriptors, right
 }
 
 /**
- * Matches and orients a pair on one thread.
+ * Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.
  * @param {Photo} left
  * @param {Photo} right
  * @param {Given<PairInput>} input
  * @param {Given<PairSettings>} settings
+ * @param {Uint8Array | number[] | null} [left_mask]
+ * @param {Uint8Array | number[] | null} [right_mask]
  * @returns {PairOutput}
  */
-export function match_pair(left, right, input, settings) {
+export function match_pair(left, right, input, settings, left_mask, right_mask) {
     _assertClass(left, Photo);
     _assertClass(right, Photo);
-    const ret = wasm.match_pair(left.__wbg_ptr, right.__wbg_ptr, input, settings);
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.match_pair(left.__wbg_ptr, right.__wbg_ptr, input, settings, ptr0, len0, ptr1, len1);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -909,6 +1394,22 @@ export function orient_relative(observations, focal_mm, options, weights) {
 }
 
 /**
+ * The rule that chooses the pairs of a block. `positions`: x, y, z in m of each image, NaN where it has none; stride 3.
+ * @param {Float64Array | number[]} positions
+ * @param {Given<PairChoice>} choice
+ * @returns {PairRule}
+ */
+export function pair_rule(positions, choice) {
+    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.pair_rule(ptr0, len0, choice);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Every tunable with label, unit, range and help, in the order of the pipeline.
  * @returns {Parameter[]}
  */
@@ -933,6 +1434,21 @@ export function parse_camera(json) {
 }
 
 /**
+ * Reads cameras that hold for the images whose names fit a pattern.
+ * @param {string} json
+ * @returns {CameraRule[]}
+ */
+export function parse_camera_rules(json) {
+    const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.parse_camera_rules(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Reads fiducial marks: columns col, row, x_mm, y_mm.
  * @param {string} csv
  * @returns {Fiducial[]}
@@ -941,6 +1457,21 @@ export function parse_fiducials(csv) {
     const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
     const len0 = WASM_VECTOR_LEN;
     const ret = wasm.parse_fiducials(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Reads where images show surveyed points: lines of image, point, x, y in px.
+ * @param {string} text
+ * @returns {ImageMark[]}
+ */
+export function parse_image_marks(text) {
+    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.parse_image_marks(ptr0, len0);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -962,6 +1493,21 @@ export function parse_observations(csv) {
     var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
     return v2;
+}
+
+/**
+ * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
+ * @param {string} text
+ * @returns {SurveyedPoint[]}
+ */
+export function parse_surveyed_points(text) {
+    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.parse_surveyed_points(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -991,6 +1537,37 @@ export function points_csv(points) {
 }
 
 /**
+ * What EXIF tells of an image of this size beside its pixels.
+ * @param {Uint8Array | number[]} file
+ * @param {number} width
+ * @param {number} height
+ * @returns {ExifImage}
+ */
+export function read_exif(file, width, height) {
+    const val2 = +width;
+    const val3 = +height;
+    const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.read_exif(ptr0, len0, val2, val3);
+    return ret;
+}
+
+/**
+ * Reads a project; a file that is damaged or of another kind is refused whole.
+ * @param {Uint8Array | number[]} bytes
+ * @returns {Project}
+ */
+export function read_project(bytes) {
+    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.read_project(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * The names of the rules, in the order of their codes.
  * @returns {Rule[]}
  */
@@ -1016,6 +1593,20 @@ export function sample_seed() {
  */
 export function scaled_interior(interior, factor) {
     const ret = wasm.scaled_interior(interior, factor);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Scores an oriented block by the truth of its photos, which have the same names.
+ * @param {BlockModel} model
+ * @param {BlockModel} truth
+ * @returns {BlockScore}
+ */
+export function score_block(model, truth) {
+    const ret = wasm.score_block(model, truth);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1104,6 +1695,30 @@ export function version() {
         wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
     }
 }
+
+/**
+ * Writes a project.
+ * @param {Project} project
+ * @returns {string}
+ */
+export function write_project(project) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ret = wasm.write_project(project);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
+        if (ret[3]) {
+            ptr1 = 0; len1 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
+}
 function __wbg_get_imports() {
     const import0 = {
         __proto__: null,
@@ -1148,6 +1763,10 @@ function __wbg_get_imports() {
         __wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
             arg0.beginPath();
         },
+        __wbg_call_fc92fee6137d452d: function() { return handleError(function (arg0, arg1, arg2, arg3) {
+            const ret = arg0.call(arg1, arg2, arg3);
+            return ret;
+        }, arguments); },
         __wbg_closePath_e9e11e034c5d75a3: function(arg0) {
             arg0.closePath();
         },
@@ -1305,7 +1924,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 6, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 7, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6);
             return ret;
         },
@@ -1339,6 +1958,12 @@ function wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6(arg0, arg
     return ret;
 }
 
+const BlockPointsFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_blockpoints_free(ptr, 1));
+const BlockSceneFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_blockscene_free(ptr, 1));
 const PhotoFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_photo_free(ptr, 1));
@@ -1534,6 +2159,13 @@ function makeClosure(arg0, arg1, f) {
     };
     CLOSURE_DTORS.register(real, state, state);
     return real;
+}
+
+function passArray32ToWasm0(arg, malloc) {
+    const ptr = malloc(arg.length * 4, 4) >>> 0;
+    getUint32ArrayMemory0().set(arg, ptr / 4);
+    WASM_VECTOR_LEN = arg.length;
+    return ptr;
 }
 
 function passArray8ToWasm0(arg, malloc) {
