@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry sizes page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes page`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -9,11 +9,12 @@ const PARTS = {
   speed: async () => (await import('./bench/speed.mjs')).speed(),
   features: async () => (await import('./bench/features.mjs')).featureBench(),
   geometry: async () => (await import('./bench/geometry.mjs')).geometry(),
+  rivals: async () => (await import('./bench/rivals.mjs')).rivals(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   page: async () => (await import('./bench/page.mjs')).page(),
 };
 
-const named = process.argv.slice(2);
+const named = process.argv.slice(2).filter((part) => !part.startsWith('--'));
 const stranger = named.find((part) => !(part in PARTS));
 if (stranger) {
   console.error(`there is no part ${stranger}; allowed: ${Object.keys(PARTS).join(', ')}`);

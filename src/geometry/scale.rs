@@ -68,17 +68,20 @@ const LEAST_SHARE: f64 = 1e-4;
 const SHRINKING: f64 = 0.6;
 /// The others are counted from one to two of these times the largest threshold.
 const FAR: f64 = 2.0;
+/// Guided matches that reach this many times a known threshold tell how many others there are.
+const LEAST_BAND: f64 = 1.5;
 
 /// Estimates σ from distances: of those within a cut of the last estimate, less what others would leave there. The density of the others is
 /// counted where no good ones lie; gross errors fall evenly about a line, and evenly over the area about a place.
 pub(super) fn noise(distances: &[f64], conditions: Conditions, limits: &NoiseLimits) -> Noise {
     let largest = limits.largest_threshold;
     let far = FAR * largest;
-    let beyond = distances.iter().filter(|d| **d > far && **d <= 2.0 * far).count() as f64;
+    let [from, to] = zone_of_others(distances, limits);
+    let beyond = distances.iter().filter(|d| **d > from && **d <= to).count() as f64;
     // Others within d: density · d, or density · d².
     let density = match conditions {
-        Conditions::One => beyond / far,
-        Conditions::Two => beyond / (3.0 * far * far),
+        Conditions::One => beyond / (to - from),
+        Conditions::Two => beyond / (to * to - from * from),
     };
     let others_within = |d: f64| match conditions {
         Conditions::One => density * d,
@@ -113,6 +116,15 @@ pub(super) fn noise(distances: &[f64], conditions: Conditions, limits: &NoiseLim
     let within = distances.iter().filter(|d| **d <= threshold).count() as f64;
     let others = others_within(threshold).min(within);
     Noise { sigma, threshold, good: within - others, others }
+}
+
+/// Where the others are counted. Guided matches end near the epipolar lines: with a threshold that is known, all beyond it are others.
+fn zone_of_others(distances: &[f64], limits: &NoiseLimits) -> [f64; 2] {
+    let largest = limits.largest_threshold;
+    let far = FAR * largest;
+    let end = distances.iter().filter(|d| d.is_finite()).fold(0.0, |end: f64, d| end.max(*d));
+    let is_band = limits.fixed && end > LEAST_BAND * largest && end < 2.0 * far;
+    if is_band { [largest, end] } else { [far, 2.0 * far] }
 }
 
 /// Where a good observation becomes less likely than another one.
@@ -185,6 +197,17 @@ mod tests {
         assert!(threshold(0) > threshold(2000) && threshold(2000) > threshold(20_000));
         let fixed = NoiseLimits { fixed: true, ..LIMITS };
         assert_eq!(noise(&distances(500, 0.5, 500, Conditions::One), Conditions::One, &fixed).threshold, 4.0);
+    }
+
+    #[test]
+    fn guided_matches_tell_the_others_by_those_beyond_the_threshold() {
+        let mut random = Random::new(5);
+        let guided: Vec<f64> = (0..800).map(|_| 2.4 * random.below(1 << 20) as f64 / (1 << 20) as f64).collect();
+        let all = [distances(1000, 0.3, 0, Conditions::One), guided].concat();
+        let known = NoiseLimits { largest_threshold: 1.05, fixed: true };
+        let found = noise(&all, Conditions::One, &known);
+        assert!((found.sigma / 0.3 - 1.0).abs() < 0.1 && (found.good / 1000.0 - 1.0).abs() < 0.1, "{found:?}");
+        assert!((found.others / 350.0 - 1.0).abs() < 0.15, "{found:?}");
     }
 
     #[test]

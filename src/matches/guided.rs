@@ -40,7 +40,7 @@ pub struct GuidedOptions {
 
 impl Default for GuidedOptions {
     fn default() -> Self {
-        Self { radius_px: 3.0, ratio: 0.9, largest_distance: None }
+        Self { radius_px: 3.0, ratio: 0.85, largest_distance: None }
     }
 }
 

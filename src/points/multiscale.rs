@@ -4,6 +4,7 @@ mod blur;
 mod cascade;
 mod distribution;
 mod extrema;
+mod fine;
 mod level;
 mod octave;
 mod options;
@@ -38,8 +39,8 @@ pub struct ScalePoint {
     pub y: f64,
     /// Standard deviation of the Gaussian at whose blur the point is most distinct, px.
     pub scale_px: f64,
-    /// How distinct it is: the scale times the geometric mean of the Hessian's determinant and the Förstner weight det N / tr N, both
-    /// normalised by the scale; grey² px.
+    /// How distinct it is: the geometric mean of the Hessian's determinant and the Förstner weight det N / tr N, both normalised by the
+    /// scale; grey².
     pub weight: f64,
 }
 
@@ -76,10 +77,10 @@ impl ScaleSpace {
 /// Finds points that are distinct in position and scale, with the blurred images they were found in.
 ///
 /// On a pyramid of `options.levels` levels an octave, points are the maxima in position and scale of the determinant of the Hessian,
-/// refined by a quadratic. At each, the Förstner tensor of its level gives the weight w = det N / tr N, the roundness q and the position by
-/// least squares. Derivatives are multiplied by the blur's standard deviation, so that levels compare. Of more than `options.number` points,
-/// half are chosen equally over the image and half where they are most distinct. They follow by octave, row, level and column; a flat
-/// image has none.
+/// refined by quadratics, the position on a grid of half pixels. At each, the Förstner tensor of its level gives the weight
+/// w = det N / tr N, the roundness q and the position by least squares. Derivatives are multiplied by the blur's standard deviation, so
+/// that levels compare. Of more than `options.number` points, half are chosen equally over the image and half where they are most
+/// distinct. They follow by octave, row, level and column; a flat image has none.
 ///
 /// `mask` is as large as the image; points whose pixel is 0 in it are left out.
 ///
@@ -118,8 +119,8 @@ pub fn multiscale_points(
     let side = width.max(height) as f64 / options.cells as f64;
     let across = (width as f64 / side) as usize + 1;
     let cell = |x: f64, y: f64| (y.max(0.0) / side) as usize * across + (x.max(0.0) / side) as usize;
-    // The tensor of each maximum would take longer than the pyramid: it is looked at where the response leaves a chance.
-    let extrema = well_distributed(&extrema, CHANCES * options.number, |c| (cell(c.x, c.y), c.chance));
+    // The tensor of each maximum would take longer than the pyramid: it is looked at where the response, which the weight is of, is large.
+    let extrema = well_distributed(&extrema, CHANCES * options.number, |c| (cell(c.x, c.y), c.extremum.response));
     let points = points_of(&extrema, &space, options);
     Ok((well_distributed(&points, options.number, |p| (cell(p.x, p.y), p.weight)), space))
 }
@@ -132,8 +133,6 @@ struct Candidate {
     x: f64,
     y: f64,
     scale_px: f64,
-    /// The weight that it has where its Förstner weight is as large as its response.
-    chance: f64,
 }
 
 impl Candidate {
@@ -141,7 +140,7 @@ impl Candidate {
         let [dx, dy, ds] = extremum.offset;
         let scale_px = sigma_of(extremum.level as f64 + ds, per_octave) * step_of(octave);
         let [x, y] = place_of(octave, &extremum, [dx, dy]);
-        Self { octave, extremum, x, y, scale_px, chance: extremum.response * scale_px }
+        Self { octave, extremum, x, y, scale_px }
     }
 }
 
@@ -166,11 +165,15 @@ fn points_of(candidates: &[Candidate], space: &ScaleSpace, options: &MultiscaleO
             return None;
         }
         let centre = match options.position {
-            Position::Quadratic => None,
+            Position::Quadratic => {
+                let pixel = [extremum.col as f64, extremum.row as f64];
+                let start = [pixel[0] + extremum.offset[0], pixel[1] + extremum.offset[1]];
+                fine::maximum(&space.octaves[octave][kept], start).map(|[x, y]| [x - pixel[0], y - pixel[1]])
+            }
             Position::Forstner => tensor.least_squares().filter(|d| d.iter().all(|d| d.abs() <= FARTHEST)),
         };
         let [x, y] = centre.map_or([candidate.x, candidate.y], |offset| place_of(octave, &extremum, offset));
-        Some(ScalePoint { x, y, scale_px, weight: libm::sqrt(extremum.response * tensor.weight()) * scale_px })
+        Some(ScalePoint { x, y, scale_px, weight: libm::sqrt(extremum.response * tensor.weight()) })
     };
     candidates.iter().filter_map(point).collect()
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum Position {
-    /// The maximum of a quadratic through the responses in position and scale.
+    /// The maximum of a quadratic through responses half a pixel apart.
     Quadratic,
     /// The corner or circle's centre that fits the gradients best by least squares (Förstner); the scale by the quadratic.
     Forstner,
