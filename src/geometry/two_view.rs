@@ -311,7 +311,10 @@ fn planar(matches: &Matches, field: &Field, principal: Option<[[f64; 2]; 2]>) ->
     let homography_px = matches.frame.homography_px(&matrix);
     let sigma_px = found.noise.sigma * matches.frame.px();
     let turned = principal.and_then(|p| focal::of_rotation(&matches.points_of(&found.inliers), &p, &homography_px, sigma_px));
-    if let Some(turned) = turned {
+    // At a narrow angle flat ground moves as if the camera had turned, whatever its focal length; only what does not move at all is surely
+    // seen from one place.
+    let unmoved = matches.explains(&matches.frame.homography_from_px(&Matrix3::identity()), &found);
+    if let Some(turned) = turned.filter(|turned| turned.estimate.is_some() || unmoved) {
         let in_px = turned.best.frame.homography_px(&turned.best.model);
         let own = matches.frame.homography_from_px(&in_px);
         if matches.explains(&own, &found) {
