@@ -4,6 +4,7 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
+mod assembly;
 mod block;
 mod bundle;
 mod camera;
@@ -24,19 +25,23 @@ mod tables;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
+pub use assembly::{
+    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
+    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+};
 pub use block::{
-    BlockMatches, BlockOptions, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
-    MatchReliability, MultiRayPoints, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints, alike_pairs, all_pairs,
-    merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
+    BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
+    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PointRay, SelectOptions, SelectedPoints, SharedPoints,
+    alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs, shared_points,
 };
 pub use bundle::{
-    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraParameter, CameraStatistics, ControlPoint, Datum,
-    FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, PositionPrior, PriorStatistics, Ray, RayCountRmse,
-    RayStatistics, RayVerdict, adjust_block,
+    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
+    Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
+    RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
 };
 pub use camera::{
-    Camera, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation, orient_fiducials,
-    rotation_from_angles,
+    Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
+    orient_fiducials, rotation_from_angles,
 };
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
@@ -44,9 +49,9 @@ pub use descriptors::{
 };
 pub use error::Error;
 pub use formats::{
-    BlockModel, ColmapFeature, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay, PROJECT_VERSION,
-    Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_surveyed_points, read_colmap_model, read_project,
-    write_project,
+    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ImageMark, ModelCamera, ModelImage, ModelPoint, ModelPose,
+    ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_camera_rules,
+    parse_image_marks, parse_surveyed_points, read_colmap_model, read_project, write_project,
 };
 pub use geometry::{
     Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
@@ -70,8 +75,8 @@ pub use pair::{
     photo_interior,
 };
 pub use parameters::{
-    BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
-    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
+    ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
+    GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position,
@@ -79,8 +84,8 @@ pub use points::{
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
-    BlockFlight, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset, RIGHT_WITHIN_PX, Rightness,
-    SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_matches, simulate, simulate_block,
+    BlockFlight, BlockScene, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset, RIGHT_WITHIN_PX,
+    Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_matches, simulate, simulate_block,
     simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 18] = [
+const ORDER: [&str; 19] = [
     "error",
     "parameters",
     "math",
@@ -20,6 +20,7 @@ const ORDER: [&str; 18] = [
     "block",
     "formats",
     "bundle",
+    "assembly",
     "tables",
     "simulate",
     "report",

@@ -10,9 +10,11 @@ import { UsageError } from './errors.js';
  * @property {string} name
  * @property {string} summary one line
  * @property {string[]} positionals their names, all required
+ * @property {string} [rest] what may follow them any number of times
+ * @property {Command} [variant] what the command is when the flag of the variant's name is given
  * @property {Option[]} options
  * @property {string} details what `--help` says below the options
- * @property {(call: Call) => void} run
+ * @property {(call: Call) => void | Promise<void>} run
  * @typedef {{ positionals: string[], values: Map<string, Value> }} Call values: by option name, those that were given
  */
 
@@ -68,6 +70,7 @@ function flag(option, attached) {
 
 /** @param {Command} command @param {string[]} given */
 function checkPositionals(command, given) {
+  if (command.rest) return;
   const wanted = command.positionals;
   const missing = wanted[given.length];
   if (missing) throw new UsageError(`${missing} is missing: tiepoint ${command.name} ${wanted.join(' ')}`);

@@ -1,7 +1,7 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readFileSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
@@ -77,4 +77,18 @@ export function writeInto(folder, name, content) {
   const path = join(folder, name);
   attempt('write', path, () => writeFileSync(path, content));
   return path;
+}
+
+/**
+ * Writes a file whole or not at all, whatever ends the command.
+ * @param {string} folder @param {string} name with slashes between folders, which are made @param {string | Uint8Array} content
+ */
+export function replaceInto(folder, name, content) {
+  const path = join(folder, ...name.split('/'));
+  makeFolder(dirname(path));
+  const unfinished = `${path}.${process.pid}.part`;
+  attempt('write', path, () => {
+    writeFileSync(unfinished, content);
+    renameSync(unfinished, path);
+  });
 }

@@ -25,7 +25,7 @@ export function overview(commands) {
 
 /** @param {Command} command @returns {string} */
 export function helpOf(command) {
-  const usage = ['tiepoint', command.name, ...command.positionals, '[OPTIONS]'].join(' ');
+  const usage = ['tiepoint', command.name, ...command.positionals, ...(command.rest ? [command.rest] : []), '[OPTIONS]'].join(' ');
   return [usage, '', wrap(command.summary, WIDTH), '', ...command.options.map(describe), wrap(command.details, WIDTH)].join('\n').trimEnd();
 }
 

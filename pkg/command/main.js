@@ -3,6 +3,7 @@
 
 import { version } from '../node.js';
 import { nearest, parse } from './args.js';
+import { block } from './block.js';
 import { explain, oneLine, UsageError } from './errors.js';
 import { helpOf, overview } from './help.js';
 import { interior } from './interior.js';
@@ -18,16 +19,22 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, sample, simulate].map((c) => ({ ...c, options: [...c.options, HELP_FLAG] }));
+const COMMANDS = [points, match, interior, orient, moments, report, block, sample, simulate].map(withHelp);
 
-/** @param {string[]} args what follows the program's name @returns {0 | 1 | 2} the exit code */
-export function main(args) {
+/** @param {Command} command @returns {Command} */
+function withHelp(command) {
+  return { ...command, options: [...command.options, HELP_FLAG], ...(command.variant && { variant: withHelp(command.variant) }) };
+}
+
+/** @param {string[]} args what follows the program's name @returns {Promise<0 | 1 | 2>} the exit code */
+export async function main(args) {
   const [name, ...rest] = args;
-  const command = COMMANDS.find((c) => c.name === name);
+  const named = COMMANDS.find((c) => c.name === name);
+  const command = named?.variant && rest.includes(flagOf(named.variant)) ? named.variant : named;
   try {
     if (!command) general(name, rest);
     else if (rest.includes('--help') || rest.includes('-h')) print(helpOf(command));
-    else command.run(parse(command, rest));
+    else await command.run(parse(command, rest));
     return 0;
   } catch (error) {
     const { line, code } = explain(error, (message) => withOptionNames(command?.options ?? [], message));
@@ -35,6 +42,9 @@ export function main(args) {
     return code;
   }
 }
+
+/** The flag that stands at the end of a variant's name.  @param {Command} variant */
+const flagOf = ({ name }) => name.split(' ').at(-1) ?? '';
 
 /** Everything that is not a command's own.  @param {string | undefined} name @param {string[]} rest */
 function general(name, rest) {

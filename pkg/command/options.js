@@ -1,6 +1,7 @@
 // @ts-check
 /** The options of all commands. Those that stand for a setting take kind, range, help and default from the crate. */
 
+import { availableParallelism } from 'node:os';
 import { defaults, parameters } from '../node.js';
 import { nearest } from './args.js';
 import { UsageError } from './errors.js';
@@ -69,7 +70,7 @@ export function parameterOption(name, p) {
 }
 
 /** Units that stand for a value in a call.  @type {Readonly<Record<string, string>>} */
-const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY' };
+const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY', 'km⁻²': 'N' };
 
 /** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const word = (name, words, help) => ({
@@ -80,6 +81,17 @@ export const word = (name, words, help) => ({
   },
 });
 
+/** Some of some words, with commas between.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
+export const list = (name, words, help) => ({
+  name, placeholder: 'NAME,…', range: words.join(', '), help,
+  read: (text) => {
+    const given = text.split(',').map((one) => one.trim());
+    const wrong = given.find((one, i) => !words.includes(one) || given.indexOf(one) !== i);
+    if (wrong !== undefined) throw new UsageError(`--${name} has ${wrong || 'an empty name'}${words.includes(wrong) ? ' twice' : ''}; allowed, with commas between: ${words.join(', ')}`);
+    return given.join(',');
+  },
+});
+
 /** An option that stands for a setting.  @param {string} name @param {string} placeholder @param {string} key @returns {Option} */
 function setting(name, placeholder, key) {
   const p = parameterOf(key);
@@ -87,7 +99,7 @@ function setting(name, placeholder, key) {
 }
 
 /** @param {string} name @param {string} help @returns {Option} */
-const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
+export const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
 
 /** A flag that switches a setting on.  @param {string} name @param {string} key @returns {Option} */
 const switchOn = (name, key) => ({ ...flag(name, parameterOf(key).help), key });
@@ -135,6 +147,14 @@ export const pair = (name, placeholder, help) => ({
     if (parts.length !== 2) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: two numbers with a comma between, ${placeholder}`);
     return [number(name, parts[0] ?? ''), number(name, parts[1] ?? '')];
   },
+});
+
+/** Threads that are used unless told. */
+export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
+
+/** @param {string} same what does not depend on it, with its verb @returns {Option} */
+export const workersOption = (same) => parameterOption('workers', {
+  key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number. Default: ${DEFAULT_WORKERS}.`,
 });
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');

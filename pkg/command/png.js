@@ -29,9 +29,9 @@ function chunk(type, data) {
 }
 
 /**
- * @param {number} width @param {number} height @param {Uint8Array} grey row by row @returns {Buffer} the file
+ * @param {number} width @param {number} height @param {Uint8Array} grey row by row @param {Uint8Array} [exif] @returns {Buffer} the file
  */
-export function greyPng(width, height, grey) {
+export function greyPng(width, height, grey, exif) {
   const header = Buffer.alloc(13);
   header.writeUInt32BE(width, 0);
   header.writeUInt32BE(height, 4);
@@ -39,5 +39,5 @@ export function greyPng(width, height, grey) {
   // Each row starts with its filter; 0 is none.
   const rows = Buffer.alloc((width + 1) * height);
   for (let y = 0; y < height; y++) rows.set(grey.subarray(y * width, (y + 1) * width), y * (width + 1) + 1);
-  return Buffer.concat([SIGNATURE, chunk('IHDR', header), chunk('IDAT', deflateSync(rows)), chunk('IEND', new Uint8Array())]);
+  return Buffer.concat([SIGNATURE, chunk('IHDR', header), ...(exif ? [chunk('eXIf', exif)] : []), chunk('IDAT', deflateSync(rows)), chunk('IEND', new Uint8Array())]);
 }

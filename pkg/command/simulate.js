@@ -2,10 +2,11 @@
 import { flight_parameters, flight_preset, flight_presets, simulate as fly } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, writeInto } from './files.js';
-import { JSON_FLAG, parameterOption, path, word } from './options.js';
+import { flag, JSON_FLAG, parameterOption, path, word } from './options.js';
 import { print, printJson } from './output.js';
 import { greyPng } from './png.js';
 import { Progress } from './progress.js';
+import { simulateBlock } from './simulate-block.js';
 import { shellWord } from './text.js';
 import { denseMap, greyDigest } from './truth.js';
 
@@ -30,8 +31,9 @@ function nameOf(key) {
 export const simulate = {
   name: 'simulate',
   summary: 'Flies over a made town and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
+  variant: simulateBlock,
   positionals: [],
-  options: [OUT, word('preset', flight_presets(), 'The flight that the other options change (default: sample).'), ...OPTIONS, JSON_FLAG],
+  options: [flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'), OUT, word('preset', flight_presets(), 'The flight that the other options change (default: sample).'), ...OPTIONS, JSON_FLAG],
   details: 'truth.json holds the relative orientation, the flight, and digests that name both images; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the '
     + 'top-left pixel at 0, at which each left pixel is seen in the right image (NaN: nowhere); visible.png is 255 where it is seen. JSON: files, and match, the '
     + 'command to try next as a list of words.',

@@ -16,6 +16,7 @@ mod places;
 mod points;
 mod selection;
 mod sets;
+mod settings;
 mod shared;
 
 pub use choice::{ChosenPair, PairRule, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
@@ -25,6 +26,8 @@ pub use matches::{BlockMatches, FeatureMatch};
 pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
+pub(crate) use places::check as check_features;
 pub use points::{MultiRayPoints, PointRay};
 pub use selection::{SelectedPoints, select_points};
+pub use settings::{BlockSettings, PairChoice, choose_pairs};
 pub use shared::{SharedPoints, shared_points};

@@ -55,7 +55,7 @@ impl<'a> Cells<'a> {
 }
 
 /// Refuses rays whose images or features do not exist, and features that lie outside their images.
-pub(super) fn check(points: &MultiRayPoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
+pub(crate) fn check(points: &MultiRayPoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
     let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "features of the images", got, allowed: allowed.into() });
     for (index, image) in images.iter().enumerate() {
         let inside = |[x, y]: &[f32; 2]| (0.0..=image.width_px as f32).contains(x) && (0.0..=image.height_px as f32).contains(y);

@@ -26,13 +26,13 @@ impl Default for MultiRayPoints {
 }
 
 impl MultiRayPoints {
-    pub(super) fn with_capacity(points: usize, rays: usize) -> Self {
+    pub(crate) fn with_capacity(points: usize, rays: usize) -> Self {
         let mut new = Self { rays: Vec::with_capacity(rays), confidence: Vec::with_capacity(points), ..Self::default() };
         new.starts.reserve(points);
         new
     }
 
-    pub(super) fn push(&mut self, rays: impl Iterator<Item = PointRay>, confidence: f32) {
+    pub(crate) fn push(&mut self, rays: impl Iterator<Item = PointRay>, confidence: f32) {
         self.rays.extend(rays);
         self.starts.push(self.rays.len() as u32);
         self.confidence.push(confidence);

@@ -4,7 +4,7 @@ use super::collinearity::project;
 use super::datum::{Freedoms, Weighted};
 use super::loss::Robust;
 use super::options::Loss;
-use super::reduced::Problem;
+use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
 use crate::Error;
@@ -33,6 +33,8 @@ pub(super) struct Demand {
     pub tolerance: f64,
     /// The start is an adjusted one of nearly the same rays: no damping is needed.
     pub warm: bool,
+    /// Where it does not converge, what was reached serves: a start that is adjusted again later.
+    pub passing: bool,
 }
 
 /// Share of the own diagonals that is added at first; it falls by `EASE` with each success and rises by `STIFFEN` with each failure.
@@ -80,10 +82,19 @@ impl Problem<'_> {
         images + self.control.iter().zip(&state.points).map(square).sum::<f64>()
     }
 
+    /// Weighted square sum of what the camera parameters are off from what was known of them.
+    fn square_sum_of_cameras(&self, state: &State) -> f64 {
+        let square = |(known, (camera, parameter)): (&KnownParameter, &(usize, usize))| {
+            let off = known.value - state.cameras[*camera][*parameter];
+            known.weight * off * off
+        };
+        self.known.iter().zip(&self.columns.parameter).map(square).sum()
+    }
+
     /// Number of unknowns, the freedoms of a free network not counted.
     pub fn unknowns(&self) -> usize {
         let freedoms = if self.held.is_some() { 7 } else { 0 };
-        6 * self.network.images() + 3 * self.network.used_points() + self.columns.number() - freedoms
+        6 * self.network.free_images() + 3 * self.network.used_points() + self.columns.number() - freedoms
     }
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
@@ -114,8 +125,10 @@ impl Problem<'_> {
         let mut last_step = f64::INFINITY;
         for iteration in 1..=demand.max_iterations {
             let robust = self.robust_for(demand, &squares);
-            let cost =
-                |state: &State, squares: &[f64]| squares.iter().map(|s| robust.cost(*s)).sum::<f64>() + self.square_sum_of_positions(state);
+            let cost = |state: &State, squares: &[f64]| {
+                let rays = squares.iter().map(|s| robust.cost(*s)).sum::<f64>();
+                rays + self.square_sum_of_positions(state) + self.square_sum_of_cameras(state)
+            };
             let before = cost(&state, &squares);
             if !before.is_finite() {
                 return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
@@ -147,11 +160,18 @@ impl Problem<'_> {
                     }
                 }
                 damping = (damping * STIFFEN).max(LEAST_DAMPING);
+                if damping > STIFFEST && demand.passing {
+                    return Ok(self.settled(state, &squares, robust, iteration, last_step));
+                }
                 if damping > STIFFEST {
                     let reason = format!("no step lowers the residuals any more, while the last was {last_step:.1e} standard errors long");
                     return Err(Error::NotConverged { what: WHAT, iterations: iteration, reason });
                 }
             }
+        }
+        if demand.passing {
+            let robust = self.robust_for(demand, &squares);
+            return Ok(self.settled(state, &squares, robust, demand.max_iterations, last_step));
         }
         let reason = format!("the last step is {last_step:.1e} standard errors long; {:.0e} counts as converged", demand.tolerance);
         Err(Error::NotConverged { what: WHAT, iterations: demand.max_iterations, reason })

@@ -44,7 +44,7 @@ impl CameraParameter {
     pub(super) const ALL: [Self; CAMERA_PARAMETERS] =
         [Self::Focal, Self::PrincipalX, Self::PrincipalY, Self::K1, Self::K2, Self::K3, Self::P1, Self::P2];
 
-    pub(super) fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         ["the focal length", "the principal point's column", "the principal point's row", "k1", "k2", "k3", "p1", "p2"][self as usize]
     }
 }

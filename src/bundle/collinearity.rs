@@ -5,14 +5,14 @@
 use super::state::Pose;
 
 /// Number of parameters of a camera: f, c_x, c_y, k₁, k₂, k₃, p₁, p₂.
-pub(super) const CAMERA_PARAMETERS: usize = 8;
+pub(crate) const CAMERA_PARAMETERS: usize = 8;
 
 /// Parameters of a camera in that order.
-pub(super) type CameraValues = [f64; CAMERA_PARAMETERS];
+pub(crate) type CameraValues = [f64; CAMERA_PARAMETERS];
 
 /// An image point with its derivatives: rows are column and row of the pixel.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Linearised {
+pub(crate) struct Linearised {
     pub at: [f64; 2],
     /// By three small turns about the photo's axes (M becomes R(δ)·M) and the position X₀.
     pub by_image: [[f64; 6]; 2],
@@ -21,19 +21,19 @@ pub(super) struct Linearised {
 }
 
 /// The direction of a point in the photo's system: (U, V, W).
-pub(super) fn in_photo(pose: &Pose, point: &[f64; 3]) -> [f64; 3] {
+pub(crate) fn in_photo(pose: &Pose, point: &[f64; 3]) -> [f64; 3] {
     let d = [point[0] - pose.position[0], point[1] - pose.position[1], point[2] - pose.position[2]];
     pose.rotation.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2])
 }
 
 /// Where a point is seen in px. Not finite in the plane of the perspective centre; a point behind it is seen through it.
-pub(super) fn project(camera: &CameraValues, pose: &Pose, point: &[f64; 3]) -> [f64; 2] {
+pub(crate) fn project(camera: &CameraValues, pose: &Pose, point: &[f64; 3]) -> [f64; 2] {
     let [u, v, w] = in_photo(pose, point);
     distorted(camera, -u / w, v / w)
 }
 
 /// The pixel of a direction.
-pub(super) fn distorted(camera: &CameraValues, x: f64, y: f64) -> [f64; 2] {
+pub(crate) fn distorted(camera: &CameraValues, x: f64, y: f64) -> [f64; 2] {
     let [f, cx, cy, k1, k2, k3, p1, p2] = *camera;
     let r2 = x * x + y * y;
     let radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
@@ -42,7 +42,7 @@ pub(super) fn distorted(camera: &CameraValues, x: f64, y: f64) -> [f64; 2] {
 }
 
 /// As [`project`], with the derivatives.
-pub(super) fn linearise(camera: &CameraValues, pose: &Pose, point: &[f64; 3]) -> Linearised {
+pub(crate) fn linearise(camera: &CameraValues, pose: &Pose, point: &[f64; 3]) -> Linearised {
     let [u, v, w] = in_photo(pose, point);
     let inverse = -1.0 / w;
     let (x, y) = (u * inverse, -v * inverse);

@@ -11,6 +11,7 @@ mod check;
 mod collinearity;
 mod datum;
 mod loss;
+mod model;
 mod network;
 mod options;
 mod precision;
@@ -21,13 +22,19 @@ mod similarity;
 mod snooping;
 mod solution;
 mod sparse;
+mod start;
 mod state;
 mod statistics;
 
 pub use adjust::adjust_block;
 pub use block::{Block, BlockCamera, BlockImage, BlockPoint, ControlPoint, FreeParameters, PositionPrior, Ray};
+pub(crate) use collinearity::{CAMERA_PARAMETERS, in_photo, linearise, project};
+pub use model::{CameraLabel, OrientedPart};
 pub use options::{BundleOptions, Datum, Loss};
 pub use result::{
     BundleResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, PriorStatistics, RayCountRmse,
     RayStatistics, RayVerdict,
 };
+pub use similarity::Similarity;
+pub(crate) use start::{Start, adjust_start};
+pub(crate) use state::{Pose, free_of, values_of};

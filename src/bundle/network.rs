@@ -25,11 +25,17 @@ pub(super) struct Network {
     /// Indices of sights by image, then point.
     pub by_image: Vec<u32>,
     pub image_start: Vec<usize>,
+    /// Images that keep their orientation: they couple nothing and have no unknowns.
+    pub fixed: Vec<bool>,
     pub pattern: Pattern,
 }
 
 impl Network {
     pub fn new(block: &Block, accepted: &[bool]) -> Self {
+        Self::with_fixed(block, accepted, vec![false; block.images.len()])
+    }
+
+    pub fn with_fixed(block: &Block, accepted: &[bool], fixed: Vec<bool>) -> Self {
         let kept = block.rays.iter().enumerate().zip(accepted).filter(|(_, accepted)| **accepted).map(|(ray, _)| ray);
         let mut sights: Vec<Sight> = kept
             .map(|(index, ray)| Sight {
@@ -46,8 +52,8 @@ impl Network {
         let mut by_image: Vec<u32> = (0..sights.len() as u32).collect();
         by_image.sort_by_key(|s| sights[*s as usize].image);
         let image_start = starts(block.images.len(), by_image.iter().map(|s| sights[*s as usize].image));
-        let pattern = Pattern::of(neighbours(&sights, &point_start, &by_image, &image_start));
-        Self { sights, point_start, by_image, image_start, pattern }
+        let pattern = Pattern::of(neighbours(&sights, &point_start, &by_image, &image_start, &fixed));
+        Self { sights, point_start, by_image, image_start, fixed, pattern }
     }
 
     pub fn points(&self) -> usize {
@@ -68,6 +74,11 @@ impl Network {
         &self.by_image[self.image_start[image]..self.image_start[image + 1]]
     }
 
+    /// Number of images whose orientation is unknown.
+    pub fn free_images(&self) -> usize {
+        self.fixed.iter().filter(|fixed| !**fixed).count()
+    }
+
     /// Number of points that have rays.
     pub fn used_points(&self) -> usize {
         self.point_start.windows(2).filter(|w| w[1] > w[0]).count()
@@ -84,18 +95,21 @@ fn starts(keys: usize, ascending: impl Iterator<Item = u32>) -> Vec<usize> {
     start
 }
 
-/// For each image those with which it shares a point, ascending.
-fn neighbours(sights: &[Sight], point_start: &[usize], by_image: &[u32], image_start: &[usize]) -> Vec<Vec<u32>> {
+/// For each image those with which it shares a point, ascending; none for fixed ones.
+fn neighbours(sights: &[Sight], point_start: &[usize], by_image: &[u32], image_start: &[usize], fixed: &[bool]) -> Vec<Vec<u32>> {
     let images = image_start.len() - 1;
     let mut seen_by = vec![u32::MAX; images];
     (0..images)
         .map(|image| {
             let mut list = Vec::new();
+            if fixed[image] {
+                return list;
+            }
             seen_by[image] = image as u32;
             for sight in &by_image[image_start[image]..image_start[image + 1]] {
                 let point = sights[*sight as usize].point as usize;
                 for other in &sights[point_start[point]..point_start[point + 1]] {
-                    if seen_by[other.image as usize] != image as u32 {
+                    if seen_by[other.image as usize] != image as u32 && !fixed[other.image as usize] {
                         seen_by[other.image as usize] = image as u32;
                         list.push(other.image);
                     }

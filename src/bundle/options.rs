@@ -71,7 +71,7 @@ impl Default for BundleOptions {
 
 impl BundleOptions {
     /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         check("bundle.alpha0", self.alpha0)?;
         if let Some(sigma0_px) = self.sigma0_px {
             check("bundle.sigma0_px", sigma0_px)?;
@@ -87,11 +87,11 @@ impl BundleOptions {
 }
 
 impl Datum {
-    pub(super) fn uses_gps(self) -> bool {
+    pub(crate) fn uses_gps(self) -> bool {
         matches!(self, Self::Gps | Self::GpsAndControl)
     }
 
-    pub(super) fn uses_control(self) -> bool {
+    pub(crate) fn uses_control(self) -> bool {
         matches!(self, Self::Control | Self::GpsAndControl)
     }
 }

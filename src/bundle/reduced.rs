@@ -22,6 +22,15 @@ pub(super) struct Problem<'a> {
     pub control: &'a [Option<Weighted>],
     /// The image that is held, and the one that is held along the base: they take the seven freedoms out of a free network.
     pub held: Option<[usize; 2]>,
+    /// What is known of the camera columns beforehand; without an entry: nothing.
+    pub known: &'a [KnownParameter],
+}
+
+/// A camera parameter that is known beforehand, with the weight of that knowledge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct KnownParameter {
+    pub value: f64,
+    pub weight: f64,
 }
 
 /// What elimination leaves of a point.
@@ -66,7 +75,9 @@ impl Problem<'_> {
             reduced.camera_start.push(reduced.camera_shares.len());
         }
         self.add_gps(state, &mut reduced);
+        self.add_known(state, &mut reduced);
         self.hold(state, &mut reduced);
+        self.keep_fixed(&mut reduced);
         for (diagonal, scale) in reduced.matrix.diagonal.iter_mut().zip(&reduced.scale) {
             (0..N).for_each(|k| diagonal[k * N + k] += damping * scale[k]);
         }
@@ -136,9 +147,18 @@ impl Problem<'_> {
         for (k, (line, sight)) in lines.iter().zip(sights).enumerate() {
             let at = place[sight.image as usize] as usize;
             let f = line.by_point().map(|row| forward3(&factor, row));
-            let share = line.share(&f);
+            let fixed = self.network.fixed[sight.image as usize];
+            let share = if fixed { [0.0; 18] } else { line.share(&f) };
             reduced.shares[self.network.point_start[point] + k] = share;
-            line.add_to_image(&share, &right, &mut reduced.matrix.diagonal[at], &mut reduced.scale[at], &mut reduced.right[at * N..][..N]);
+            if !fixed {
+                line.add_to_image(
+                    &share,
+                    &right,
+                    &mut reduced.matrix.diagonal[at],
+                    &mut reduced.scale[at],
+                    &mut reduced.right[at * N..][..N],
+                );
+            }
             if self.columns.number() > 0 {
                 self.add_camera(line, sight, &f, at, first_share, reduced);
             }
@@ -154,7 +174,8 @@ impl Problem<'_> {
         let columns = &self.columns.of_camera[sight.camera as usize];
         for &(parameter, column) in columns {
             let c = [0, 1].map(|row| line.weight * line.at.by_camera[row][parameter]);
-            for k in 0..N {
+            let unknowns = if self.network.fixed[sight.image as usize] { 0 } else { N };
+            for k in 0..unknowns {
                 reduced.border[column][at * N + k] += c[0] * line.at.by_image[0][k] + c[1] * line.at.by_image[1][k];
             }
             for &(other, row) in columns {
@@ -197,12 +218,14 @@ impl Problem<'_> {
         for column in 0..pattern.size() {
             let own = pattern.start[column]..pattern.start[column + 1];
             own.clone().for_each(|at| slot[pattern.rows[at] as usize] = at as u32);
-            for &sight in self.network.of_image(pattern.node[column] as usize) {
+            let image = pattern.node[column] as usize;
+            let sights_of_image = if self.network.fixed[image] { &[] } else { self.network.of_image(image) };
+            for &sight in sights_of_image {
                 let share = reduced.shares[sight as usize];
                 let point = sights[sight as usize].point as usize;
                 for other in point_start[point]..point_start[point + 1] {
                     let row = pattern.place[sights[other].image as usize] as usize;
-                    if row > column {
+                    if row > column && !self.network.fixed[sights[other].image as usize] {
                         subtract_product3(&mut reduced.matrix.below[slot[row] as usize], &reduced.shares[other], &share);
                     }
                 }
@@ -219,6 +242,25 @@ impl Problem<'_> {
                 reduced.scale[at][3 + k] += weight[k];
                 reduced.right[at * N + 3 + k] += weight[k] * (position[k] - state.images[image].position[k]);
             }
+        }
+    }
+
+    fn add_known(&self, state: &State, reduced: &mut Reduced) {
+        let q = self.columns.number();
+        for (column, known) in self.known.iter().enumerate() {
+            let (camera, parameter) = self.columns.parameter[column];
+            reduced.corner[column * q + column] += known.weight;
+            reduced.corner_scale[column] += known.weight;
+            reduced.corner_right[column] += known.weight * (known.value - state.cameras[camera][parameter]);
+        }
+    }
+
+    /// Makes the step of a fixed image zero.
+    fn keep_fixed(&self, reduced: &mut Reduced) {
+        for image in (0..self.network.images()).filter(|image| self.network.fixed[*image]) {
+            let at = self.network.pattern.place[image] as usize;
+            reduced.scale[at] = [1.0; N];
+            (0..N).for_each(|k| reduced.matrix.diagonal[at][k * N + k] = 1.0);
         }
     }
 

@@ -4,10 +4,11 @@ use super::reduced::dot3;
 use super::state::{Pose, State, orthonormal, product};
 use nalgebra::Matrix4;
 
-/// X becomes `to` + scale · R (X - `from`).
+/// A similarity transformation: X becomes `to` + scale · R (X - `from`).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Similarity {
+pub struct Similarity {
     pub scale: f64,
+    /// Rows of R.
     pub rotation: [[f64; 3]; 3],
     pub from: [f64; 3],
     pub to: [f64; 3],
@@ -49,13 +50,14 @@ impl Similarity {
         (scale.is_finite() && scale > 0.0).then_some(Self { scale, rotation, from, to })
     }
 
+    /// Where it takes a point.
     pub fn point(&self, point: &[f64; 3]) -> [f64; 3] {
         let turned = turned(&self.rotation, &minus(point, &self.from));
         [0, 1, 2].map(|k| self.to[k] + self.scale * turned[k])
     }
 
     /// The whole block, moved: every ray keeps its residual.
-    pub fn state(&self, state: &State) -> State {
+    pub(super) fn state(&self, state: &State) -> State {
         let r = &self.rotation;
         let back = [0, 1, 2].map(|i| [0, 1, 2].map(|j| r[j][i]));
         let image = |pose: &Pose| Pose { rotation: orthonormal(product(&pose.rotation, &back)), position: self.point(&pose.position) };

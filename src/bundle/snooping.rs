@@ -138,12 +138,13 @@ impl Course<'_> {
         let (gps, control) = observed(self.block, self.options.datum, weighted_by);
         let is_free = self.options.datum == Datum::Free;
         let held = is_free.then(|| held_images(&network, &self.state));
-        let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held };
+        let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
         let demand = Demand {
             loss,
             sigma: self.options.sigma0_px.unwrap_or(0.0),
             max_iterations: self.options.max_iterations,
             warm: self.iterations > 0,
+            passing: false,
             tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
         };
         let accepted = network.sights.len();
@@ -275,7 +276,7 @@ impl Course<'_> {
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
-            let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held };
+            let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
             match self.worse_than(&problem, limit, self.weighted_by())? {
                 Some((column, effect)) => self.fix(columns.parameter[column], effect),

@@ -5,7 +5,7 @@ use super::collinearity::{CAMERA_PARAMETERS, CameraValues};
 
 /// Exterior orientation of an image.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Pose {
+pub(crate) struct Pose {
     /// Rows of M.
     pub rotation: [[f64; 3]; 3],
     pub position: [f64; 3],
@@ -88,13 +88,13 @@ impl State {
 }
 
 /// The parameters in the order of the unknowns.
-pub(super) fn values_of(camera: &BlockCamera) -> CameraValues {
+pub(crate) fn values_of(camera: &BlockCamera) -> CameraValues {
     let ([cx, cy], [k1, k2, k3], [p1, p2]) = (camera.principal_point_px, camera.radial, camera.tangential);
     [camera.focal_px, cx, cy, k1, k2, k3, p1, p2]
 }
 
 /// Which parameters of a camera are to be estimated.
-pub(super) fn free_of(camera: &BlockCamera) -> [bool; CAMERA_PARAMETERS] {
+pub(crate) fn free_of(camera: &BlockCamera) -> [bool; CAMERA_PARAMETERS] {
     let free = camera.free;
     let radial = |k: usize| free.radial >= k;
     [free.focal, free.principal_point, free.principal_point, radial(1), radial(2), radial(3), free.tangential, free.tangential]

@@ -1,4 +1,4 @@
-//! The camera as EXIF tells it.
+//! What EXIF tells of an image: its camera, how it is to be turned, where it was taken.
 
 use std::io::Cursor;
 
@@ -17,6 +17,52 @@ pub struct ExifCamera {
     pub pixel_mm: Option<f64>,
 }
 
+/// What the EXIF of an image tells beside its pixels; what it does not tell is absent.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ExifImage {
+    /// Also where the focal length is not told.
+    pub make: Option<String>,
+    pub model: Option<String>,
+    pub camera: Option<ExifCamera>,
+    /// How the stored image is turned for display, 1..8 as the standard counts: 1 not at all, 3 half round, 6 a quarter to the right, 8 a
+    /// quarter to the left, the others mirrored too. Positions in px are always those of the stored image.
+    pub orientation: Option<u8>,
+    pub position: Option<ExifPosition>,
+}
+
+/// A place on the earth as a receiver had it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ExifPosition {
+    /// East positive.
+    pub longitude_deg: f64,
+    /// North positive.
+    pub latitude_deg: f64,
+    /// Above the level that the camera refers to, which most do not tell; absent where there is none.
+    pub height_m: Option<f64>,
+    /// Horizontal positioning error that the receiver states.
+    pub error_m: Option<f64>,
+}
+
+impl ExifImage {
+    /// Reads the EXIF of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px. Of a file without EXIF nothing is known.
+    ///
+    /// # Source
+    /// CIPA DC-008-2019, Exif 2.32, sections 4.6.4 to 4.6.6.
+    pub fn read(file: &[u8], width: u64, height: u64) -> Self {
+        let Some(exif) = read_exif(file) else { return Self::default() };
+        let orientation = number(&exif, Tag::Orientation).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);
+        Self {
+            make: text(&exif, Tag::Make),
+            model: text(&exif, Tag::Model),
+            camera: ExifCamera::of(&exif, width, height),
+            orientation,
+            position: position(&exif),
+        }
+    }
+}
+
 /// Diagonal of the 36 mm x 24 mm frame to which the 35 mm equivalent of a focal length refers.
 const FRAME_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
 
@@ -25,10 +71,13 @@ impl ExifCamera {
     ///
     /// Absent where the file has no EXIF, where it is damaged, or where it does not name the focal length.
     pub fn read(file: &[u8], width: u64, height: u64) -> Option<Self> {
-        let exif = read_exif(file)?;
-        let focal_mm = positive(&exif, Tag::FocalLength)?;
-        let pixel_mm = focal_plane_pixel_mm(&exif, width, height).or_else(|| equivalent_pixel_mm(&exif, focal_mm, width, height));
-        Some(Self { make: text(&exif, Tag::Make), model: text(&exif, Tag::Model), focal_mm, pixel_mm })
+        Self::of(&read_exif(file)?, width, height)
+    }
+
+    fn of(exif: &Exif, width: u64, height: u64) -> Option<Self> {
+        let focal_mm = positive(exif, Tag::FocalLength)?;
+        let pixel_mm = focal_plane_pixel_mm(exif, width, height).or_else(|| equivalent_pixel_mm(exif, focal_mm, width, height));
+        Some(Self { make: text(exif, Tag::Make), model: text(exif, Tag::Model), focal_mm, pixel_mm })
     }
 }
 
@@ -65,6 +114,32 @@ fn equivalent_pixel_mm(exif: &Exif, focal_mm: f64, width: u64, height: u64) -> O
 /// A pixel side between 0.1 µm and 1 mm: anything else is a damaged field, not a camera.
 fn plausible(pixel_mm: f64) -> Option<f64> {
     (1e-4..=1.0).contains(&pixel_mm).then_some(pixel_mm)
+}
+
+/// The place; absent where its hemisphere is not told or an angle is out of range, as (0, 0) is, which receivers without a fix write.
+fn position(exif: &Exif) -> Option<ExifPosition> {
+    let longitude_deg = angle(exif, Tag::GPSLongitude, Tag::GPSLongitudeRef, ["E", "W"]).filter(|v| v.abs() <= 180.0)?;
+    let latitude_deg = angle(exif, Tag::GPSLatitude, Tag::GPSLatitudeRef, ["N", "S"]).filter(|v| v.abs() <= 90.0)?;
+    if longitude_deg == 0.0 && latitude_deg == 0.0 {
+        return None;
+    }
+    // The reference 1 says below sea level.
+    let sign = if number(exif, Tag::GPSAltitudeRef) == Some(1.0) { -1.0 } else { 1.0 };
+    let height_m = number(exif, Tag::GPSAltitude).filter(|v| v.abs() <= 1e5).map(|v| sign * v + 0.0);
+    Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, Tag::GPSHPositioningError) })
+}
+
+/// Degrees, minutes and seconds with the hemisphere: positive in the first one.
+fn angle(exif: &Exif, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2]) -> Option<f64> {
+    let Value::Rational(parts) = &exif.get_field(tag, In::PRIMARY)?.value else { return None };
+    let sign = match text(exif, hemisphere)?.to_ascii_uppercase() {
+        side if side == first => 1.0,
+        side if side == second => -1.0,
+        _ => return None,
+    };
+    let part = |k: usize| parts.get(k).map_or(0.0, |r| f64::from(r.num) / f64::from(r.denom));
+    let degrees = part(0) + part(1) / 60.0 + part(2) / 3600.0;
+    degrees.is_finite().then_some(sign * degrees + 0.0)
 }
 
 fn positive(exif: &Exif, tag: Tag) -> Option<f64> {

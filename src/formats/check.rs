@@ -67,7 +67,7 @@ impl BlockModel {
     }
 }
 
-fn check_camera(index: usize, camera: &ModelCamera) -> Result<(), Error> {
+pub(super) fn check_camera(index: usize, camera: &ModelCamera) -> Result<(), Error> {
     let what = "camera of the block";
     let finite = |values: &[f64]| values.iter().all(|v| v.abs() <= 1e9);
     if camera.width_px == 0 || camera.height_px == 0 {

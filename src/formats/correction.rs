@@ -2,49 +2,39 @@
 
 use super::{ModelCamera, ModelRay};
 use crate::Error;
-
-/// Steps of the iteration, and the change in units of the focal length at which it ends.
-const MOST_STEPS: usize = 100;
-const SETTLED: f64 = 1e-14;
-
-impl ModelCamera {
-    /// Whether straight lines stay straight.
-    pub(super) fn is_free_of_distortion(&self) -> bool {
-        self.radial == [0.0; 3] && self.tangential == [0.0; 2]
-    }
-}
+use crate::camera::{MOST_STEPS, undistorted};
 
 /// The direction (x, y), y down, whose image by the camera's distortion is the ray: the inverse of the formula at [`ModelCamera`].
 ///
 /// # Errors
 /// [`Error::NotConverged`] where the distortion folds the image at that place, so that it has no inverse.
 pub(super) fn direction(camera: &ModelCamera, ray: &ModelRay) -> Result<[f64; 2], Error> {
+    ideal(camera, [ray.x_px, ray.y_px])
+}
+
+fn ideal(camera: &ModelCamera, [x_px, y_px]: [f64; 2]) -> Result<[f64; 2], Error> {
     let [cx, cy] = camera.principal_point_px;
-    let measured = [(ray.x_px - cx) / camera.focal_px, (ray.y_px - cy) / camera.focal_px];
-    if camera.is_free_of_distortion() {
-        return Ok(measured);
-    }
-    let ([k1, k2, k3], [p1, p2]) = (camera.radial, camera.tangential);
-    let [mut x, mut y] = measured;
-    for _ in 0..MOST_STEPS {
-        let r2 = x * x + y * y;
-        let radial = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-        let shift = [2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x), p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y];
-        let next = [(measured[0] - shift[0]) / radial, (measured[1] - shift[1]) / radial];
-        let change = (next[0] - x).abs() + (next[1] - y).abs();
-        [x, y] = next;
-        if !change.is_finite() {
-            break;
-        }
-        if change < SETTLED {
-            return Ok([x, y]);
-        }
-    }
-    Err(Error::NotConverged {
+    let measured = [(x_px - cx) / camera.focal_px, (y_px - cy) / camera.focal_px];
+    undistorted(measured, camera.radial, camera.tangential).ok_or_else(|| Error::NotConverged {
         what: "the correction of distortion",
         iterations: MOST_STEPS,
-        reason: format!("the camera's distortion has no inverse at ({}, {}) px", ray.x_px, ray.y_px),
+        reason: format!("the camera's distortion has no inverse at ({x_px}, {y_px}) px"),
     })
+}
+
+impl ModelCamera {
+    /// Where the camera would have seen, in px, what it has at a position if it had no distortion.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] where the distortion folds the image at that place, so that it has no inverse.
+    pub fn ideal_px(&self, measured_px: [f64; 2]) -> Result<[f64; 2], Error> {
+        if self.radial == [0.0; 3] && self.tangential == [0.0; 2] {
+            return Ok(measured_px);
+        }
+        let [x, y] = ideal(self, measured_px)?;
+        let [cx, cy] = self.principal_point_px;
+        Ok([cx + self.focal_px * x, cy + self.focal_px * y])
+    }
 }
 
 #[cfg(test)]
@@ -70,6 +60,9 @@ mod tests {
             let row = 1490.0 + 3500.0 * (y * radial + 0.0007 * (r2 + 2.0 * y * y) - 2.0 * 0.0004 * x * y);
             assert!((col - x_px).abs() < 1e-8 && (row - y_px).abs() < 1e-8, "{col} {row}");
         }
+        assert_eq!(ModelCamera { radial: [0.0; 3], tangential: [0.0; 2], ..camera.clone() }.ideal_px([10.1, 20.7]).unwrap(), [10.1, 20.7]);
+        let [x, y] = direction(&camera, &ModelRay { image: 0, x_px: 10.0, y_px: 20.0, confidence: 1.0 }).unwrap();
+        assert_eq!(camera.ideal_px([10.0, 20.0]).unwrap(), [2010.0 + 3500.0 * x, 1490.0 + 3500.0 * y]);
         let folded = ModelCamera { radial: [-9.0, 0.0, 0.0], ..camera };
         let error = direction(&folded, &ModelRay { image: 0, x_px: 0.0, y_px: 0.0, confidence: 1.0 }).unwrap_err();
         assert_eq!(error.code(), "not-converged");

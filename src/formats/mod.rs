@@ -6,6 +6,7 @@
 mod agisoft;
 mod bingo;
 mod bundler;
+mod cameras;
 mod check;
 mod colmap_features;
 mod colmap_read;
@@ -16,6 +17,7 @@ mod csv_tables;
 mod export;
 mod geojson;
 mod isat;
+mod marks;
 mod micmac;
 mod model;
 mod nvm;
@@ -27,9 +29,11 @@ mod sight;
 mod text;
 mod tie_points;
 
+pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{SurveyedPoint, parse_surveyed_points};
 pub use export::{ExportFormat, export_block};
+pub use marks::{ImageMark, parse_image_marks};
 pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
 pub use project::{PROJECT_VERSION, Project, read_project, write_project};

@@ -2,8 +2,25 @@
 
 use super::{Parameter, choice, integer, parameter, real};
 
-/// The parameters of a block's multi-ray points.
+/// The parameters of a block's pairs and multi-ray points.
 pub const BLOCK_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "pairs.rule",
+        "Pairs",
+        "",
+        choice(&["all", "near", "sequence", "alike"]),
+        "Which pairs are tried: all; images near each other by their positions; images that follow each other by name; images that look alike. By itself: all of up to 30 images, of more the near ones where every image has a position, else those alike.",
+    ),
+    parameter("pairs.near", "Near images", "", integer(1.0, 1000.0), "With how many of its nearest ones each image is tried."),
+    parameter("pairs.sequence", "Following images", "", integer(1.0, 1000.0), "With how many of those after it each image is tried."),
+    parameter("pairs.alike", "Similar images", "", integer(1.0, 1000.0), "With how many of the most similar ones each image is tried."),
+    parameter(
+        "pairs.least_matches",
+        "Least matches",
+        "",
+        integer(8.0, 10000.0),
+        "A pair is connected by so many matches that agree with one geometry.",
+    ),
     parameter(
         "block.conflicts",
         "Conflicts",
@@ -66,7 +83,7 @@ pub const BLOCK_FLIGHT_PARAMETERS: &[Parameter] = &[
     parameter("block_flight.pixel_mm", "Pixel", "mm", real(0.0005, 1.0), "Side of a pixel; the principal distances are 85 mm and 65 mm."),
     parameter("block_flight.flying_height_m", "Flying height", "m", real(10.0, 10000.0), "Above the mean ground."),
     parameter("block_flight.relief_m", "Relief", "m", real(0.0, 1000.0), "Range of the ground's heights."),
-    parameter("block_flight.features", "Features an image", "", integer(1.0, 100000.0), "On average."),
+    parameter("block_flight.features", "Features an image", "", integer(1.0, 100000.0), "On average, where no photos are taken."),
     parameter("block_flight.clutter", "Lone features", "", real(0.0, 0.9), "Share of the features that no other image shows."),
     parameter(
         "block_flight.matched",
@@ -84,5 +101,14 @@ pub const BLOCK_FLIGHT_PARAMETERS: &[Parameter] = &[
         "Share of the wrong matches that join the same two places in every pair of images.",
     ),
     parameter("block_flight.noise_px", "Noise", "px", real(0.0, 10.0), "Standard deviation of a feature's coordinate."),
+    parameter("block_flight.receiver_m", "Receiver", "m", real(0.0, 100.0), "Standard deviation of a recorded position's coordinate."),
+    parameter(
+        "block_flight.buildings",
+        "Buildings",
+        "km⁻²",
+        real(0.0, 20000.0),
+        "Of a photographed scene; fewer stand where there are fewer lots.",
+    ),
+    parameter("block_flight.trees", "Trees", "km⁻²", real(0.0, 20000.0), "Of a photographed scene."),
     parameter("block_flight.seed", "Seed", "", integer(0.0, 4294967295.0), "The same seed gives the same block."),
 ];

@@ -50,6 +50,41 @@ pub const BUNDLE_PARAMETERS: &[Parameter] = &[
     ),
 ];
 
+/// All tunables of the assembly of a block, by their fields in [`AssemblyOptions`](crate::AssemblyOptions).
+pub const ASSEMBLY_PARAMETERS: &[Parameter] = &[
+    parameter(
+        "assembly.datum",
+        "Datum",
+        "",
+        choice(&["free", "gps", "control", "gps_and_control"]),
+        "What says where the block lies; without it, the observed positions that suffice.",
+    ),
+    parameter(
+        "assembly.growing_rays",
+        "Rays while it grows",
+        "",
+        integer(30.0, 10000.0),
+        "Rays of an image by which the block is put together: more are safer, fewer are faster.",
+    ),
+    parameter("assembly.least_rays", "Least rays", "", integer(6.0, 1000.0), "That agree on the orientation of an image."),
+    parameter(
+        "assembly.least_angle_deg",
+        "Least angle",
+        "°",
+        real(0.01, 45.0),
+        "Between two rays of a point: points of smaller angles are left out.",
+    ),
+    parameter(
+        "assembly.largest_residual_px",
+        "Largest residual",
+        "px",
+        real(0.1, 1000.0),
+        "Of a ray while the block grows; it follows the residuals down from there.",
+    ),
+    parameter("assembly.most_models", "Most models", "", integer(1.0, 1000.0), "Given where the block falls apart, the largest first."),
+    parameter("assembly.seed", "Seed", "", integer(0.0, 4294967295.0), "Start of the random numbers."),
+];
+
 /// All tunables of a simulated block, by their fields in [`NetworkFlight`](crate::NetworkFlight).
 pub const NETWORK_PARAMETERS: &[Parameter] = &[
     parameter("network.kind", "Kind", "", choice(&["nadir", "oblique", "two_heights"]), "How the images look down."),

@@ -8,7 +8,7 @@ mod geometry;
 mod pair;
 
 pub use block::{BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS};
-pub use bundle::{BUNDLE_PARAMETERS, NETWORK_PARAMETERS};
+pub use bundle::{ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS, NETWORK_PARAMETERS};
 pub use features::FEATURE_PARAMETERS;
 pub use flight::FLIGHT_PARAMETERS;
 pub use geometry::GEOMETRY_PARAMETERS;
@@ -68,8 +68,8 @@ const fn choice(values: &'static [&'static str]) -> ParameterKind {
 
 /// Finds a parameter by its key.
 pub(crate) fn parameter_of(key: &str) -> &'static Parameter {
-    let mut all = PARAMETERS.iter().chain(FEATURE_PARAMETERS).chain(GEOMETRY_PARAMETERS).chain(BLOCK_PARAMETERS).chain(BUNDLE_PARAMETERS);
-    all.find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
+    let groups = [PARAMETERS, FEATURE_PARAMETERS, GEOMETRY_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, ASSEMBLY_PARAMETERS];
+    groups.into_iter().flatten().find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
 }
 
 /// Refuses a number outside the range of its parameter.

@@ -3,7 +3,7 @@
 //! Data flow: [`Flight`] → `scene` (relief, streets, river, buildings, trees, paint) → `photo` (central projection and scan) → `view`
 //! (which surface a pixel sees) → `render` (samples, point spread) → `sensor` (haze, gain, offset, grain, noise) → [`Sample`].
 //!
-//! A whole block is simulated in `block`, by its features alone.
+//! A whole block is simulated in `block`: by its features alone, or photographed over the same scene.
 //!
 //! Ground coordinates are metres, x to the right in the left photo (along the base, but for the left photo's tilts), y up in
 //! it, z up; the left photo's perspective centre is above the origin. The same flight gives the same bytes on every machine.
@@ -23,7 +23,7 @@ mod sensor;
 mod truth;
 mod view;
 
-pub use block::{BlockFlight, BlockView, Exposure, SimulatedBlock, simulate_block};
+pub use block::{BlockFlight, BlockScene, BlockView, Exposure, SimulatedBlock, simulate_block};
 pub use flight::{Flight, Preset};
 pub use network::{NetworkFlight, NetworkKind, SimulatedNetwork, simulate_network};
 pub use sample::{SAMPLE_SEED, Sample, check_flight, sample_pair, simulate};

@@ -43,6 +43,11 @@ impl Photo {
         [col - self.origin_px[0], row - self.origin_px[1]]
     }
 
+    /// Whether a point lies in front of the camera.
+    pub(super) fn faces(&self, point: Vector3<f64>) -> bool {
+        self.photo_from_ground.row(2).transpose().dot(&(point - self.centre)) < 0.0
+    }
+
     /// The rays of all pixel positions: but for distortion the direction is linear in column and row.
     pub(super) fn rays(&self) -> RayField {
         let to_mm = |col, row| self.scan.to_mm([col + self.origin_px[0], row + self.origin_px[1]]);
@@ -118,6 +123,12 @@ impl Scan {
                 [per_mm * skew(0.003), -per_mm * (1.0 + skew(0.003)), middle],
             ],
         }
+    }
+
+    /// The raster of a digital camera whose principal point is the middle of its image.
+    pub(super) fn digital(pixel_mm: f64, width_px: u32, height_px: u32) -> Self {
+        let per_mm = 1.0 / pixel_mm;
+        Self { px_from_mm: [[per_mm, 0.0, 0.5 * f64::from(width_px)], [0.0, -per_mm, 0.5 * f64::from(height_px)]] }
     }
 
     pub(super) fn to_px(&self, mm: Vector2<f64>) -> [f64; 2] {

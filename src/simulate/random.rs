@@ -28,6 +28,8 @@ pub(super) enum Stream {
     NetworkPoints,
     NetworkNoise,
     NetworkApproximations,
+    BlockReceiver,
+    BlockNoise,
 }
 
 /// A stream of random numbers.

@@ -71,6 +71,12 @@ fn picture(photo: &Photo, corners: &[Vector3<f64>]) -> Rectangle {
     // Distortion bends straight edges by less than this.
     let bend = if photo.distortion == 0.0 { 0.0 } else { 0.5 };
     let nothing = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    // A tilted camera has most of a block behind it; what stands beside it on both sides may be anywhere.
+    match corners.iter().filter(|&&corner| photo.faces(corner)).count() {
+        0 => return nothing,
+        facing if facing < corners.len() => return [f64::NEG_INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::INFINITY],
+        _ => {}
+    }
     corners
         .iter()
         .map(|&corner| photo.project(corner))

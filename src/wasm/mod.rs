@@ -3,6 +3,10 @@
 //! Bulk data crosses as flat typed arrays of a stated stride, options and small results as plain objects. Every result is a copy.
 
 mod about;
+mod block;
+mod block_assembly;
+mod block_files;
+mod block_scene;
 mod convert;
 mod descriptors;
 mod draw;

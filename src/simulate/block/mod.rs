@@ -1,14 +1,16 @@
-//! A simulated block without images: exposures over made ground, the features they see, and matches of which it is known which are right.
+//! A simulated block: exposures over made ground, the features they see and matches of which it is known which are right, or photos.
 //!
 //! Data flow: [`BlockFlight`] → `exposures` (where each photo is taken, and how it is turned) → `features` (which ground each sees) →
-//! `matches` (right ones, wrong ones) → [`SimulatedBlock`].
+//! `matches` (right ones, wrong ones) → [`SimulatedBlock`]; or `exposures` → `photos` ([`BlockScene`], one photo at a time).
 
 mod exposures;
 mod features;
 mod ground;
 mod matches;
+mod photos;
 
 pub use exposures::Exposure;
+pub use photos::BlockScene;
 
 use crate::parameters::{BLOCK_FLIGHT_PARAMETERS, check_by};
 use crate::{BlockMatches, Error, FeatureMatch, ImageFeatures};
@@ -53,6 +55,11 @@ pub struct BlockFlight {
     pub repeated: f64,
     /// Standard deviation of a feature's coordinate.
     pub noise_px: f64,
+    /// Standard deviation of each coordinate of a position that the receiver records.
+    pub receiver_m: f64,
+    /// Houses and trees on a km² of a photographed scene, where lots and gardens are left for them.
+    pub buildings: f64,
+    pub trees: f64,
     pub seed: u32,
 }
 
@@ -75,6 +82,9 @@ impl Default for BlockFlight {
             wrong: 0.05,
             repeated: 0.05,
             noise_px: 0.3,
+            receiver_m: 1.0,
+            buildings: 2000.0,
+            trees: 2500.0,
             seed: 1,
         }
     }

@@ -1,0 +1,88 @@
+// @ts-check
+/** Which images share a camera, and what is known of it. */
+
+import { camera_rules_of, parse_camera_rules } from '../wasm/tiepoint.js';
+
+/**
+ * @typedef {import('./types.js').GroupedCamera} GroupedCamera
+ * @typedef {import('./types.js').PairCamera} PairCamera
+ * @typedef {import('./types.js').FeatureHead} FeatureHead
+ * @typedef {import('../wasm/tiepoint.js').CameraRule} CameraRule
+ */
+
+/** Of a camera of which nothing is known: focal lengths of most are about the longer side of the image. */
+const GUESSED_FOCAL = 1.2;
+
+/**
+ * Images of one make, model, focal length and size are of one camera, and so are those of one rule and size.
+ * @param {{ name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
+ * @returns {{ cameras: GroupedCamera[], of: number[] }} the camera of each image
+ */
+export function groupCameras(images, rulesText) {
+  const rules = rulesText === undefined ? [] : parse_camera_rules(rulesText);
+  const ruled = camera_rules_of(rules, images.map(({ name }) => name));
+  /** @type {Map<string, number>} */
+  const places = new Map();
+  /** @type {GroupedCamera[]} */
+  const cameras = [];
+  const of = images.map(({ head }, index) => {
+    const rule = rules[ruled[index] ?? -1];
+    const camera = rule ? ofRule(rule, head) : ofExif(head);
+    const key = JSON.stringify([ruled[index], camera]);
+    const place = places.get(key) ?? cameras.push(camera) - 1;
+    places.set(key, place);
+    return place;
+  });
+  return { cameras, of };
+}
+
+/** @param {FeatureHead} head @returns {GroupedCamera} */
+function ofExif({ width, height, exif }) {
+  const { make, model, camera } = exif;
+  const known = camera !== null && camera.pixel_mm !== null;
+  const words = [make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
+  return {
+    label: words.filter(Boolean).join(' '),
+    ...plain(width, height),
+    focal_px: known ? camera.focal_mm / (camera.pixel_mm ?? 1) : null,
+    pixel_mm: known ? camera.pixel_mm : null,
+  };
+}
+
+/** @param {CameraRule} rule @param {FeatureHead} head @returns {GroupedCamera} */
+function ofRule({ images, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed }, { width, height, exif }) {
+  const camera = plain(width, height);
+  return {
+    ...camera,
+    label: `${images} ${width} x ${height} px`,
+    focal_px,
+    principal_point_px: principal_point_px ?? camera.principal_point_px,
+    radial: radial ?? camera.radial,
+    tangential: tangential ?? camera.tangential,
+    pixel_mm: pixel_mm ?? exif.camera?.pixel_mm ?? null,
+    fixed: fixed ?? false,
+  };
+}
+
+/** @param {number} width @param {number} height @returns {Omit<GroupedCamera, 'label' | 'focal_px'>} */
+const plain = (width, height) => ({ width_px: width, height_px: height, principal_point_px: [width / 2, height / 2], radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null, fixed: false });
+
+/**
+ * What is known of the cameras of a pair: two focal lengths or none.
+ * @param {GroupedCamera} left @param {GroupedCamera} right @returns {[PairCamera, PairCamera]}
+ */
+export function pairCameras(left, right) {
+  const both = left.focal_px !== null && right.focal_px !== null;
+  /** @param {GroupedCamera} camera @returns {PairCamera} */
+  const of = (camera) => {
+    const { focal_px, principal_point_px, radial, tangential } = camera;
+    const bent = both && [...radial, ...tangential].some((k) => k !== 0);
+    return { pinhole: { focal_px: both ? focal_px : null, principal_px: principal_point_px }, lens: bent ? modelCamera(camera) : null };
+  };
+  return [of(left), of(right)];
+}
+
+/** A camera as a block holds it, with a guess where nothing is known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').ModelCamera} */
+export function modelCamera({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm }) {
+  return { width_px, height_px, focal_px: focal_px ?? GUESSED_FOCAL * Math.max(width_px, height_px), principal_point_px, radial, tangential, pixel_mm };
+}

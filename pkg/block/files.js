@@ -1,0 +1,124 @@
+// @ts-check
+/** The files of a block: its project, its tables, its summary, and what other programs read. */
+
+import { explain_connections, export_block, write_project } from '../wasm/tiepoint.js';
+
+/**
+ * @typedef {import('./types.js').BlockRun} BlockRun
+ * @typedef {import('../wasm/tiepoint.js').ExportFormat} ExportFormat
+ * @typedef {(path: string, text: string) => void} Write takes a path with slashes, relative to the folder of the block
+ */
+
+export const PROJECT_FILE = 'project.tiepoint';
+
+/**
+ * Writes everything. A format that this block cannot be written in is told, and the others are written.
+ * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write
+ * @returns {object} the summary
+ */
+export function writeBlock(run, formats, write) {
+  write(PROJECT_FILE, write_project(run.project));
+  const graph = explain_connections(run.images.length, run.connections);
+  export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
+  if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
+  write('pairs.csv', pairTable(run, graph.reasons));
+  const exports = formats.map((format) => ({ format, refused: writeFormat(run, format, write) }));
+  const summary = summaryOf(run, graph.groups, exports);
+  write('summary.json', `${JSON.stringify(summary, null, 2)}\n`);
+  return summary;
+}
+
+/** Why a format was refused; null where it was written.  @param {BlockRun} run @param {ExportFormat} format @param {Write} write */
+function writeFormat(run, format, write) {
+  try {
+    export_block(run.model, format, (path, text) => write(`${format}/${path}`, text));
+    return null;
+  } catch (error) {
+    if (error instanceof Error && error.name === 'TiepointError') return error.message;
+    throw error;
+  }
+}
+
+/** The crate's table of images with what only the run knows.  @param {BlockRun} run @param {string} table */
+function withFacts(run, table) {
+  const [header = '', ...lines] = table.trimEnd().split('\n');
+  const facts = run.images.map(({ features, exif }, index) => {
+    const { longitude_deg = '', latitude_deg = '', height_m = '' } = exif.position ?? {};
+    return [features, run.selection.raysOfImages[index], run.selection.placesOfImages[index], exif.orientation ?? '', longitude_deg, latitude_deg, height_m ?? ''];
+  });
+  const columns = 'features,rays,places,exif_orientation,recorded_longitude_deg,recorded_latitude_deg,recorded_height_m';
+  return [`${header},${columns}`, ...lines.map((line, index) => [line, ...(facts[index] ?? [])].join(',')), ''].join('\n');
+}
+
+/** @param {BlockRun} run @param {string[]} reasons */
+function pairTable({ images, connections, geometries, points }, reasons) {
+  /** @type {Map<string, number>} */
+  const common = new Map();
+  for (let i = 0; i < points.shared.length; i += 3) common.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
+  const rows = connections.map(({ images: [a, b], rule, outcome }, index) => {
+    const geometry = geometries[index];
+    const matches = 'matches' in outcome ? outcome.matches : '';
+    const names = [a, b].map((image) => quoted(images[image]?.name ?? ''));
+    const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0];
+    return [a, b, ...names, rule, outcome.kind, matches, ...facts, quoted(reasons[index] ?? '')].join(',');
+  });
+  return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,reason', ...rows, ''].join('\n');
+}
+
+/** A field as RFC 4180 has it.  @param {string} text */
+const quoted = (text) => (/[,"]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
+
+/**
+ * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
+ */
+function summaryOf(run, groups, exports) {
+  const { images, leftOut, cameras, connections, points, selection } = run;
+  const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
+  return {
+    images: { read: images.length, left_out: leftOut, features: images.reduce((sum, { features }) => sum + features, 0) },
+    cameras: cameras.map((camera, index) => ({ ...camera, images: images.filter((image) => image.camera === index).length })),
+    pairs: {
+      tried: connections.length,
+      ...Object.fromEntries(kinds.map((kind) => [kind, connections.filter(({ outcome }) => outcome.kind === kind).length])),
+      matches: connections.reduce((sum, { outcome }) => sum + (outcome.kind === 'connected' ? outcome.matches : 0), 0),
+    },
+    groups: groups.map((group) => group.map((image) => images[image]?.name)),
+    points: { found: points.count, rays: points.rays, with_rays: withRays(points.histogram), joining: points.join },
+    selection: { points: selection.points, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: least(selection.raysOfImages), least_places_of_an_image: least(selection.placesOfImages) },
+    orientation: orientationOf(run),
+    exports,
+    settings: run.settings,
+  };
+}
+
+/** @param {BlockRun} run */
+function orientationOf({ assembly, assemblyReason, images, model }) {
+  if (!assembly) return { oriented: 0, reason: assemblyReason };
+  const poses = model.images.filter(({ pose }) => pose).length;
+  return {
+    oriented: poses,
+    points: model.points.length,
+    rays: model.points.reduce((sum, { rays }) => sum + rays.length, 0),
+    models: assembly.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
+      images: own.length, in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
+      degrees_of_freedom: adjusted.degrees_of_freedom,
+      rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
+      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps ? [gps.residual] : []))), weaknesses,
+    })),
+    cameras: model.cameras,
+    unoriented: assembly.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),
+    origin: model.origin ?? null,
+  };
+}
+
+/** Of each coordinate; null without any.  @param {number[][]} residuals */
+function rootMeanSquare(residuals) {
+  if (residuals.length === 0) return null;
+  return [0, 1, 2].map((axis) => Math.sqrt(residuals.reduce((sum, residual) => sum + (residual[axis] ?? 0) ** 2, 0) / residuals.length));
+}
+
+/** @param {number[]} histogram */
+const withRays = (histogram) => Object.fromEntries(histogram.map((points, rays) => [rays, points]).filter(([, points]) => points !== 0));
+
+/** @param {number[]} values */
+const least = (values) => values.reduce((a, b) => Math.min(a, b), Infinity);

@@ -1,0 +1,72 @@
+// @ts-check
+/** What a worker does, of whatever kind it is: jobs by name, on the module that its host has initialised. */
+
+import { ideal_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
+import { readFeatures, writeFeatures, writePair } from './records.js';
+
+/**
+ * @typedef {import('./types.js').Jobs} Jobs
+ * @typedef {import('./types.js').Features} Features
+ * @typedef {import('./types.js').PairJob} PairJob
+ * @typedef {import('../wasm/tiepoint.js').PairOutcome} PairOutcome
+ */
+
+/** @type {{ [N in keyof Jobs]: (input: Jobs[N]['input']) => Promise<Jobs[N]['output']> }} */
+export const jobs = { features, pair, likeness };
+
+/** The image is decoded once, and let go with the job.  @param {Jobs['features']['input']} job */
+async function features({ bytes, key, options }) {
+  const photo = Photo.decode(bytes);
+  try {
+    const { width, height, format, bits_per_sample } = photo.info();
+    const found = photo.features(options);
+    const count = found.points.length / 5;
+    const positions = new Float32Array(2 * count);
+    const shapes = new Float32Array(3 * count);
+    for (let i = 0; i < count; i++) {
+      positions.set(found.points.subarray(5 * i, 5 * i + 2), 2 * i);
+      shapes.set(found.points.subarray(5 * i + 2, 5 * i + 5), 3 * i);
+    }
+    const head = { key, width, height, format, bits_per_sample, exif: read_exif(bytes, width, height) };
+    return await writeFeatures(head, positions, shapes, found.descriptors);
+  } finally {
+    photo.free();
+  }
+}
+
+/** @param {PairJob} job */
+async function pair(job) {
+  const [left, right] = await Promise.all([job.left, job.right].map(({ record, key }) => readFeatures(record, key)));
+  if (!left || !right) throw new Error('the features of an image of the pair are damaged');
+  const { outcome, geometry, indices, squares } = matched(left, right, job);
+  // Where nothing is connected, no match is kept.
+  const kept = outcome.kind === 'connected' ? indices : new Uint32Array();
+  const strengths = Float32Array.from({ length: kept.length / 2 }, (_, i) => -Math.sqrt(squares[2 * i] ?? 0));
+  return await writePair({ key: job.key, outcome, geometry }, kept, strengths);
+}
+
+/**
+ * @param {Features} left @param {Features} right @param {PairJob} job
+ * @returns {{ outcome: PairOutcome, geometry: import('./types.js').PairHead['geometry'], indices: Uint32Array, squares: Uint32Array }}
+ */
+function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
+  const [ofLeft, ofRight] = cameras;
+  const options = { nearest, geometry: { ...geometry, left: ofLeft.pinhole, right: ofRight.pinhole } };
+  const found = match_features(ideal(left, ofLeft), left.descriptors, ideal(right, ofRight), right.descriptors, options);
+  const matches = found.indices.length / 2;
+  const { geometry: views, geometry_reason: reason } = found;
+  if (!views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', matches, reason: reason ?? '' } };
+  if (matches < leastMatches) return { ...found, geometry: views, outcome: { kind: 'too_few_matches', matches, needed: leastMatches } };
+  return { ...found, geometry: views, outcome: { kind: 'connected', matches } };
+}
+
+/** Positions freed of what is known of the camera's distortion.  @param {Features} features @param {import('./types.js').PairCamera} camera */
+function ideal({ positions }, { lens }) {
+  const measured = Float64Array.from(positions);
+  return lens ? ideal_positions(lens, measured) : measured;
+}
+
+/** @param {Jobs['likeness']['input']} job */
+async function likeness({ own, others }) {
+  return Uint32Array.from(others, (other) => match_descriptors(own, other, {}).indices.length / 2);
+}

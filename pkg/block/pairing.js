@@ -1,0 +1,57 @@
+// @ts-check
+/** Which pairs of images are tried: by their positions, their order, or how alike they are. */
+
+import { choose_pairs, local_positions, pair_rule } from '../wasm/tiepoint.js';
+import { keptFeatures } from './images.js';
+import { runStage } from './stage.js';
+
+/**
+ * @typedef {import('./types.js').BlockImage} BlockImage
+ * @typedef {import('./types.js').Surroundings} Surroundings
+ * @typedef {import('../wasm/tiepoint.js').PairChoice} PairChoice
+ * @typedef {import('../wasm/tiepoint.js').ChosenPair} ChosenPair
+ */
+
+/** How many features of the largest scales tell whether images are alike. */
+const COARSE = 256;
+
+const DESCRIPTOR_BYTES = 128;
+
+/**
+ * @param {BlockImage[]} images @param {PairChoice} choice @param {boolean} useGps @param {Surroundings} surroundings
+ * @returns {Promise<ChosenPair[]>}
+ */
+export async function pairsOf(images, choice, useGps, surroundings) {
+  const positions = local_positions(Float64Array.from(images.flatMap(({ exif }) => (useGps && exif.position ? placeOf(exif.position) : [NaN, NaN, NaN]))));
+  const similar = pair_rule(positions, choice) === 'alike' ? await likenesses(images, surroundings) : new Float64Array();
+  return choose_pairs(positions, similar, choice);
+}
+
+/** @param {import('../wasm/tiepoint.js').ExifPosition} position */
+const placeOf = ({ longitude_deg, latitude_deg, height_m }) => [longitude_deg, latitude_deg, height_m ?? 0];
+
+/**
+ * How many coarse features each two images have in common.
+ * @param {BlockImage[]} images @param {Surroundings} surroundings @returns {Promise<Float64Array>} both images and the number; stride 3
+ */
+async function likenesses(images, { pool, store, progress, signal }) {
+  /** @type {Uint8Array[]} */
+  const coarse = [];
+  for (const { key } of images) coarse.push(await coarseOf(store, key));
+  const items = images.slice(0, -1).map(({ name }, index) => ({ name, index }));
+  const counts = await runStage({
+    name: 'likeness', items, width: pool.size + 1, label: ({ name }) => name, ...(progress && { progress }), ...(signal && { signal }),
+    act: async ({ index }) => ({ result: await pool.run('likeness', { own: coarse[index] ?? new Uint8Array(), others: coarse.slice(index + 1) }), found: false }),
+  });
+  return Float64Array.from(counts.flatMap((list, a) => Array.from(list, (count, k) => [a, a + 1 + k, count]).flat()));
+}
+
+/** The descriptors of an image's features of the largest scales.  @param {Surroundings['store']} store @param {string} key */
+async function coarseOf(store, key) {
+  const { count, shapes, descriptors } = (await keptFeatures(store, key)).features;
+  const scale = (/** @type {number} */ i) => shapes[3 * i] ?? 0;
+  const order = Array.from({ length: count }, (_, i) => i).sort((a, b) => scale(b) - scale(a) || a - b).slice(0, COARSE);
+  const bytes = new Uint8Array(DESCRIPTOR_BYTES * order.length);
+  order.forEach((i, k) => bytes.set(descriptors.subarray(DESCRIPTOR_BYTES * i, DESCRIPTOR_BYTES * (i + 1)), DESCRIPTOR_BYTES * k));
+  return bytes;
+}

@@ -1,0 +1,85 @@
+// @ts-check
+/** A block from its image files to its tie points: the stages in order, whatever runs their jobs and keeps their records. */
+
+import { block_settings } from '../wasm/tiepoint.js';
+import { groupCameras, modelCamera } from './cameras.js';
+import { describeBlock } from './description.js';
+import { BlockError, ownFault } from './errors.js';
+import { readImages } from './images.js';
+import { matchPairs } from './pairs.js';
+import { pairsOf } from './pairing.js';
+import { joinPoints } from './points.js';
+import { runStage } from './stage.js';
+
+/**
+ * @typedef {import('./types.js').Source} Source
+ * @typedef {import('./types.js').BlockImage} BlockImage
+ * @typedef {import('./types.js').BlockRun} BlockRun
+ */
+
+/**
+ * Runs a block. What an earlier run with the same images and settings has kept in the store is not done again; the result is the same, for
+ * any number of workers. An image that cannot be read is left out, and told.
+ * @param {readonly Source[]} sources in the order in which they follow each other; no two have the same name
+ * @param {import('./types.js').RunOptions} options @param {import('./types.js').Surroundings} surroundings @returns {Promise<BlockRun>}
+ */
+export async function runBlock(sources, options, surroundings) {
+  const settings = block_settings(options.settings ?? {});
+  const useGps = options.gps !== 'ignore';
+  const { images: read, leftOut } = await readImages(checked(sources), settings.features, surroundings);
+  if (read.length < 2) throw new BlockError(`a block needs two images or more; ${read.length} of ${sources.length} could be read${firstReason(leftOut)}`);
+  const { cameras, of } = groupCameras(read, options.cameras?.text);
+  const images = read.map(({ name, head, count }, index) => (
+    { name, key: head.key, width: head.width, height: head.height, features: count, exif: head.exif, camera: of[index] ?? 0 }
+  ));
+  const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
+  const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
+  const { block, join, selected } = await joinPoints(images, pairs, settings, surroundings);
+  try {
+    const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
+      name: 'orientation', items: [null], width: 1, label: () => '',
+      act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, options.control), settings.selection) }, found: false }),
+      ...(surroundings.progress && { progress: surroundings.progress }), ...(surroundings.signal && { signal: surroundings.signal }),
+    }));
+    const model = oriented.model ?? block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
+    const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
+    const project = { block: model, connections, joining: settings.block, selection: settings.selection };
+    return {
+      settings, images, leftOut, cameras, connections,
+      geometries: pairs.map(({ geometry }) => geometry),
+      points: { join, count: block.count, rays: block.ray_count, histogram: Array.from(block.ray_histogram()), shared: Array.from(block.shared()) },
+      selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      assembly: oriented.assembly, assemblyReason: oriented.reason,
+      model, project,
+    };
+  } finally {
+    block.free();
+  }
+}
+
+/**
+ * A block whose images cannot be oriented keeps its points all the same.
+ * @typedef {{ assembly: BlockRun['assembly'], model: BlockRun['model'] | null, reason: string | null }} Oriented
+ * @param {import('../wasm/tiepoint.js').BlockPoints} block @param {import('../wasm/tiepoint.js').BlockDescription} description
+ * @param {import('../wasm/tiepoint.js').SelectOptions} selection @returns {Oriented}
+ */
+function orientation(block, description, selection) {
+  try {
+    return { ...block.assemble(description, { selection }), reason: null };
+  } catch (error) {
+    return { assembly: null, model: null, reason: ownFault(error) };
+  }
+}
+
+/** @param {readonly Source[]} sources @returns {Source[]} */
+function checked(sources) {
+  const names = new Set();
+  for (const { name } of sources) {
+    if (names.has(name)) throw new BlockError(`two images have the name ${name}; allowed: each name once`);
+    names.add(name);
+  }
+  return [...sources];
+}
+
+/** @param {import('./types.js').LeftOut[]} leftOut */
+const firstReason = ([first]) => (first ? ` (${first.name}: ${first.reason})` : '');

@@ -1,0 +1,162 @@
+/** The types that the stages of a block share. */
+
+import type {
+  Assembly, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, TwoViewResult,
+} from '../wasm/tiepoint.js';
+
+/** An image file that can be read any number of times. */
+export interface Source {
+  /** File name; no two images have the same. */
+  name: string;
+  bytes(): Promise<Uint8Array>;
+}
+
+/** The jobs that workers do, from input to output. */
+export interface Jobs {
+  features: { input: FeatureJob; output: Uint8Array };
+  pair: { input: PairJob; output: Uint8Array };
+  likeness: { input: LikenessJob; output: Uint32Array };
+}
+
+/** Finds and describes the features of an image: a record of features. */
+export interface FeatureJob { bytes: Uint8Array; key: string; options: BlockSettings['features'] }
+
+/** Matches two records of features: a record of a pair. */
+export interface PairJob {
+  key: string;
+  left: { record: Uint8Array; key: string };
+  right: { record: Uint8Array; key: string };
+  cameras: [PairCamera, PairCamera];
+  nearest: BlockSettings['nearest'];
+  geometry: BlockSettings['geometry'];
+  leastMatches: number;
+}
+
+/** A camera as a pair takes it. */
+export interface PairCamera {
+  pinhole: Pinhole;
+  /** Whose distortion positions are freed of; null where none is known. */
+  lens: ModelCamera | null;
+}
+
+/** Counts, for one image, the mutual matches of its coarse features with those of others. */
+export interface LikenessJob { own: Uint8Array; others: Uint8Array[] }
+
+/** Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. */
+export interface Pool {
+  /** How many jobs run at the same time. */
+  readonly size: number;
+  run<N extends keyof Jobs>(name: N, input: Jobs[N]['input'], transfer?: ArrayBufferLike[]): Promise<Jobs[N]['output']>;
+}
+
+/** Keeps records by key; `put` keeps a record whole or not at all. */
+export interface Store {
+  get(key: string): Promise<Uint8Array | null>;
+  put(key: string, record: Uint8Array): Promise<void>;
+}
+
+export type StageName = 'photos' | 'images' | 'likeness' | 'pairs' | 'points' | 'orientation';
+
+/** How far a stage is. */
+export interface Step {
+  stage: StageName;
+  done: number;
+  total: number;
+  /** What was done last: the name of an image, or of both of a pair. */
+  name?: string;
+  /** How many of those done were there from an earlier run. */
+  found: number;
+  /** Since the stage began. */
+  seconds: number;
+  /** Absent until there is something to tell it by. */
+  secondsLeft?: number;
+}
+
+export interface FeatureHead {
+  key: string;
+  width: number;
+  height: number;
+  format: string;
+  bits_per_sample: number;
+  exif: ExifImage;
+}
+
+export interface PairHead {
+  key: string;
+  outcome: PairOutcome;
+  /** What relates the views; absent where nothing does. */
+  geometry: Omit<TwoViewResult, 'inliers'> | null;
+}
+
+export interface Features { head: FeatureHead; count: number; positions: Float32Array; shapes: Float32Array; descriptors: Uint8Array }
+
+export interface Pair { head: PairHead; count: number; indices: Uint32Array; strengths: Float32Array }
+
+/** A camera of a block before its calibration. */
+export interface GroupedCamera {
+  /** Make, model, focal length and size, or the pattern of the rule. */
+  label: string;
+  width_px: number;
+  height_px: number;
+  /** Null where it is not known. */
+  focal_px: number | null;
+  principal_point_px: [number, number];
+  radial: [number, number, number];
+  tangential: [number, number];
+  pixel_mm: number | null;
+  /** Whether the block takes it as it is. */
+  fixed: boolean;
+}
+
+/** An image that was read. */
+export interface BlockImage {
+  name: string;
+  /** Of its record of features. */
+  key: string;
+  width: number;
+  height: number;
+  features: number;
+  exif: ExifImage;
+  camera: number;
+}
+
+/** An image that was left out, and why. */
+export interface LeftOut { name: string; reason: string }
+
+export interface RunOptions {
+  settings?: Given<BlockSettings>;
+  /** Cameras in place of those of EXIF, as the text of a file. */
+  cameras?: { name: string; text: string };
+  /** Whether recorded positions are used, to choose pairs and, where there are no surveyed points, to place the block. */
+  gps?: 'use' | 'ignore';
+  control?: ControlText;
+}
+
+/** Surveyed points and where the images show them, as the texts of two files. */
+export interface ControlText { points: string; marks: string }
+
+export interface Surroundings {
+  pool: Pool;
+  store: Store;
+  progress?: (step: Step) => void;
+  signal?: AbortSignal;
+}
+
+/** Everything that a run found. */
+export interface BlockRun {
+  settings: BlockSettings;
+  images: BlockImage[];
+  leftOut: LeftOut[];
+  cameras: GroupedCamera[];
+  connections: Connection[];
+  /** In the order of `connections`. */
+  geometries: PairHead['geometry'][];
+  /** `histogram`: how many points have 0, 1, 2, … rays; `shared`: two images and how many points they have in common, stride 3. */
+  points: { join: JoinCounts; count: number; rays: number; histogram: number[]; shared: number[] };
+  selection: { points: number; raysOfImages: number[]; placesOfImages: number[] };
+  /** Absent where the block has no model, and then why. */
+  assembly: Assembly | null;
+  assemblyReason: string | null;
+  model: BlockModel;
+  project: Project;
+}

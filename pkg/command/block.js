@@ -1,0 +1,168 @@
+// @ts-check
+import { readdirSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
+import { basename, join } from 'node:path';
+import { runBlock, writeBlock } from '../block/index.js';
+import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../node.js';
+import { about, DataError, UsageError } from './errors.js';
+import { isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
+import { FolderStore } from './folder-store.js';
+import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
+import { note, print, printJson } from './output.js';
+import { ThreadPool } from './pool.js';
+import { StageProgress } from './stage-progress.js';
+import { fixed, table } from './text.js';
+
+/**
+ * @typedef {import('./args.js').Call} Call
+ * @typedef {import('./options.js').Option} Option
+ * @typedef {import('../node.js').Parameter} Parameter
+ * @typedef {import('../node.js').ExportFormat} ExportFormat
+ * @typedef {import('../block/index.js').Source} Source
+ */
+
+const PARAMETERS = new Map([...block_parameters(), ...feature_parameters()].map((p) => [p.key, p]));
+const DEFAULTS = block_settings({});
+const RULES = ['all', 'near', 'sequence', 'alike'];
+
+/** Settings of the crate that are options, each with the place of its default.  @type {[name: string, key: string, fallback: number | undefined][]} */
+const SETTINGS = [
+  ['features', 'multiscale.number', DEFAULTS.features.multiscale.number],
+  ['near', 'pairs.near', DEFAULTS.pairs.near],
+  ['sequence', 'pairs.sequence', DEFAULTS.pairs.sequence],
+  ['alike', 'pairs.alike', DEFAULTS.pairs.alike],
+  ['least-matches', 'pairs.least_matches', DEFAULTS.pairs.least_matches],
+  ['per-image', 'selection.per_image', DEFAULTS.selection.per_image],
+  ['per-connection', 'selection.per_connection', DEFAULTS.selection.per_connection],
+];
+
+/** @param {string} name @param {string} key @param {number | undefined} fallback @returns {Option} */
+function setting(name, key, fallback) {
+  const p = /** @type {Parameter} */ (PARAMETERS.get(key));
+  const option = parameterOption(name, p);
+  return { ...option, help: `${option.help} Default: ${fallback}.` };
+}
+
+/** What files an image may have in a folder. */
+const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;
+
+/** @type {import('./args.js').Command} */
+export const block = {
+  name: 'block',
+  summary: 'Matches and orients a block of images: pairs, multi-ray points, the best of them, adjustment, files for other programs.',
+  positionals: [],
+  rest: 'FOLDER|IMAGE…',
+  options: [
+    path('out', 'DIR', 'Folder that receives the files; required. What is done stands in its folder work/: started again, the command goes on from there.'),
+    word('pairs', RULES, PARAMETERS.get('pairs.rule')?.help ?? ''),
+    ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
+    path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
+    word('gps', ['use', 'ignore'], 'Whether positions that the images record choose the pairs (default: use).'),
+    path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
+    path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
+    list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
+    workersOption('the result is'),
+    JSON_FLAG,
+  ],
+  details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
+    + 'camera. An image that cannot be read is told and left out. JSON: what summary.json holds.',
+  run,
+};
+
+/** @param {Call} call */
+async function run(call) {
+  const { values } = call;
+  const out = values.get('out');
+  if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
+  const sources = sourcesOf(call.positionals);
+  const settings = settingsOf(values);
+  const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
+  const cameras = values.get('cameras');
+  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values) };
+  makeFolder(out);
+  const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
+  const shown = new StageProgress(values.has('json'));
+  try {
+    const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.show(step) });
+    shown.end();
+    const summary = writeBlock(found, formats, (name, text) => replaceInto(out, name, text));
+    for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
+    if (values.has('json')) printJson(summary);
+    else print(...describe(out, summary));
+    const refused = /** @type {{ exports: { format: string, refused: string | null }[] }} */ (summary).exports.filter((e) => e.refused !== null);
+    if (refused.length > 0) throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
+  } finally {
+    shown.end();
+    await pool.close();
+  }
+}
+
+/** @param {string} file */
+function camerasOf(file) {
+  const text = readText(file);
+  about(file, () => parse_camera_rules(text));
+  return { name: file, text };
+}
+
+/** @param {Call['values']} values */
+function controlOf(values) {
+  const [control, marks] = [values.get('control'), values.get('marks')];
+  if (typeof control !== 'string' && typeof marks !== 'string') return {};
+  if (typeof control !== 'string') throw new UsageError('--marks needs --control beside it');
+  if (typeof marks !== 'string') throw new UsageError('--control needs --marks beside it');
+  const texts = { points: readText(control), marks: readText(marks) };
+  about(control, () => parse_surveyed_points(texts.points));
+  about(marks, () => parse_image_marks(texts.marks));
+  return { control: texts };
+}
+
+/** The settings that were given, and no others.  @param {Call['values']} values */
+function settingsOf(values) {
+  /** @type {Record<string, any>} */
+  const given = { features: { multiscale: {} }, pairs: {}, selection: {} };
+  const groups = { multiscale: given.features.multiscale, pairs: given.pairs, selection: given.selection };
+  for (const [name, key] of SETTINGS) {
+    const [group = '', field = ''] = key.split('.');
+    if (values.has(name)) groups[/** @type {keyof typeof groups} */ (group)][field] = values.get(name);
+  }
+  if (values.has('pairs')) given.pairs.rule = values.get('pairs');
+  return given;
+}
+
+/** The images of folders, by name, and single images, in the order in which they were given.  @param {string[]} given @returns {Source[]} */
+function sourcesOf(given) {
+  if (given.length === 0) throw new UsageError('FOLDER or IMAGE is missing: tiepoint block FOLDER --out DIR');
+  const paths = given.flatMap((one) => (isFolder(one) ? imagesIn(one) : [one]));
+  /** @type {Map<string, string>} */
+  const seen = new Map();
+  return paths.map((file) => {
+    const name = basename(file);
+    const other = seen.get(name);
+    if (other !== undefined) throw new UsageError(`${other} and ${file} have the same name; allowed: each name once`);
+    seen.set(name, file);
+    return { name, bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) };
+  });
+}
+
+/** @param {string} folder @returns {string[]} */
+function imagesIn(folder) {
+  const names = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.isDirectory() && IMAGE.test(entry.name)).map(({ name }) => name);
+  if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
+  return names.sort((a, b) => (a < b ? -1 : 1)).map((name) => join(folder, name));
+}
+
+/** @param {string} out @param {any} summary @returns {string[]} */
+function describe(out, { images, cameras, pairs, groups, points, selection, orientation }) {
+  return [
+    table([
+      ['images', images.read], ['left out', images.left_out.length], ['cameras', cameras.length], ['features', images.features],
+      ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
+      ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
+      ['fewest rays of an image', selection.least_rays_of_an_image], ['images oriented', orientation.oriented],
+      ...(orientation.models ?? []).slice(0, 1).flatMap((/** @type {any} */ model) => [['sigma0 [px]', fixed(model.sigma0_px, 3)], ['residuals, RMS [px]', fixed(model.rmse_px, 3)]]),
+    ]),
+    ...(orientation.reason ? ['', `not oriented: ${orientation.reason}`] : []),
+    ...(orientation.unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`),
+    '', `written to ${out}`,
+  ];
+}

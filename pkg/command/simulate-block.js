@@ -1,0 +1,83 @@
+// @ts-check
+import { join } from 'node:path';
+import { block_flight_defaults, block_flight_parameters, BlockScene } from '../node.js';
+import { UsageError } from './errors.js';
+import { makeFolder, replaceInto } from './files.js';
+import { DEFAULT_WORKERS, flag, JSON_FLAG, parameterOption, path, workersOption } from './options.js';
+import { print, printJson } from './output.js';
+import { ThreadPool } from './pool.js';
+import { StageProgress } from './stage-progress.js';
+import { shellWord } from './text.js';
+import { runStage } from '../block/stage.js';
+
+/** @typedef {import('../node.js').BlockFlight} BlockFlight @typedef {import('../node.js').Parameter} Parameter */
+
+/** Photos of a size that is soon rendered, by a wide angle: block geometry is strong where bases are long against heights. */
+const PHOTO = { width_px: 1600, height_px: 1200, pixel_mm: 0.045, relief_m: 40 };
+
+/** Parameters of blocks whose features are made without photos. */
+const OF_FEATURES = ['features', 'clutter', 'matched', 'wrong', 'repeated', 'noise_px'];
+
+const FIELDS = block_flight_parameters().map((p) => ({ field: p.key.replace('block_flight.', ''), parameter: p })).filter(({ field }) => !OF_FEATURES.includes(field));
+const DEFAULTS = { ...block_flight_defaults(), ...PHOTO };
+
+/** @param {{ field: string, parameter: Parameter }} of */
+function option({ field, parameter }) {
+  const made = parameterOption(field.replaceAll('_', '-'), parameter);
+  return { ...made, help: `${made.help} Default: ${/** @type {any} */ (DEFAULTS)[field]}.` };
+}
+
+/** @type {import('./args.js').Command} */
+export const simulateBlock = {
+  name: 'simulate --block',
+  summary: 'Flies over a made town in strips and writes a block of photos with recorded positions, and the truth to compare with.',
+  positionals: [],
+  options: [
+    flag('block', 'A block of photos, not a pair.'),
+    path('out', 'DIR', 'Folder that receives the files; required.'),
+    ...FIELDS.map(option),
+    workersOption('the photos are'),
+    JSON_FLAG,
+  ],
+  details: 'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), '
+    + 'photo x right, y up; X east, north, up of the origin in m. JSON: photos, truth, and block, the command to try next as a list of words.',
+  run,
+};
+
+/** @param {import('./args.js').Call} call */
+async function run({ values }) {
+  const out = values.get('out');
+  if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
+  const given = FIELDS.map(({ field }) => [field, values.get(field.replaceAll('_', '-'))]).filter(([, value]) => value !== undefined);
+  /** @type {BlockFlight} */
+  const flight = { ...DEFAULTS, ...Object.fromEntries(given) };
+  const truth = truthOf(flight);
+  makeFolder(out);
+  const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
+  const shown = new StageProgress(values.has('json'));
+  try {
+    const items = truth.images.map(({ name }, index) => ({ name: `photos/${name}`, index }));
+    const photos = await runStage({
+      name: 'photos', items, width: pool.size, label: ({ name }) => name, progress: (step) => shown.show(step),
+      act: async ({ name, index }) => {
+        replaceInto(out, name, await pool.run('photo', { flight, index }));
+        return { result: join(out, name), found: false };
+      },
+    });
+    replaceInto(out, 'truth.json', `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`);
+    const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block')];
+    if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });
+    else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', words.map(shellWord).join(' '));
+  } finally {
+    shown.end();
+    await pool.close();
+  }
+}
+
+/** The truth, with the names of the files. A flight that cannot be flown is refused here.  @param {BlockFlight} flight */
+function truthOf(flight) {
+  const scene = new BlockScene(flight);
+  const truth = scene.truth();
+  scene.free();
+  return { ...truth, images: truth.images.map((image) => ({ ...image, name: `${image.name}.png` })) };
+}

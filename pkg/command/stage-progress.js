@@ -1,0 +1,59 @@
+// @ts-check
+/** The progress of a block on stderr: a bar on a terminal, elsewhere one line a stage. */
+
+/** @typedef {import('../block/index.js').Step} Step */
+
+const WIDTH = 24;
+
+/** The bar is drawn again after so many milliseconds. */
+const PAUSE_MS = 100;
+
+/** @type {Record<Step['stage'], string>} */
+const WORDS = { photos: 'photos', images: 'images', likeness: 'likeness', pairs: 'pairs', points: 'points', orientation: 'orientation' };
+
+export class StageProgress {
+  #bar = process.stderr.isTTY === true;
+  #quiet;
+  #drawn = 0;
+  #open = false;
+
+  /** @param {boolean} quiet no lines where there is no terminal */
+  constructor(quiet) {
+    this.#quiet = quiet;
+  }
+
+  /** @param {Step} step */
+  show(step) {
+    const ended = step.done === step.total;
+    if (this.#bar) this.#draw(step, ended);
+    if (ended && !(this.#quiet && !this.#bar)) {
+      this.end();
+      const found = step.found > 0 ? ` (${step.found} from an earlier run)` : '';
+      process.stderr.write(`${WORDS[step.stage]}: ${step.total}${found} in ${duration(step.seconds)}\n`);
+    }
+  }
+
+  /** Removes the bar. */
+  end() {
+    if (this.#open) process.stderr.write('\r\x1b[K');
+    this.#open = false;
+  }
+
+  /** @param {Step} step @param {boolean} ended */
+  #draw({ stage, done, total, name, secondsLeft }, ended) {
+    const now = performance.now();
+    if (!ended && now - this.#drawn < PAUSE_MS) return;
+    this.#drawn = now;
+    this.#open = true;
+    const filled = total > 0 ? Math.round((WIDTH * done) / total) : WIDTH;
+    const left = secondsLeft === undefined ? '' : `, ${duration(secondsLeft)} left`;
+    process.stderr.write(`\r\x1b[K[${'#'.repeat(filled)}${'.'.repeat(WIDTH - filled)}] ${WORDS[stage]} ${done}/${total}${left}${name ? ` ${name}` : ''}`);
+  }
+}
+
+/** @param {number} seconds */
+function duration(seconds) {
+  if (seconds < 60) return `${seconds.toFixed(1)} s`;
+  const minutes = Math.floor(seconds / 60);
+  return minutes < 60 ? `${minutes} min ${Math.round(seconds % 60)} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
+}

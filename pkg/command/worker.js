@@ -1,0 +1,22 @@
+// @ts-check
+/** A worker of the command: takes jobs by name, one at a time, and answers with what they give or throw. */
+
+import { parentPort } from 'node:worker_threads';
+import '../node.js';
+import { jobs } from '../block/jobs.js';
+import { photo } from './photo-job.js';
+
+/** @type {Record<string, (input: any) => Promise<any>>} */
+const ALL = { ...jobs, photo };
+
+parentPort?.on('message', async ({ name, input }) => {
+  try {
+    const job = ALL[name];
+    if (!job) throw new Error(`there is no job ${name}`);
+    const output = await job(input);
+    parentPort?.postMessage({ output }, ArrayBuffer.isView(output) ? [/** @type {ArrayBuffer} */ (output.buffer)] : []);
+  } catch (error) {
+    const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
+    parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+  }
+});

@@ -1,0 +1,201 @@
+//! From a grown model to an adjusted block: all points, the choice among them, the bundle adjustment.
+
+use super::description::BlockDescription;
+use super::frame::Frame;
+use super::net::Net;
+use super::options::AssemblyOptions;
+use super::rays::Rays;
+use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay};
+use super::weaknesses::weaknesses;
+use crate::Error;
+use crate::block::{ImageFeatures, MultiRayPoints, select_points};
+use crate::bundle::{Block, BlockImage, BlockPoint, BundleOptions, BundleResult, ControlPoint, Datum, Ray, adjust_block};
+
+/// What models are finished with.
+pub(super) struct Material<'a> {
+    pub description: &'a BlockDescription,
+    pub points: &'a MultiRayPoints,
+    pub features: &'a [ImageFeatures<'a>],
+    pub options: &'a AssemblyOptions,
+    pub frame: &'a Frame,
+    pub camera_of: &'a [usize],
+    /// The rays of all points, the surveyed ones last; made with the first model.
+    pub all: Option<Rays>,
+}
+
+/// Rays without which an image falls out of the finished block.
+const LEAST_RAYS: usize = 6;
+/// Times that the block is adjusted without its weakest image.
+const WITHOUT: usize = 3;
+
+/// Finishes a model.
+///
+/// # Errors
+/// As [`adjust_block`].
+pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>) -> Result<AssembledModel, Error> {
+    let rays = material.all.take().unwrap_or_else(|| all_rays(material));
+    let mut net = Net::new(&rays, material.camera_of, grown.cameras.clone(), grown.limit_px);
+    net.poses = grown.poses.clone();
+    let most_cosine = libm::cos(material.options.least_angle_deg.to_radians());
+    (0..rays.points()).for_each(|point| {
+        net.intersect(point, most_cosine);
+    });
+    let model = adjusted(material, &mut net);
+    material.all = Some(rays);
+    model
+}
+
+/// The rays of all multi-ray points, then of all surveyed ones.
+fn all_rays(material: &Material<'_>) -> Rays {
+    let place = |image: u32, feature: u32| material.features[image as usize].positions[feature as usize].map(f64::from);
+    let of_points =
+        material.points.iter().map(|rays| rays.iter().map(|ray| (ray.image, place(ray.image, ray.feature))).collect::<Vec<_>>());
+    let of_control = material.description.control.iter();
+    let of_control = of_control.map(|control| control.rays.iter().map(|ray| (ray.image as u32, [ray.x_px, ray.y_px])).collect::<Vec<_>>());
+    Rays::new(of_points.chain(of_control), material.description.images.len())
+}
+
+fn adjusted(material: &Material<'_>, net: &mut Net<'_>) -> Result<AssembledModel, Error> {
+    let mut attempt = 0;
+    loop {
+        drop_images(net, LEAST_RAYS);
+        let draft = Draft::new(material, net)?;
+        match draft.adjust(material) {
+            Ok((adjusted, in_system, complaint)) => return Ok(draft.model(material, adjusted, in_system, complaint)),
+            Err(Error::Degenerate { .. }) if attempt < WITHOUT && net.oriented() > 2 => {
+                // What an image hangs by may fall in data snooping.
+                attempt += 1;
+                let oriented = (0..net.poses.len()).filter(|image| net.poses[*image].is_some());
+                if let Some(weakest) = oriented.min_by_key(|image| net.accepted_of(*image)) {
+                    net.lose(weakest);
+                }
+            }
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// Takes out images with fewer accepted rays, as long as there are any.
+fn drop_images(net: &mut Net<'_>, least: usize) {
+    while let Some(image) = (0..net.poses.len()).find(|image| net.poses[*image].is_some() && net.accepted_of(*image) < least) {
+        net.lose(image);
+        for point in 0..net.rays.points() {
+            let rays = net.rays.of_point(point);
+            if rays.clone().filter(|ray| net.accepted[*ray]).count() < 2 {
+                net.points[point] = None;
+                rays.for_each(|ray| net.accepted[ray] = false);
+            }
+        }
+    }
+}
+
+/// A block before its adjustment, with what its parts are.
+struct Draft {
+    block: Block,
+    images: Vec<usize>,
+    cameras: Vec<usize>,
+    points: Vec<AssembledPoint>,
+    rays: Vec<AssembledRay>,
+    rejected: Vec<RejectedRay>,
+}
+
+impl Draft {
+    fn new(material: &Material<'_>, net: &Net<'_>) -> Result<Self, Error> {
+        let images: Vec<usize> = (0..net.poses.len()).filter(|image| net.poses[*image].is_some()).collect();
+        let mut cameras: Vec<usize> = images.iter().map(|image| net.camera_of[*image]).collect();
+        cameras.sort_unstable();
+        cameras.dedup();
+        let place = |list: &[usize], index: usize| list.binary_search(&index).unwrap_or_default();
+        let mut draft = Self { block: Block::default(), images, cameras, points: Vec::new(), rays: Vec::new(), rejected: Vec::new() };
+        draft.block.cameras = draft.cameras.iter().map(|camera| net.cameras[*camera]).collect();
+        for image in &draft.images {
+            let Some(pose) = net.poses[*image] else { continue };
+            let camera = place(&draft.cameras, net.camera_of[*image]);
+            let gps = material.frame.images[*image];
+            draft.block.images.push(BlockImage { camera, rotation: pose.rotation, position: pose.position, gps });
+        }
+        for point in chosen_points(material, net)? {
+            draft.add_point(material, net, point);
+        }
+        Ok(draft)
+    }
+
+    /// Adds a point with its rays.
+    fn add_point(&mut self, material: &Material<'_>, net: &Net<'_>, point: usize) {
+        let Some(position) = net.points[point] else { return };
+        let index = self.block.points.len();
+        let multi_ray = material.points.rays(point);
+        let control = point.checked_sub(material.points.len());
+        self.points.push(control.map_or(AssembledPoint::MultiRay(point as u32), AssembledPoint::Control));
+        self.block.points.push(BlockPoint { position });
+        if let Some(control) = control {
+            let prior = material.frame.control[control];
+            self.block.control.push(ControlPoint { point: index, position: prior.position, sigma: prior.sigma });
+        }
+        for (k, ray) in net.rays.of_point(point).enumerate() {
+            let Ok(image) = self.images.binary_search(&(net.rays.image[ray] as usize)) else { continue };
+            let [x_px, y_px] = net.rays.at[ray];
+            if net.accepted[ray] {
+                self.block.rays.push(Ray { image, point: index, x_px, y_px, weight: 1.0 });
+                let known = multi_ray.get(k);
+                self.rays.push(AssembledRay { feature: known.map(|r| r.feature), confidence: known.map_or(1.0, |r| r.confidence) });
+            } else {
+                self.rejected.push(RejectedRay { image, point: index, x_px, y_px, residual_px: net.residual(ray) });
+            }
+        }
+    }
+
+    /// Adjusts in the datum that was asked for, or in the best that the observed positions allow; tells whether it lies in their system, and
+    /// why not, where it should.
+    fn adjust(&self, material: &Material<'_>) -> Result<(BundleResult, bool, Option<String>), Error> {
+        let options = material.options;
+        let with = |datum: Datum| adjust_block(&self.block, &BundleOptions { datum, ..options.bundle.clone() });
+        if let Some(datum) = options.datum {
+            return with(datum).map(|adjusted| (adjusted, datum != Datum::Free, None));
+        }
+        let gps = self.block.images.iter().filter(|image| image.gps.is_some()).count();
+        let control = self.block.control.len();
+        let datum = match (gps >= 3, control >= 3) {
+            (true, _) if control > 0 => Datum::GpsAndControl,
+            (true, _) => Datum::Gps,
+            (false, true) => Datum::Control,
+            (false, false) => Datum::Free,
+        };
+        match with(datum) {
+            Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
+            Err(Error::Degenerate { what: "the datum", reason }) => with(Datum::Free).map(|adjusted| (adjusted, false, Some(reason))),
+            Err(error) => Err(error),
+        }
+    }
+
+    fn model(self, material: &Material<'_>, adjusted: BundleResult, in_system: bool, complaint: Option<String>) -> AssembledModel {
+        let guessed = |camera: &usize| material.description.cameras[*camera].focal_px.is_none();
+        let mut model = AssembledModel {
+            guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
+            images: self.images,
+            cameras: self.cameras,
+            points: self.points,
+            rays: self.rays,
+            rejected: self.rejected,
+            adjusted,
+            in_system,
+            weaknesses: Vec::new(),
+        };
+        model.weaknesses = weaknesses(&model, material.description, complaint);
+        model
+    }
+}
+
+/// Intersected points: all, or those that are chosen by their accepted rays; surveyed ones in any case.
+fn chosen_points(material: &Material<'_>, net: &Net<'_>) -> Result<Vec<usize>, Error> {
+    let intersected = (0..net.rays.points()).filter(|point| net.points[*point].is_some());
+    let (multi_ray, surveyed): (Vec<usize>, Vec<usize>) = intersected.partition(|point| *point < material.points.len());
+    let Some(selection) = &material.options.selection else { return Ok([multi_ray, surveyed].concat()) };
+    let mut good = MultiRayPoints::with_capacity(multi_ray.len(), 0);
+    for point in &multi_ray {
+        let accepted = material.points.rays(*point).iter().zip(net.rays.of_point(*point)).filter(|(_, ray)| net.accepted[*ray]);
+        good.push(accepted.map(|(ray, _)| *ray), material.points.confidence(*point));
+    }
+    let chosen = select_points(&good, material.features, selection)?.points;
+    Ok(chosen.iter().map(|point| multi_ray[*point as usize]).chain(surveyed).collect())
+}

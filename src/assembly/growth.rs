@@ -1,0 +1,308 @@
+//! A model grows: images are oriented by its points, points intersected by its images, and the whole adjusted now and then.
+
+use super::net::Net;
+use super::options::AssemblyOptions;
+use super::resection::resect;
+use super::result::UnorientedReason;
+use super::start::StartPair;
+use crate::bundle::{Block, BlockImage, BlockPoint, CAMERA_PARAMETERS, Ray, Start, adjust_start, free_of, values_of};
+
+/// Up to so many images all are adjusted in every round; beyond, all are when there are this many times as many as the last time.
+const FEW: usize = 30;
+const GROWTH: f64 = 1.4;
+/// Images with this share of the points of the best are oriented in one round.
+const ALIKE: f64 = 0.5;
+/// Oriented images that are adjusted with a new one: those with most points in common.
+const NEIGHBOURS: usize = 4;
+/// Images of a camera from which on its parameters are left alone between adjustments of all.
+const CALIBRATED: usize = 10;
+/// Images from which on cameras are calibrated.
+const LEAST_CALIBRATING: usize = 3;
+/// Iterations of an adjustment on the way.
+const ITERATIONS: usize = 12;
+/// Times that an image may be tried.
+const TRIES: u32 = 6;
+/// An image is tried again when it has this many times the points of the last time.
+const MORE: f64 = 1.3;
+/// The limit of a camera that was not calibrated by other images yet, as a multiple of the present one.
+const UNCALIBRATED: f64 = 4.0;
+
+/// What is known of the cameras beforehand.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CameraPrior {
+    /// Values with their standard errors; 0 fixes one.
+    pub known: [(f64, f64); CAMERA_PARAMETERS],
+}
+
+/// A growing model.
+#[derive(Clone)]
+pub(super) struct Growth<'a> {
+    pub net: Net<'a>,
+    pub options: &'a AssemblyOptions,
+    pub priors: &'a [CameraPrior],
+    /// Images of other models.
+    pub is_open: Vec<bool>,
+    /// Why an image was not oriented, with the points it had then.
+    pub refused: Vec<Option<(UnorientedReason, usize)>>,
+    tries: Vec<u32>,
+    /// Images at the last adjustment of all.
+    adjusted: usize,
+}
+
+impl<'a> Growth<'a> {
+    pub fn new(net: Net<'a>, options: &'a AssemblyOptions, priors: &'a [CameraPrior], is_open: Vec<bool>) -> Self {
+        let images = net.rays.images();
+        Self { net, options, priors, is_open, refused: vec![None; images], tries: vec![0; images], adjusted: 0 }
+    }
+
+    pub fn most_cosine(&self) -> f64 {
+        libm::cos(self.options.least_angle_deg.to_radians())
+    }
+
+    /// Starts from two images.
+    pub fn start(&mut self, pair: &StartPair) {
+        for (image, pose) in pair.images.into_iter().zip(pair.poses) {
+            self.net.poses[image] = Some(pose);
+        }
+        self.intersect_of(&pair.images);
+        self.adjust_all();
+    }
+
+    /// Orients images until there are `most`, or none can be oriented any more.
+    pub fn grow(&mut self, most: usize) {
+        let mut last_chance = false;
+        while self.net.oriented() < most {
+            let open = self.net.oriented()..most;
+            let added = self.orient_next(open.len());
+            if !added.is_empty() {
+                last_chance = false;
+                self.settle(&added);
+            } else if last_chance {
+                break;
+            } else {
+                // With better orientations all around, what failed may succeed.
+                self.adjust_all();
+                self.refused.iter_mut().flatten().for_each(|(_, points)| *points = 0);
+                last_chance = true;
+            }
+        }
+    }
+
+    /// Orients the images with most intersected points, up to `most`.
+    fn orient_next(&mut self, most: usize) -> Vec<usize> {
+        let mut candidates: Vec<(usize, usize)> = Vec::new();
+        for image in (0..self.net.rays.images()).filter(|image| self.is_open[*image] && self.net.poses[*image].is_none()) {
+            let known = self.net.known_of(image);
+            let again = self.refused[image].is_none_or(|(_, points)| known as f64 >= MORE * points as f64);
+            if known >= self.options.least_rays && again && self.tries[image] < TRIES {
+                candidates.push((known, image));
+            }
+        }
+        candidates.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
+        let mut added = Vec::new();
+        let mut least = candidates.first().map_or(0.0, |(known, _)| ALIKE * *known as f64);
+        for (known, image) in candidates {
+            if added.len() >= most || (known as f64) < least {
+                break;
+            }
+            self.tries[image] += 1;
+            match self.orient(image) {
+                Ok(()) => added.push(image),
+                Err(reason) => {
+                    self.refused[image] = Some((reason, known));
+                    if added.is_empty() {
+                        // The best could not be oriented: the next stands for it.
+                        least = least.min(ALIKE * known as f64 * ALIKE);
+                    }
+                }
+            }
+        }
+        added
+    }
+
+    fn orient(&mut self, image: usize) -> Result<(), UnorientedReason> {
+        let camera = self.net.camera_of[image];
+        let is_new = !(0..self.net.poses.len()).any(|other| self.net.camera_of[other] == camera && self.net.poses[other].is_some());
+        let present = self.net.limit_px.max(1.5);
+        let wide = (UNCALIBRATED * present).max(self.options.largest_residual_px);
+        let limits = if is_new || self.net.oriented() < CALIBRATED { vec![present, wide] } else { vec![present] };
+        let mut outcome = Err(UnorientedReason::NoPartner);
+        for limit in limits {
+            outcome = resect(&self.net, image, limit, self.options.least_rays, self.options.seed);
+            if let Ok((pose, _)) = outcome {
+                self.net.poses[image] = Some(pose);
+                self.refused[image] = None;
+                for ray in self.net.rays.of_image(image) {
+                    let ray = *ray as usize;
+                    self.net.accepted[ray] = self.net.residual(ray).is_some_and(|r| r <= limit);
+                }
+                self.intersect_of(&[image]);
+                return Ok(());
+            }
+        }
+        outcome.map(|_| ())
+    }
+
+    /// Intersects the points of some images that are not intersected yet.
+    fn intersect_of(&mut self, images: &[usize]) {
+        let most_cosine = self.most_cosine();
+        for image in images {
+            let rays = self.net.rays;
+            for ray in rays.of_image(*image) {
+                let point = rays.point[*ray as usize] as usize;
+                if self.net.points[point].is_none() {
+                    self.net.intersect(point, most_cosine);
+                }
+            }
+        }
+    }
+
+    /// Adjusts after new images: them and their neighbours, or all.
+    fn settle(&mut self, added: &[usize]) {
+        let oriented = self.net.oriented();
+        if oriented <= FEW || oriented as f64 >= GROWTH * self.adjusted as f64 {
+            self.adjust_all();
+            return;
+        }
+        let mut free = added.to_vec();
+        added.iter().for_each(|image| free.extend(self.neighbours(*image)));
+        free.sort_unstable();
+        free.dedup();
+        self.adjust(&free);
+        self.judge_of(&free);
+        self.intersect_of(&free);
+        self.lose_weak(&free);
+    }
+
+    /// Adjusts all images, twice where the rays that fit have changed.
+    pub fn adjust_all(&mut self) {
+        let all: Vec<usize> = (0..self.net.poses.len()).filter(|image| self.net.poses[*image].is_some()).collect();
+        for _ in 0..2 {
+            let before = self.net.accepted.clone();
+            self.adjust(&all);
+            self.net.tighten(self.options.largest_residual_px);
+            self.judge_of(&all);
+            self.intersect_of(&all);
+            self.lose_weak(&all);
+            let changed = before.iter().zip(&self.net.accepted).filter(|(a, b)| a != b).count();
+            if changed * 100 < before.iter().filter(|a| **a).count() {
+                break;
+            }
+        }
+        self.adjusted = self.net.oriented();
+    }
+
+    /// The oriented images with most accepted points in common with one.
+    fn neighbours(&self, image: usize) -> Vec<usize> {
+        let rays = self.net.rays;
+        let mut common: std::collections::BTreeMap<usize, usize> = std::collections::BTreeMap::new();
+        for ray in rays.of_image(image).iter().filter(|ray| self.net.accepted[**ray as usize]) {
+            for other in rays.of_point(rays.point[*ray as usize] as usize).filter(|other| self.net.accepted[*other]) {
+                *common.entry(rays.image[other] as usize).or_default() += 1;
+            }
+        }
+        common.remove(&image);
+        let mut list: Vec<(usize, usize)> = common.into_iter().map(|(image, points)| (points, image)).collect();
+        list.sort_by(|a, b| b.0.cmp(&a.0).then(a.1.cmp(&b.1)));
+        list.into_iter().take(NEIGHBOURS).map(|(_, image)| image).collect()
+    }
+
+    fn judge_of(&mut self, images: &[usize]) {
+        let most_cosine = self.most_cosine();
+        let mut points: Vec<u32> =
+            images.iter().flat_map(|image| self.net.rays.of_image(*image)).map(|ray| self.net.rays.point[*ray as usize]).collect();
+        points.sort_unstable();
+        points.dedup();
+        points.into_iter().for_each(|point| self.net.judge(point as usize, most_cosine));
+    }
+
+    /// Takes out images that lost their rays; points that stood on them are judged with the next adjustment.
+    fn lose_weak(&mut self, images: &[usize]) {
+        for image in images {
+            let rays = self.net.accepted_of(*image);
+            if rays < self.options.least_rays.div_ceil(2) {
+                self.net.lose(*image);
+                self.refused[*image] = Some((UnorientedReason::Lost { rays }, self.net.known_of(*image)));
+                self.judge_of(&[*image]);
+            }
+        }
+    }
+
+    /// Adjusts some images with the points they see; the other images that see these keep their orientation.
+    fn adjust(&mut self, free: &[usize]) {
+        let net = &self.net;
+        let rays = net.rays;
+        let mut is_free = vec![false; net.poses.len()];
+        free.iter().for_each(|image| is_free[*image] = net.poses[*image].is_some());
+        let mut point_of = vec![u32::MAX; rays.points()];
+        let mut image_of = vec![u32::MAX; net.poses.len()];
+        let mut block = Block { cameras: net.cameras.clone(), ..Block::default() };
+        let (mut points, mut images) = (Vec::new(), Vec::new());
+        let sees = |point: usize| rays.of_point(point).any(|ray| net.accepted[ray] && is_free[rays.image[ray] as usize]);
+        for point in (0..rays.points()).filter(|point| net.points[*point].is_some()).filter(|point| sees(*point)) {
+            point_of[point] = points.len() as u32;
+            points.push(point);
+            let Some(position) = net.points[point] else { continue };
+            block.points.push(BlockPoint { position });
+            for ray in rays.of_point(point).filter(|ray| net.accepted[*ray]) {
+                let image = rays.image[ray] as usize;
+                let Some(pose) = net.poses[image] else { continue };
+                if image_of[image] == u32::MAX {
+                    image_of[image] = images.len() as u32;
+                    images.push(image);
+                    let (rotation, position) = (pose.rotation, pose.position);
+                    block.images.push(BlockImage { camera: net.camera_of[image], rotation, position, gps: None });
+                }
+                let [x_px, y_px] = rays.at[ray];
+                let (image, point) = (image_of[image] as usize, point_of[point] as usize);
+                block.rays.push(Ray { image, point, x_px, y_px, weight: 1.0 });
+            }
+        }
+        if block.images.len() < 2 {
+            return;
+        }
+        let fixed: Vec<bool> = images.iter().map(|image| !is_free[*image]).collect();
+        let accepted = vec![true; block.rays.len()];
+        let cameras = self.known_cameras(&images, fixed.iter().any(|fixed| *fixed));
+        let sigma_px = self.net.limit_px / 10.0;
+        let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px, max_iterations: ITERATIONS };
+        // A singular one leaves everything as it is: what made it so falls by its residuals.
+        let Ok(adjusted) = adjust_start(block, &start) else { return };
+        for (place, image) in images.iter().enumerate().filter(|(place, _)| !fixed[*place]) {
+            let image_then = &adjusted.images[place];
+            if let Some(pose) = &mut self.net.poses[*image] {
+                (pose.rotation, pose.position) = (image_then.rotation, image_then.position);
+            }
+        }
+        points.iter().zip(&adjusted.points).for_each(|(point, then)| self.net.points[*point] = Some(then.position));
+        self.net.cameras = adjusted.cameras;
+    }
+
+    /// What is known of the cameras in an adjustment of some images. Cameras that enough images have calibrated are left alone in a part.
+    fn known_cameras(&self, images: &[usize], is_part: bool) -> Vec<[(f64, f64); CAMERA_PARAMETERS]> {
+        let mut used = vec![0; self.net.cameras.len()];
+        images.iter().for_each(|image| used[self.net.camera_of[*image]] += 1);
+        let mut of_all = vec![0; self.net.cameras.len()];
+        (0..self.net.poses.len()).filter(|i| self.net.poses[*i].is_some()).for_each(|i| of_all[self.net.camera_of[i]] += 1);
+        let known = |camera: usize| {
+            let calibrates = used[camera] > 0 && images.len() >= LEAST_CALIBRATING && !(is_part && of_all[camera] >= CALIBRATED);
+            self.priors[camera].known.map(|(value, sigma)| (value, if calibrates { sigma } else { 0.0 }))
+        };
+        (0..self.net.cameras.len()).map(known).collect()
+    }
+}
+
+/// What is known of a camera: of a given focal length within some percent, of a guessed one hardly anything.
+pub(super) fn camera_prior(camera: &crate::bundle::BlockCamera, is_guessed: bool) -> CameraPrior {
+    let (values, free) = (values_of(camera), free_of(camera));
+    let focal = camera.focal_px * if is_guessed { GUESSED_FOCAL } else { KNOWN_FOCAL };
+    // The principal point waits for the adjustment of the finished block.
+    let sigmas = [focal, 0.0, 0.0, RADIAL, RADIAL, 0.0, 0.0, 0.0];
+    let known = std::array::from_fn(|k| (values[k], if free[k] { sigmas[k] } else { 0.0 }));
+    CameraPrior { known }
+}
+
+/// Standard errors of a focal length that is known approximately and of a guessed one, as shares, and of k1 and k2.
+const KNOWN_FOCAL: f64 = 0.03;
+const GUESSED_FOCAL: f64 = 0.3;
+const RADIAL: f64 = 0.05;

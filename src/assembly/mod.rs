@@ -1,0 +1,27 @@
+//! A block from nothing but its rays: which images can be oriented, and how.
+//!
+//! Data flow: [`BlockDescription`] with multi-ray points → `rays` (who sees what) → `start` (two images) → `growth` (`resection` of images by
+//! `p3p`, `intersection` of points, adjustments on the way) → `frame` (into the system of observed positions) → `finish` (all points, the
+//! choice among them, the bundle adjustment) → [`Assembly`].
+
+mod assemble;
+mod description;
+mod finish;
+mod frame;
+mod growth;
+mod intersection;
+mod model;
+mod net;
+mod options;
+mod p3p;
+mod rays;
+mod refusal;
+mod resection;
+mod result;
+mod start;
+mod weaknesses;
+
+pub use assemble::assemble_block;
+pub use description::{AssemblyCamera, AssemblyControl, AssemblyImage, BlockDescription, ControlRay, ObservedPosition};
+pub use options::AssemblyOptions;
+pub use result::{AssembledModel, AssembledPoint, AssembledRay, Assembly, RejectedRay, UnorientedImage, UnorientedReason};

@@ -1,0 +1,49 @@
+//! An assembled model as a block that is exchanged.
+
+use super::description::BlockDescription;
+use super::result::{AssembledPoint, Assembly};
+use crate::bundle::CameraLabel;
+use crate::formats::{BlockModel, ModelImage};
+use crate::{Error, MultiRayPoints};
+
+impl Assembly {
+    /// One of the models with all cameras and images of the block, those of other models not oriented: indices are those of the block.
+    ///
+    /// `points` are those that were assembled: they give the confidence of each point.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a model that does not exist.
+    pub fn block_model(&self, model: usize, description: &BlockDescription, points: &MultiRayPoints) -> Result<BlockModel, Error> {
+        let Some(own) = self.models.get(model) else {
+            let allowed = format!("models below {}", self.models.len());
+            return Err(Error::InvalidInput { what: "model of the assembly", got: model.to_string(), allowed });
+        };
+        let label = |camera: &usize| {
+            let given = &description.cameras[*camera];
+            CameraLabel { width_px: given.width_px, height_px: given.height_px, pixel_mm: given.pixel_mm }
+        };
+        let labels: Vec<CameraLabel> = own.cameras.iter().map(label).collect();
+        let names: Vec<String> = own.images.iter().map(|image| description.images[*image].name.clone()).collect();
+        let part = own.adjusted.to_model(&labels, &names)?;
+        let mut whole = BlockModel { origin: self.origin.filter(|_| own.in_system), ..BlockModel::default() };
+        whole.cameras = (0..description.cameras.len())
+            .map(|camera| super::assemble::approximate(description, camera))
+            .enumerate()
+            .map(|(k, camera)| camera.to_model(&label(&k)))
+            .collect();
+        own.cameras.iter().zip(part.cameras).for_each(|(camera, calibrated)| whole.cameras[*camera] = calibrated);
+        whole.images =
+            description.images.iter().map(|image| ModelImage { name: image.name.clone(), camera: image.camera, pose: None }).collect();
+        own.images.iter().zip(part.images).for_each(|(image, oriented)| whole.images[*image].pose = oriented.pose);
+        whole.points = part.points;
+        let mut kept = whole.points.iter_mut();
+        for (point, known) in own.adjusted.points.iter().zip(&own.points) {
+            let (Some(_), Some(kept)) = (point, if point.is_some() { kept.next() } else { None }) else { continue };
+            kept.rays.iter_mut().for_each(|ray| ray.image = own.images[ray.image]);
+            if let AssembledPoint::MultiRay(index) = known {
+                kept.confidence = f64::from(points.confidence(*index as usize));
+            }
+        }
+        Ok(whole)
+    }
+}

@@ -1,0 +1,126 @@
+//! A block on its way: what is oriented and intersected so far.
+
+use super::rays::Rays;
+use crate::bundle::{BlockCamera, Pose, in_photo, project, values_of};
+use crate::camera::undistorted;
+use crate::math::median;
+
+/// The present values of a block.
+#[derive(Clone)]
+pub(super) struct Net<'a> {
+    pub rays: &'a Rays,
+    /// The camera of each image.
+    pub camera_of: &'a [usize],
+    pub cameras: Vec<BlockCamera>,
+    pub poses: Vec<Option<Pose>>,
+    pub points: Vec<Option<[f64; 3]>>,
+    /// Rays that fit to their points; only oriented images and intersected points have such.
+    pub accepted: Vec<bool>,
+    /// Longest residual of a ray that fits, in px.
+    pub limit_px: f64,
+}
+
+/// A line of sight in the object space.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sight {
+    pub ray: usize,
+    pub from: [f64; 3],
+    /// Of length 1.
+    pub along: [f64; 3],
+}
+
+/// The limit follows the residuals down, to no less than this, in px.
+const LEAST_LIMIT_PX: f64 = 1.0;
+/// A ray fits within so many standard errors of a coordinate.
+const LIMIT_SIGMAS: f64 = 5.0;
+/// The median length of a two-dimensional normal error, in standard errors of a coordinate.
+const MEDIAN_LENGTH: f64 = 1.177_41;
+
+impl<'a> Net<'a> {
+    /// Nothing oriented yet.
+    pub fn new(rays: &'a Rays, camera_of: &'a [usize], cameras: Vec<BlockCamera>, limit_px: f64) -> Self {
+        let (poses, points) = (vec![None; rays.images()], vec![None; rays.points()]);
+        Self { rays, camera_of, cameras, poses, points, accepted: vec![false; rays.len()], limit_px }
+    }
+
+    pub fn oriented(&self) -> usize {
+        self.poses.iter().flatten().count()
+    }
+
+    pub fn camera(&self, image: usize) -> &BlockCamera {
+        &self.cameras[self.camera_of[image]]
+    }
+
+    /// The direction of a ray in its photo's system, of length 1. `None` where the distortion has no inverse.
+    pub fn in_photo(&self, ray: usize) -> Option<[f64; 3]> {
+        let camera = self.camera(self.rays.image[ray] as usize);
+        let ([cx, cy], [col, row]) = (camera.principal_point_px, self.rays.at[ray]);
+        let [x, y] = undistorted([(col - cx) / camera.focal_px, (row - cy) / camera.focal_px], camera.radial, camera.tangential)?;
+        let length = (x * x + y * y + 1.0).sqrt();
+        Some([x / length, -y / length, -1.0 / length])
+    }
+
+    /// The line of sight of a ray whose image is oriented.
+    pub fn sight(&self, ray: usize) -> Option<Sight> {
+        let pose = self.poses[self.rays.image[ray] as usize].as_ref()?;
+        let d = self.in_photo(ray)?;
+        let m = &pose.rotation;
+        let along = [0, 1, 2].map(|k| m[0][k] * d[0] + m[1][k] * d[1] + m[2][k] * d[2]);
+        Some(Sight { ray, from: pose.position, along })
+    }
+
+    /// Length of the residual of a ray for a place of its point, in px; `None` behind the image, or where it is not oriented.
+    pub fn residual_to(&self, ray: usize, place: &[f64; 3]) -> Option<f64> {
+        let image = self.rays.image[ray] as usize;
+        let pose = self.poses[image].as_ref()?;
+        residual(self.camera(image), pose, place, &self.rays.at[ray])
+    }
+
+    /// As [`Self::residual_to`], for the present place of the point.
+    pub fn residual(&self, ray: usize) -> Option<f64> {
+        self.residual_to(ray, self.points[self.rays.point[ray] as usize].as_ref()?)
+    }
+
+    /// Rays of an image that fit.
+    pub fn accepted_of(&self, image: usize) -> usize {
+        self.rays.of_image(image).iter().filter(|ray| self.accepted[**ray as usize]).count()
+    }
+
+    /// Rays of an image whose points are intersected.
+    pub fn known_of(&self, image: usize) -> usize {
+        self.rays.of_image(image).iter().filter(|ray| self.points[self.rays.point[**ray as usize] as usize].is_some()).count()
+    }
+
+    /// Takes an image out again.
+    pub fn lose(&mut self, image: usize) {
+        self.poses[image] = None;
+        self.rays.of_image(image).iter().for_each(|ray| self.accepted[*ray as usize] = false);
+    }
+
+    /// Lets the limit follow the residuals of the rays that fit.
+    pub fn tighten(&mut self, largest_px: f64) {
+        let mut lengths: Vec<f64> = (0..self.rays.len()).filter(|ray| self.accepted[*ray]).filter_map(|ray| self.residual(ray)).collect();
+        if let Some(middle) = median(&mut lengths) {
+            self.limit_px = (LIMIT_SIGMAS * middle / MEDIAN_LENGTH).clamp(LEAST_LIMIT_PX.min(largest_px), largest_px);
+        }
+    }
+}
+
+/// Length of a residual in px; `None` for a point behind the image.
+pub(super) fn residual(camera: &BlockCamera, pose: &Pose, place: &[f64; 3], at: &[f64; 2]) -> Option<f64> {
+    if in_photo(pose, place)[2] >= 0.0 {
+        return None;
+    }
+    let [x, y] = project(&values_of(camera), pose, place);
+    let (dx, dy) = (at[0] - x, at[1] - y);
+    let length = (dx * dx + dy * dy).sqrt();
+    length.is_finite().then_some(length)
+}
+
+pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub(super) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}

@@ -1,0 +1,95 @@
+//! What is weak about a model, in words.
+
+use super::description::BlockDescription;
+use super::result::{AssembledModel, UnorientedReason};
+use crate::bundle::RayVerdict;
+
+/// An image with fewer accepted rays is weak.
+const FEW_RAYS: usize = 20;
+/// A model is weak where this share of its points has two rays only.
+const MANY_TWO_RAYS: f64 = 0.8;
+/// A model is weak where this share of its rays was rejected.
+const MANY_REJECTED: f64 = 0.2;
+/// Images are named one by one up to so many.
+const NAMED: usize = 5;
+
+pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription, complaint: Option<String>) -> Vec<String> {
+    let mut found = Vec::new();
+    found.extend(of_datum(model, complaint));
+    found.extend(of_cameras(model));
+    found.extend(of_images(model, description));
+    found.extend(of_rays(model));
+    found
+}
+
+fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String> {
+    if model.in_system {
+        return None;
+    }
+    let free = "The place, the turn and the scale of the model are arbitrary: no observed positions determine them";
+    Some(complaint.map_or(format!("{free}."), |reason| format!("{free} ({reason}).")))
+}
+
+fn of_cameras(model: &AssembledModel) -> Vec<String> {
+    let mut found = Vec::new();
+    for (camera, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
+        if model.guessed_focal.contains(camera) {
+            let estimated = statistics.standard_errors[0];
+            found.push(match estimated {
+                Some(error) => format!("The focal length of camera {camera} was not known; it is estimated to ± {error:.1} px."),
+                None => format!(
+                    "The focal length of camera {camera} was not known, and the block does not determine it: heights are wrong in scale."
+                ),
+            });
+        }
+        for fixed in &statistics.fixed {
+            found.push(format!("The block does not determine {} of camera {camera}; it was left as it was.", fixed.parameter.name()));
+        }
+    }
+    found
+}
+
+fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<String> {
+    let weak: Vec<&str> = (model.images.iter().zip(&model.adjusted.images))
+        .filter(|(_, statistics)| statistics.rays < FEW_RAYS)
+        .map(|(image, _)| description.images[*image].name.as_str())
+        .collect();
+    let named = weak.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
+    let more = if weak.len() > NAMED { " and others" } else { "" };
+    (!weak.is_empty()).then(|| format!("{} images have fewer than {FEW_RAYS} rays: {named}{more}.", weak.len()))
+}
+
+fn of_rays(model: &AssembledModel) -> Vec<String> {
+    let mut found = Vec::new();
+    let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
+    let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
+    if two as f64 > MANY_TWO_RAYS * points as f64 {
+        found.push(format!("{two} of {points} points have two rays only: their errors along the base do not show."));
+    }
+    let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
+    let all = model.adjusted.rays.len() + model.rejected.len();
+    if lost as f64 > MANY_REJECTED * all as f64 {
+        found.push(format!("{lost} of {all} rays do not fit."));
+    }
+    found
+}
+
+impl UnorientedReason {
+    /// The reason as a sentence about an image.
+    pub(super) fn in_words(self, name: &str) -> String {
+        match self {
+            Self::NoPoints => format!("{name} has no multi-ray points."),
+            Self::TooFewPoints { points, needed } => {
+                format!("{name} sees {points} intersected points; at least {needed} are needed.")
+            }
+            Self::NoAgreement { agreeing, points, needed } => {
+                format!(
+                    "{agreeing} of the {points} rays of {name} to intersected points agree on one orientation; at least {needed} must, and a fifth."
+                )
+            }
+            Self::Narrow { agreeing } => format!("The {agreeing} rays of {name} that agree lie on a line or in one spot of the image."),
+            Self::NoPartner => format!("{name} has too few points in common with any image, or none from another place."),
+            Self::Lost { rays } => format!("{name} was oriented and kept only {rays} rays."),
+        }
+    }
+}

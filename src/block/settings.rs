@@ -1,0 +1,154 @@
+//! What the user chooses of a whole block: its features, its pairs, its matches, its points.
+
+use super::{BlockOptions, ChosenPair, PairRule, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
+use crate::parameters::check;
+use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
+use serde::{Deserialize, Serialize};
+
+/// Which pairs of a block are tried, and what connects them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairChoice {
+    /// Absent: all pairs of few images; of more, near ones where each image has a position, else those alike.
+    pub rule: Option<PairRule>,
+    /// The so many nearest ones of each image.
+    pub near: usize,
+    /// The so many that follow each image.
+    pub sequence: u32,
+    /// The so many most similar ones of each image.
+    pub alike: usize,
+    /// A pair is connected by so many verified matches.
+    pub least_matches: u32,
+}
+
+impl Default for PairChoice {
+    fn default() -> Self {
+        Self { rule: None, near: 16, sequence: 4, alike: 12, least_matches: 16 }
+    }
+}
+
+/// All pairs of up to so many images are tried where no rule is given.
+const FEW_IMAGES: usize = 30;
+
+impl PairChoice {
+    /// Refuses values outside their ranges.
+    pub(super) fn check(&self) -> Result<(), Error> {
+        check("pairs.near", self.near as f64)?;
+        check("pairs.sequence", f64::from(self.sequence))?;
+        check("pairs.alike", self.alike as f64)?;
+        check("pairs.least_matches", f64::from(self.least_matches))
+    }
+
+    /// The rule that holds for images of which these have a position.
+    pub fn rule_of(&self, positions: &[Option<[f64; 3]>]) -> PairRule {
+        let whole = positions.iter().all(Option::is_some);
+        self.rule.unwrap_or(match positions.len() {
+            0..=FEW_IMAGES => PairRule::All,
+            _ if whole => PairRule::Near,
+            _ => PairRule::Alike,
+        })
+    }
+}
+
+/// The pairs that are tried by the rule of [`PairChoice::rule_of`], each once. Near images are those with a position, in m as
+/// [`near_pairs`] takes them; an image without one is tried with those before and after it.
+///
+/// `similar`: for each image the images found similar to it, as [`alike_pairs`] takes them; of use only for the rule `alike`.
+///
+/// # Errors
+/// [`Error::InvalidOption`]; those of [`near_pairs`] and [`alike_pairs`].
+pub fn choose_pairs(positions: &[Option<[f64; 3]>], similar: &[Vec<(u32, f32)>], choice: &PairChoice) -> Result<Vec<ChosenPair>, Error> {
+    choice.check()?;
+    let images = positions.len() as u32;
+    match choice.rule_of(positions) {
+        PairRule::All => Ok(all_pairs(images)),
+        PairRule::Sequence => Ok(sequence_pairs(images, choice.sequence)),
+        PairRule::Alike => alike_pairs(similar, choice.alike),
+        PairRule::Near => {
+            let near = near_pairs(positions, choice.near)?;
+            let lost = |pair: &ChosenPair| pair.images.iter().any(|image| positions[*image as usize].is_none());
+            let following = sequence_pairs(images, choice.sequence).into_iter().filter(lost).collect();
+            Ok(merge_pairs(&[near, following]))
+        }
+    }
+}
+
+/// Options of a block from its images to its tie points.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BlockSettings {
+    pub features: FeatureOptions,
+    pub pairs: PairChoice,
+    pub nearest: NearestOptions,
+    /// Its cameras are those of the block.
+    pub geometry: TwoViewOptions,
+    pub block: BlockOptions,
+    pub selection: SelectOptions,
+}
+
+impl Default for BlockSettings {
+    fn default() -> Self {
+        // The few points that are kept of an image are found among these; a pair of images is matched in the square of their number.
+        let multiscale = MultiscaleOptions { number: 4000, ..MultiscaleOptions::default() };
+        Self {
+            features: FeatureOptions { multiscale, ..FeatureOptions::default() },
+            pairs: PairChoice::default(),
+            nearest: NearestOptions::default(),
+            geometry: TwoViewOptions::default(),
+            block: BlockOptions::default(),
+            selection: SelectOptions::default(),
+        }
+    }
+}
+
+impl BlockSettings {
+    /// Refuses values of pairs, points and selection outside their ranges; those of features and matches are refused where these are made.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`].
+    pub fn check(&self) -> Result<(), Error> {
+        self.pairs.check()?;
+        self.block.check()?;
+        self.selection.check()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rule_follows_from_the_images_unless_it_is_given() {
+        let choice = PairChoice::default();
+        assert_eq!(choice.rule_of(&[None; 30]), PairRule::All);
+        assert_eq!(choice.rule_of(&[None; 31]), PairRule::Alike);
+        let mut known = vec![Some([0.0; 3]); 31];
+        assert_eq!(choice.rule_of(&known), PairRule::Near);
+        known[7] = None;
+        assert_eq!(choice.rule_of(&known), PairRule::Alike);
+        assert_eq!(PairChoice { rule: Some(PairRule::Near), ..choice }.rule_of(&known), PairRule::Near);
+    }
+
+    #[test]
+    fn an_image_without_position_is_tried_with_its_neighbours_in_sequence() {
+        let positions: Vec<Option<[f64; 3]>> = (0..6).map(|i| (i != 3).then(|| [f64::from(i * i), 0.0, 0.0])).collect();
+        let choice = PairChoice { rule: Some(PairRule::Near), near: 1, sequence: 1, ..PairChoice::default() };
+        let pairs = choose_pairs(&positions, &[], &choice).unwrap();
+        let list: Vec<([u32; 2], PairRule)> = pairs.iter().map(|pair| (pair.images, pair.rule)).collect();
+        let (near, following) = (PairRule::Near, PairRule::Sequence);
+        assert_eq!(list, [([0, 1], near), ([1, 2], near), ([2, 3], following), ([3, 4], following), ([4, 5], near)]);
+    }
+
+    #[test]
+    fn every_option_of_pairs_is_described_and_checked() {
+        let fields = serde_json::to_value(PairChoice::default()).unwrap();
+        for field in fields.as_object().unwrap().keys() {
+            assert!(crate::BLOCK_PARAMETERS.iter().any(|p| p.key == format!("pairs.{field}")), "{field}");
+        }
+        BlockSettings::default().check().unwrap();
+        let wrong = BlockSettings { pairs: PairChoice { least_matches: 0, ..PairChoice::default() }, ..BlockSettings::default() };
+        assert!(matches!(wrong.check(), Err(Error::InvalidOption { field: "pairs.least_matches", .. })));
+    }
+}

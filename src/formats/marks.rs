@@ -1,0 +1,98 @@
+//! Reading where images show surveyed points.
+
+use super::text::shorten;
+use crate::Error;
+use csv::{ReaderBuilder, Trim};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+const WHAT: &str = "the table of image marks";
+
+/// A surveyed point as it was measured in an image.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ImageMark {
+    /// File name of the image.
+    pub image: String,
+    /// Name of the point.
+    pub point: String,
+    /// Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+    pub x_px: f64,
+    pub y_px: f64,
+}
+
+/// Reads marks: lines of image, point, x, y in px, between commas or semicolons. A first line of column names is skipped, and so are blank
+/// lines and those that begin with `#`.
+///
+/// # Errors
+/// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image.
+///
+/// # Source
+/// The columns of the table of marks of Pix4D.
+pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
+    let text = text.trim_start_matches('\u{feff}');
+    let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
+    let delimiter = if first.contains(';') { b';' } else { b',' };
+    let mut reader = ReaderBuilder::new()
+        .delimiter(delimiter)
+        .comment(Some(b'#'))
+        .trim(Trim::All)
+        .flexible(true)
+        .has_headers(false)
+        .from_reader(text.as_bytes());
+    let mut seen = BTreeSet::new();
+    let mut marks = Vec::new();
+    for (index, record) in reader.records().enumerate() {
+        let record = record.map_err(|e| refused(e.to_string()))?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let field = |column: usize| record.get(column).unwrap_or("");
+        let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
+        if record.iter().all(str::is_empty) || (index == 0 && field(2).parse::<f64>().is_err() && field(3).parse::<f64>().is_err()) {
+            continue;
+        }
+        let (image, point) = (field(0).to_string(), field(1).to_string());
+        let (Some(x_px), Some(y_px)) = (number(2), number(3)) else {
+            return Err(refused(format!("'{}', '{}' as place in line {line}", shorten(field(2)), shorten(field(3)))));
+        };
+        if image.is_empty() || point.is_empty() {
+            return Err(refused(format!("no name of image or point in line {line}")));
+        }
+        if !seen.insert((image.clone(), point.clone())) {
+            return Err(refused(format!("point '{}' in image '{}' again in line {line}", shorten(&point), shorten(&image))));
+        }
+        marks.push(ImageMark { image, point, x_px, y_px });
+    }
+    Ok(marks)
+}
+
+fn refused(got: String) -> Error {
+    Error::InvalidInput { what: WHAT, got, allowed: "lines of image, point, x, y, each point once in an image".into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_are_read_with_and_without_column_names() {
+        let with = parse_image_marks("image,point,x,y\na.jpg,P1,10.5,20\n\n# none\nb.jpg, P1 ,1,2,0.5\n").unwrap();
+        assert_eq!(with.len(), 2);
+        assert_eq!(with[1], ImageMark { image: "b.jpg".into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 });
+        assert_eq!(parse_image_marks("a.jpg;P1;10.5;20").unwrap(), with[..1]);
+        assert!(parse_image_marks("").unwrap().is_empty());
+    }
+
+    #[test]
+    fn wrong_lines_are_named() {
+        for (text, named) in [
+            ("a.jpg,P1,1,2\na.jpg,P1,3,4", "line 2"),
+            ("a.jpg,P1,1,2\nb.jpg,P2,x,4", "line 2"),
+            ("a.jpg,P1,1,2\nb.jpg,P2,3", "line 2"),
+            (",P1,1,2", "line 1"),
+            ("a.jpg,P1,NaN,2", "line 1"),
+        ] {
+            let message = parse_image_marks(text).unwrap_err().to_string();
+            assert!(message.contains(named), "{text}: {message}");
+        }
+    }
+}

@@ -1,0 +1,288 @@
+//! Photos of a block over the made scene, one at a time, with what is known of each.
+
+use super::{BlockFlight, BlockView, Exposure, exposures};
+use crate::parameters::refuse;
+use crate::simulate::buckets::Rectangle;
+use crate::simulate::flight::Flight;
+use crate::simulate::photo::{Photo, Scan};
+use crate::simulate::random::{Random, Stream};
+use crate::simulate::render::render;
+use crate::simulate::scene::{Exposure as Moment, Scene};
+use crate::simulate::sensor::Sensor;
+use crate::simulate::view::View;
+use crate::{BlockModel, Error, GeographicOrigin, GreyImage, ModelCamera, ModelImage, ModelPose, geographic_from_local};
+
+/// The scene below a block, ready to be photographed.
+///
+/// Memory is that of the scene and of the photo that is being taken.
+pub struct BlockScene {
+    flight: BlockFlight,
+    town: Flight,
+    exposures: Vec<Exposure>,
+    scene: Scene,
+}
+
+/// Where (0, 0, 0) of the ground is on the earth: longitude and latitude in degrees, height in m.
+const PLACE: [f64; 3] = [8.0, 50.0, 100.0];
+
+/// The longest side of ground that is built, in m.
+const LONGEST_GROUND_M: f64 = 5000.0;
+
+/// The flattest ray that is allowed, as height over length.
+const FLATTEST: f64 = 0.4;
+
+/// Larger photos are not rendered.
+const MOST_PIXELS: f64 = 1e8;
+
+impl BlockScene {
+    /// Builds the scene of a flight.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] for a value outside its range, and for a flight whose ground is too long, whose photos are too large or too
+    /// flat, or which is not ten times as high as relief and houses.
+    pub fn new(flight: &BlockFlight) -> Result<Self, Error> {
+        flight.check()?;
+        let pixels = f64::from(flight.width_px) * f64::from(flight.height_px);
+        if pixels > MOST_PIXELS {
+            let allowed =
+                format!("up to {:.0} with this width, so that a photo has at most 100 MP", MOST_PIXELS / f64::from(flight.width_px));
+            return Err(refuse("block_flight.height_px", f64::from(flight.height_px), allowed));
+        }
+        let exposures = exposures::exposures(flight);
+        let area = ground_area(flight, &exposures)?;
+        let town = town(flight, area)?;
+        let scene = Scene::new(&town, area);
+        Ok(Self { flight: flight.clone(), town, exposures, scene })
+    }
+
+    /// How many photos the flight takes.
+    pub fn photos(&self) -> usize {
+        self.exposures.len()
+    }
+
+    /// Takes a photo: the same one whatever others were taken before.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a photo that the flight does not take.
+    pub fn photo(&self, index: usize) -> Result<GreyImage, Error> {
+        let photo = camera(&self.flight, self.exposure(index)?);
+        let (width, height) = (self.flight.width_px as usize, self.flight.height_px as usize);
+        let view = View::new(&self.scene, &photo, Moment::First, width, height);
+        let Flight { psf_px, noise_grey, grain_grey, grain_px, .. } = self.town;
+        let sensor = Sensor { gain: 1.0, offset_grey: 0.0, noise_grey, grain_grey, grain_px, haze: 0.0 };
+        // Noise that all photos shared would be a texture of its own: each has another seed.
+        let noise = || Random::new(self.flight.seed ^ (index as u32 + 1).wrapping_mul(0x9E37_79B9), Stream::BlockNoise);
+        sensor.record(&render(&view, width, height, psf_px), width, height, [noise(), noise()])
+    }
+
+    /// The true cameras and exterior orientations; the images are named as [`name`](Self::name) has it.
+    pub fn truth(&self) -> BlockModel {
+        let BlockFlight { width_px, height_px, pixel_mm, .. } = self.flight;
+        let cameras = self.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
+        let focal_px = |camera: u32| self.exposures.iter().find(|e| e.camera == camera).map_or(1.0, |e| e.focal_px);
+        let camera = |number: u32| ModelCamera {
+            width_px,
+            height_px,
+            focal_px: focal_px(number),
+            principal_point_px: [0.5 * f64::from(width_px), 0.5 * f64::from(height_px)],
+            radial: [0.0; 3],
+            tangential: [0.0; 2],
+            pixel_mm: Some(pixel_mm),
+        };
+        let image = |(index, exposure): (usize, &Exposure)| ModelImage {
+            name: Self::name(index),
+            camera: exposure.camera as usize,
+            pose: Some(ModelPose {
+                rotation: std::array::from_fn(|i| std::array::from_fn(|j| exposure.rotation[(i, j)])),
+                position: exposure.centre,
+            }),
+        };
+        let [longitude_deg, latitude_deg, height_m] = PLACE;
+        BlockModel {
+            cameras: (0..cameras).map(camera).collect(),
+            images: self.exposures.iter().enumerate().map(image).collect(),
+            points: Vec::new(),
+            origin: Some(GeographicOrigin { longitude_deg, latitude_deg, height_m }),
+        }
+    }
+
+    /// The file name of a photo, without the ending.
+    pub fn name(index: usize) -> String {
+        format!("photo_{index:05}")
+    }
+
+    /// Longitude and latitude in degrees and height in m as the receiver recorded them.
+    ///
+    /// # Errors
+    /// As [`photo`](Self::photo).
+    pub fn recorded_position(&self, index: usize) -> Result<[f64; 3], Error> {
+        let centre = self.exposure(index)?.centre;
+        let mut random = Random::new(self.flight.seed ^ (index as u32 + 1).wrapping_mul(0x9E37_79B9), Stream::BlockReceiver);
+        let (across, up) = (random.normal_pair(), random.normal_pair());
+        let error = [across.x, across.y, up.x].map(|value| self.flight.receiver_m * value);
+        Ok(geographic_from_local(std::array::from_fn(|axis| centre[axis] + error[axis]), PLACE))
+    }
+
+    fn exposure(&self, index: usize) -> Result<&Exposure, Error> {
+        let allowed = || format!("below {}", self.exposures.len());
+        self.exposures.get(index).ok_or_else(|| Error::InvalidInput {
+            what: "photo of the block",
+            got: index.to_string(),
+            allowed: allowed(),
+        })
+    }
+}
+
+/// The photo of an exposure. Its system has the pixel grid's own direction: no scan lies between.
+fn camera(flight: &BlockFlight, exposure: &Exposure) -> Photo {
+    Photo {
+        centre: exposure.centre.into(),
+        photo_from_ground: exposure.rotation,
+        focal_mm: exposure.focal_px * flight.pixel_mm,
+        principal_point_mm: [0.0; 2],
+        distortion: 0.0,
+        scan: Scan::digital(flight.pixel_mm, flight.width_px, flight.height_px),
+        origin_px: [0.0; 2],
+    }
+}
+
+/// What stands in the scene.
+fn town(flight: &BlockFlight, area: Rectangle) -> Result<Flight, Error> {
+    let sample = Flight::default();
+    let tenth = 0.1 * flight.flying_height_m;
+    if flight.relief_m > tenth {
+        return Err(refuse("block_flight.relief_m", flight.relief_m, format!("0 to {tenth} for photos, a tenth of the flying height")));
+    }
+    if sample.lowest_building_m > tenth && flight.buildings > 0.0 {
+        let allowed = format!("{} or more, or no buildings", 10.0 * sample.lowest_building_m);
+        return Err(refuse("block_flight.flying_height_m", flight.flying_height_m, allowed));
+    }
+    let km2 = (area[2] - area[0]) * (area[3] - area[1]) * 1e-6;
+    Ok(Flight {
+        relief_m: flight.relief_m,
+        buildings: (flight.buildings * km2) as usize,
+        highest_building_m: sample.highest_building_m.min(tenth).max(sample.lowest_building_m),
+        trees: (flight.trees * km2) as usize,
+        seed: flight.seed,
+        ..sample
+    })
+}
+
+/// The ground under all photos, and around it as far as a building may lean into the picture or throw its shadow.
+fn ground_area(flight: &BlockFlight, exposures: &[Exposure]) -> Result<Rectangle, Error> {
+    let (width, height) = (f64::from(flight.width_px), f64::from(flight.height_px));
+    let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
+    for exposure in exposures {
+        let rays = camera(flight, exposure).rays();
+        for [x, y] in [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]] {
+            let ray = rays.ray(x, y);
+            if -ray.direction.z < FLATTEST * ray.direction.norm() {
+                let allowed = match flight.view {
+                    BlockView::Oblique => "so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images",
+                    BlockView::Nadir | BlockView::TwoHeights => "so small that all rays fall at 24 degrees or steeper",
+                };
+                return Err(refuse("block_flight.pixel_mm", flight.pixel_mm, allowed));
+            }
+            let foot = ray.at((-0.5 * flight.relief_m - ray.origin.z) / ray.direction.z);
+            area = [area[0].min(foot.x), area[1].min(foot.y), area[2].max(foot.x), area[3].max(foot.y)];
+        }
+    }
+    let longest = (area[2] - area[0]).max(area[3] - area[1]);
+    if longest > LONGEST_GROUND_M {
+        let allowed = format!(
+            "up to {:.0} m, so that the block shows at most {LONGEST_GROUND_M} m of ground",
+            flight.flying_height_m * LONGEST_GROUND_M / longest
+        );
+        return Err(refuse("block_flight.flying_height_m", flight.flying_height_m, allowed));
+    }
+    let around = 15.0 + 2.5 * Flight::default().highest_building_m;
+    Ok([area[0] - around, area[1] - around, area[2] + around, area[3] + around])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::FeatureOptions;
+
+    fn small(view: BlockView) -> BlockFlight {
+        BlockFlight {
+            view,
+            strips: 2,
+            exposures: 2,
+            width_px: 240,
+            height_px: 180,
+            pixel_mm: 0.1,
+            relief_m: 30.0,
+            ..BlockFlight::default()
+        }
+    }
+
+    #[test]
+    fn a_photo_shows_what_its_truth_says() {
+        // What one photo shows lies, by the true orientations and level ground, near where another shows the same grey values.
+        let flight = BlockFlight { relief_m: 0.0, buildings: 0.0, trees: 0.0, ..small(BlockView::Nadir) };
+        let scene = BlockScene::new(&flight).unwrap();
+        let (first, second) = (scene.photo(0).unwrap(), scene.photo(1).unwrap());
+        let [from, to] = [0, 1].map(|k| scene.exposures[k]);
+        let features = [&first, &second].map(|image| crate::features(image.view(), None, &FeatureOptions::default()).unwrap());
+        let bytes = features.each_ref().map(|list| list.iter().flat_map(|f| f.descriptor).collect::<Vec<u8>>());
+        let matches = crate::nearest_matches(&bytes[0], &bytes[1], &crate::NearestOptions::default()).unwrap();
+        let near = matches.iter().filter(|m| {
+            let (a, b) = (&features[0][m.left].point, &features[1][m.right].point);
+            let [x, y] = from.on_level_ground([a.x, a.y], 240, 180).unwrap();
+            to.project([x, y, 0.0], 240, 180).is_some_and(|seen| (seen[0] - b.x).abs() < 1.0 && (seen[1] - b.y).abs() < 1.0)
+        });
+        let near = near.count();
+        assert!(near > 30 && 10 * near > 9 * matches.len(), "{near} of {}", matches.len());
+    }
+
+    #[test]
+    fn each_photo_is_the_same_whenever_it_is_taken() {
+        let scene = BlockScene::new(&small(BlockView::TwoHeights)).unwrap();
+        let again = BlockScene::new(&small(BlockView::TwoHeights)).unwrap();
+        let _ = again.photo(3).unwrap();
+        assert_eq!(scene.photo(1).unwrap(), again.photo(1).unwrap());
+        assert_eq!(scene.recorded_position(1).unwrap(), again.recorded_position(1).unwrap());
+        assert_eq!((scene.photos(), scene.truth().images.len()), (4, 4));
+        assert!(scene.photo(4).is_err() && scene.recorded_position(4).is_err());
+    }
+
+    #[test]
+    fn tilted_photos_show_a_scene_too() {
+        let scene = BlockScene::new(&BlockFlight { strips: 1, exposures: 1, ..small(BlockView::Oblique) }).unwrap();
+        assert_eq!((scene.photos(), scene.truth().cameras.len()), (5, 5));
+        let photo = scene.photo(2).unwrap();
+        let (least, most) = photo.data().iter().fold((255, 0), |(a, b), v| (v.min(&a).to_owned(), v.max(&b).to_owned()));
+        assert!(most - least > 60, "{least} to {most}");
+        scene.truth().check().unwrap();
+    }
+
+    #[test]
+    fn recorded_positions_stray_as_told() {
+        let flight = BlockFlight { strips: 10, exposures: 20, receiver_m: 2.0, ..small(BlockView::Nadir) };
+        let flight = BlockFlight { flying_height_m: 200.0, relief_m: 5.0, ..flight };
+        let scene = BlockScene::new(&flight).unwrap();
+        let mut sum = 0.0;
+        for (index, exposure) in scene.exposures.iter().enumerate() {
+            let local = crate::local_from_geographic(scene.recorded_position(index).unwrap(), PLACE);
+            sum += (0..3).map(|k| (local[k] - exposure.centre[k]) * (local[k] - exposure.centre[k])).sum::<f64>();
+        }
+        let deviation = (sum / 600.0).sqrt();
+        assert!((deviation - 2.0).abs() < 0.3, "{deviation}");
+    }
+
+    #[test]
+    fn flights_that_cannot_be_photographed_are_refused() {
+        for flight in [
+            BlockFlight { relief_m: 90.0, ..small(BlockView::Nadir) },
+            BlockFlight { flying_height_m: 30.0, relief_m: 0.0, ..small(BlockView::Nadir) },
+            BlockFlight { strips: 1000, ..small(BlockView::Nadir) },
+            BlockFlight { pixel_mm: 1.0, ..small(BlockView::Oblique) },
+            BlockFlight { width_px: 90_000, height_px: 90_000, ..small(BlockView::Nadir) },
+            BlockFlight { receiver_m: f64::NAN, ..small(BlockView::Nadir) },
+        ] {
+            let refused = BlockScene::new(&flight).err();
+            assert!(matches!(refused, Some(Error::InvalidOption { .. })), "{flight:?}: {refused:?}");
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! The orientation of a block from its multi-ray points.
+
+use super::block::BlockPoints;
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
+use crate::{ASSEMBLY_PARAMETERS, AssemblyOptions, BUNDLE_PARAMETERS, BlockDescription, ModelCamera, assemble_block};
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen]
+impl BlockPoints {
+    /// Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
+    #[wasm_bindgen(unchecked_return_type = "{ assembly: Assembly; model: BlockModel | null }")]
+    pub fn assemble(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "BlockDescription")] description: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Given<AssemblyOptions>")] options: &JsValue,
+    ) -> JsResult<JsValue> {
+        let description: BlockDescription = read("block", description)?;
+        let options: AssemblyOptions = read_options("assembly", options)?;
+        let assembly = assemble_block(&description, &self.points, &self.features(), &options).map_err(thrown)?;
+        let model = match assembly.models.first() {
+            Some(_) => Some(assembly.block_model(0, &description, &self.points).map_err(thrown)?),
+            None => None,
+        };
+        Ok(object([("assembly", pack(&assembly)), ("model", pack(&model))]))
+    }
+}
+
+/// The defaults of the options of the assembly.
+#[wasm_bindgen(unchecked_return_type = "AssemblyOptions")]
+pub fn assembly_defaults() -> JsValue {
+    pack(&AssemblyOptions::default())
+}
+
+/// Every tunable of the assembly and of the bundle adjustment.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn assembly_parameters() -> JsValue {
+    pack(&[ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS].concat())
+}
+
+/// Positions in px (stride 2) freed of a camera's distortion.
+#[wasm_bindgen]
+pub fn ideal_positions(
+    #[wasm_bindgen(unchecked_param_type = "ModelCamera")] camera: &JsValue,
+    positions: &[f64],
+) -> JsResult<js_sys::Float64Array> {
+    let camera: ModelCamera = read("camera", camera)?;
+    let ideal: Vec<[f64; 2]> =
+        rows::<2>("positions", positions)?.iter().map(|at| camera.ideal_px(*at)).collect::<Result<_, _>>().map_err(thrown)?;
+    Ok(numbers(ideal.into_iter().flatten()).into())
+}

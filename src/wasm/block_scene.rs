@@ -1,0 +1,63 @@
+//! Simulated photos of a block, one at a time.
+
+use super::convert::{JsResult, object, pack, read_options, thrown};
+use crate::{BLOCK_FLIGHT_PARAMETERS, BlockFlight, BlockScene as Scene};
+use js_sys::Uint8Array;
+use wasm_bindgen::JsValue;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+/// The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
+#[wasm_bindgen]
+pub struct BlockScene {
+    scene: Scene,
+}
+
+#[wasm_bindgen]
+impl BlockScene {
+    /// Builds the scene of a flight; parameters that are absent take their defaults.
+    #[wasm_bindgen(constructor)]
+    pub fn new(#[wasm_bindgen(unchecked_param_type = "Given<BlockFlight>")] flight: &JsValue) -> JsResult<BlockScene> {
+        let scene = Scene::new(&read_options::<BlockFlight>("flight", flight)?).map_err(thrown)?;
+        Ok(Self { scene })
+    }
+
+    /// How many photos the flight takes.
+    #[wasm_bindgen(getter)]
+    pub fn photos(&self) -> usize {
+        self.scene.photos()
+    }
+
+    /// Takes a photo.
+    #[wasm_bindgen(unchecked_return_type = "SampleImage")]
+    pub fn photo(&self, index: usize) -> JsResult<JsValue> {
+        let photo = self.scene.photo(index).map_err(thrown)?;
+        Ok(object([
+            ("width", (photo.width() as f64).into()),
+            ("height", (photo.height() as f64).into()),
+            ("grey", Uint8Array::from(photo.data()).into()),
+        ]))
+    }
+
+    /// The true cameras and exterior orientations.
+    #[wasm_bindgen(unchecked_return_type = "BlockModel")]
+    pub fn truth(&self) -> JsValue {
+        pack(&self.scene.truth())
+    }
+
+    /// Longitude and latitude in degrees and height in m as the receiver recorded them.
+    pub fn recorded_position(&self, index: usize) -> JsResult<Vec<f64>> {
+        self.scene.recorded_position(index).map(Vec::from).map_err(thrown)
+    }
+}
+
+/// Every parameter of a block's flight with label, unit, range and help.
+#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
+pub fn block_flight_parameters() -> JsValue {
+    pack(&BLOCK_FLIGHT_PARAMETERS)
+}
+
+/// The default flight of a block.
+#[wasm_bindgen(unchecked_return_type = "BlockFlight")]
+pub fn block_flight_defaults() -> JsValue {
+    pack(&BlockFlight::default())
+}

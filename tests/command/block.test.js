@@ -1,0 +1,247 @@
+import assert from 'node:assert/strict';
+import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { read_project } from '../../pkg/node.js';
+import { contents, killed, photographed, records } from './blocks.js';
+import { file, folder, json, tiepoint } from './command.js';
+
+const BLOCK = photographed();
+const PAIRS = 15;
+
+/** A run from the beginning.  @param {string[]} options */
+function ran(...options) {
+  const out = folder();
+  const summary = json(...BLOCK.call, '--out', out, '--workers', '2', ...options);
+  return { out, summary };
+}
+
+const WHOLE = ran('--export', 'colmap,bingo');
+
+test('a block is matched, oriented and written', () => {
+  const { out, summary } = WHOLE;
+  assert.equal(summary.images.read, 6);
+  assert.equal(summary.cameras.length, 1);
+  assert.ok(Math.abs(summary.cameras[0].focal_px - 85 / 0.12) < 1e-3, `${summary.cameras[0].focal_px}`);
+  assert.equal(summary.pairs.tried, PAIRS);
+  assert.equal(summary.orientation.oriented, 6, JSON.stringify(summary.orientation));
+  const [model] = summary.orientation.models;
+  assert.ok(model.in_system && model.sigma0_px < 1, JSON.stringify(model));
+  for (const name of ['project.tiepoint', 'images.csv', 'pairs.csv', 'points.csv', 'rays.csv', 'orientation.json', 'summary.json', 'colmap/sparse/images.txt', 'bingo/bingo.dat']) {
+    assert.ok(contents(out).has(name), name);
+  }
+  assert.deepEqual(JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8')), summary);
+});
+
+test('orientations are as near to the truth as the recorded positions', () => {
+  const truth = BLOCK.truth.block;
+  const { block } = read_project(readFileSync(join(WHOLE.out, 'project.tiepoint')));
+  // Both systems touch the earth within the block: their axes differ by less than the positions.
+  const degree = Math.PI / 180;
+  const { origin } = block;
+  assert.ok(origin);
+  const shift = [
+    (origin.longitude_deg - truth.origin.longitude_deg) * degree * 6378137 * Math.cos(truth.origin.latitude_deg * degree),
+    (origin.latitude_deg - truth.origin.latitude_deg) * degree * 6378137 * (1 - 0.00669438) / (1 - 0.00669438 * Math.sin(truth.origin.latitude_deg * degree) ** 2) ** 1.5,
+    origin.height_m - truth.origin.height_m,
+  ];
+  block.images.forEach((/** @type {any} */ image, /** @type {number} */ i) => {
+    assert.equal(image.name, truth.images[i].name);
+    image.pose.position.forEach((/** @type {number} */ v, /** @type {number} */ axis) => {
+      const error = v + (shift[axis] ?? 0) - truth.images[i].pose.position[axis];
+      assert.ok(Math.abs(error) < 6, `image ${i}, axis ${axis}: ${error} m`);
+    });
+    const turned = image.pose.rotation.flat().reduce((/** @type {number} */ sum, /** @type {number} */ v, /** @type {number} */ k) => sum + v * truth.images[i].pose.rotation.flat()[k], 0);
+    assert.ok(Math.acos(Math.min(1, (turned - 1) / 2)) < 1.5 * degree, `image ${i}: ${(turned - 1) / 2}`);
+  });
+});
+
+test('each pair says why it is or is not connected', () => {
+  const [header, ...lines] = readFileSync(join(WHOLE.out, 'pairs.csv'), 'utf8').trimEnd().split('\n');
+  assert.equal(header, 'first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,reason');
+  assert.equal(lines.length, PAIRS);
+  for (const line of lines) assert.match(line, /(connected by \d+ matches|not connected: .+); all pairs are tried"?$/);
+  assert.equal(lines.filter((line) => line.includes(',connected,')).length, WHOLE.summary.pairs.connected);
+});
+
+test('killed at any moment and started again, it gives the same bytes', async () => {
+  const wanted = contents(WHOLE.out);
+  const out = folder();
+  const args = [...BLOCK.call, '--out', out, '--workers', '2', '--export', 'colmap,bingo'];
+  // Ended in the midst of the images, of the pairs, and right after the last of them.
+  const moments = [() => records(out, 'features') >= 2, () => records(out, 'pairs') >= 1, () => records(out, 'pairs') >= 8, () => records(out, 'pairs') >= PAIRS];
+  let kills = 0;
+  for (const moment of moments) kills += (await killed(args, moment)) ? 1 : 0;
+  assert.ok(kills >= 3, `${kills}`);
+  const before = records(out, 'pairs');
+  assert.ok(before >= 8, `${before}`);
+  const { code, stderr } = tiepoint(...args);
+  assert.equal(code, 0, stderr);
+  assert.match(stderr, /images: 6 \(6 from an earlier run\)/);
+  assert.deepEqual(contents(out), wanted);
+  assert.deepEqual(readdirSync(join(out, 'work', 'pairs')).filter((name) => !name.endsWith('.record')), []);
+});
+
+test('one worker gives the bytes of two', () => {
+  const out = folder();
+  json(...BLOCK.call, '--out', out, '--workers', '1', '--export', 'colmap,bingo');
+  assert.deepEqual(contents(out, ''), contents(WHOLE.out, ''));
+});
+
+test('a damaged record is made again', () => {
+  const { out } = ran();
+  const wanted = contents(out, '');
+  const features = join(out, 'work', 'features');
+  const pairs = join(out, 'work', 'pairs');
+  const [one = '', two = '', three = ''] = readdirSync(features);
+  const flipped = readFileSync(join(features, one));
+  flipped[flipped.length - 7] = (flipped[flipped.length - 7] ?? 0) ^ 1;
+  writeFileSync(join(features, one), flipped);
+  writeFileSync(join(features, two), readFileSync(join(features, two)).subarray(0, 1000));
+  writeFileSync(join(features, three), '');
+  const [first = '', second = ''] = readdirSync(pairs);
+  copyFileSync(join(pairs, first), join(pairs, second));
+  json(...BLOCK.call, '--out', out);
+  assert.deepEqual(contents(out, ''), wanted);
+});
+
+test('other settings and other images are computed again, a renamed image is not', () => {
+  const { out } = ran();
+  json(...BLOCK.call.slice(0, 2), '--out', out, '--features', '1100');
+  assert.equal(records(out, 'features'), 12);
+  json(...BLOCK.call, '--out', out, '--least-matches', '17');
+  assert.equal(records(out, 'features'), 12);
+  assert.equal(records(out, 'pairs'), 3 * PAIRS);
+  const renamed = folder();
+  readdirSync(BLOCK.photos).forEach((name) => copyFileSync(join(BLOCK.photos, name), join(renamed, `new_${name}`)));
+  const [, ...settings] = BLOCK.call.slice(1);
+  json('block', renamed, ...settings, '--out', out);
+  assert.equal(records(out, 'features'), 12);
+  assert.equal(records(out, 'pairs'), 3 * PAIRS);
+});
+
+test('an image that cannot be read is told and left out', () => {
+  const mixed = folder();
+  readdirSync(BLOCK.photos).forEach((name) => copyFileSync(join(BLOCK.photos, name), join(mixed, name)));
+  const names = readdirSync(mixed);
+  writeFileSync(join(mixed, 'a_text.jpg'), 'no image at all');
+  const cut = readFileSync(join(mixed, names[2] ?? ''));
+  writeFileSync(join(mixed, names[2] ?? ''), cut.subarray(0, 2000));
+  const out = folder();
+  const { code, stdout, stderr } = tiepoint('block', mixed, ...BLOCK.call.slice(2), '--out', out, '--json');
+  assert.equal(code, 0, stderr);
+  const summary = JSON.parse(stdout);
+  assert.equal(summary.images.read, 5);
+  assert.deepEqual(summary.images.left_out.map((/** @type {any} */ image) => image.name), ['a_text.jpg', names[2]]);
+  assert.match(stderr, /a_text\.jpg is left out: /);
+  assert.match(stderr, new RegExp(`${names[2]} is left out: the image cannot be read`));
+  const alone = tiepoint('block', join(mixed, 'a_text.jpg'), join(mixed, names[0] ?? ''), '--out', folder());
+  assert.equal(alone.code, 1);
+  assert.match(alone.stderr, /a block needs two images or more; 1 of 2 could be read \(a_text\.jpg: /);
+});
+
+test('cameras of a file take the place of those of EXIF', () => {
+  const at = folder();
+  const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
+  const { summary } = ran('--cameras', cameras);
+  assert.equal(summary.cameras.length, 1);
+  assert.equal(summary.cameras[0].focal_px, 700);
+  assert.deepEqual(summary.orientation.cameras[0].radial, [0.01, 0, 0]);
+  assert.equal(summary.orientation.cameras[0].focal_px, 700);
+  const refused = tiepoint(...BLOCK.call, '--out', at, '--cameras', file(at, 'wrong.json', '{"cameras": [{"focal_px": -3}]}'));
+  assert.equal(refused.code, 1);
+  assert.match(refused.stderr, /wrong\.json: .*focal length -3/);
+});
+
+test('surveyed points place the block', () => {
+  // Marks follow from the truth: ground points on roofs are not known, but any place in space that the photos face does.
+  const { images, cameras } = BLOCK.truth.block;
+  const at = folder();
+  const [camera] = cameras;
+  const [low, high] = [0, 1].map((axis) => images.map((/** @type {any} */ image) => image.pose.position[axis])).map((list) => [Math.min(...list), Math.max(...list)]);
+  const places = [[low?.[0], high?.[0], 0], [low?.[1], high?.[1], 10], [low?.[0], high?.[1], 20], [low?.[1], high?.[0], 5]];
+  const points = places.map(([x = 0, y = 0, z = 0], i) => ({ name: `P${i}`, at: [x, y, z] }));
+  /** @type {string[]} */
+  const marks = [];
+  for (const { name, at: place } of points) {
+    for (const { name: image, pose } of images) {
+      const d = place.map((v, k) => v - pose.position[k]);
+      const [u = 0, v = 0, w = 0] = pose.rotation.map((/** @type {number[]} */ row) => row.reduce((sum, m, k) => sum + m * (d[k] ?? 0), 0));
+      const [x, y] = [camera.width_px / 2 - camera.focal_px * u / w, camera.height_px / 2 + camera.focal_px * v / w];
+      if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
+    }
+  }
+  const control = file(at, 'control.csv', points.map(({ name, at: place }) => [name, ...place].join()).join('\n'));
+  const { out, summary } = ran('--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
+  assert.equal(summary.orientation.models[0].datum, 'control');
+  const { block } = read_project(readFileSync(join(out, 'project.tiepoint')));
+  block.images.forEach((/** @type {any} */ image, /** @type {number} */ i) => {
+    const error = Math.hypot(...image.pose.position.map((/** @type {number} */ v, /** @type {number} */ k) => v - images[i].pose.position[k]));
+    assert.ok(error < 4, `image ${i}: ${error} m`);
+  });
+  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control).stderr, /--control needs --marks beside it/);
+  const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
+  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /the point P9, which is not among the surveyed points/);
+});
+
+test('each rule of pairs chooses its own', () => {
+  const tried = (/** @type {string[]} */ ...options) => ran(...options).summary.pairs.tried;
+  assert.equal(tried('--pairs', 'sequence', '--sequence', '1'), 5);
+  assert.equal(tried('--pairs', 'near', '--near', '5'), PAIRS);
+  assert.ok(tried('--pairs', 'near', '--near', '2') < PAIRS);
+  const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
+  assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
+  assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as alike/);
+  assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
+});
+
+test('a format that the block cannot be written in is told, the rest is written', () => {
+  const out = folder();
+  const { code, stderr } = tiepoint(...BLOCK.call, '--out', out, '--gps', 'ignore', '--export', 'geojson,csv');
+  assert.equal(code, 1);
+  assert.match(stderr, /not exported: geojson \(.+\); all other files were written/);
+  assert.ok(contents(out).has('csv/points.csv') && contents(out).has('summary.json'));
+});
+
+test('calls that cannot be run are refused by name', () => {
+  const out = ['--out', folder()];
+  const twins = folder();
+  const [name = ''] = readdirSync(BLOCK.photos);
+  mkdirSync(join(twins, 'empty'));
+  copyFileSync(join(BLOCK.photos, name), join(twins, name));
+  for (const [args, code, pattern] of /** @type {[string[], number, RegExp][]} */ ([
+    [BLOCK.call, 2, /--out is missing/],
+    [['block', ...out], 2, /FOLDER or IMAGE is missing/],
+    [[...BLOCK.call, ...out, '--pairs', 'some'], 2, /--pairs is some; allowed: all, near, sequence, alike/],
+    [[...BLOCK.call, ...out, '--per-image', '0'], 2, /--per-image is 0; allowed: whole numbers from 1 to 10000/],
+    [[...BLOCK.call, ...out, '--workers', '1.5'], 2, /--workers is 1\.5; allowed: whole numbers from 1 to 256/],
+    [[...BLOCK.call, ...out, '--export', 'colmap,maya'], 2, /--export has maya; allowed, with commas between: colmap, micmac/],
+    [[...BLOCK.call, ...out, '--gps', 'maybe'], 2, /--gps is maybe; allowed: use, ignore/],
+    [[...BLOCK.call, ...out, '--pear-image', '3'], 2, /did you mean --per-image\?/],
+    [['block', BLOCK.photos, join(twins, name), ...out], 2, /have the same name/],
+    [['block', join(twins, 'empty'), ...out], 1, /there is no image in this folder/],
+    [['block', join(twins, 'none.jpg'), join(twins, name), ...out], 1, /none\.jpg: there is no such file/],
+    [[...BLOCK.call, '--out', join(BLOCK.photos, name)], 1, /cannot write to the folder/],
+  ])) {
+    const ended = tiepoint(...args);
+    assert.equal(ended.code, code, `${args}: ${ended.stderr}`);
+    assert.match(ended.stderr, pattern);
+    assert.equal(ended.stderr.trimEnd().split('\n').length, 1, ended.stderr);
+  }
+});
+
+test('a damaged project is refused plainly', () => {
+  const path = join(WHOLE.out, 'project.tiepoint');
+  const bytes = readFileSync(path);
+  const { block, connections } = read_project(bytes);
+  assert.equal(block.images.length, 6);
+  assert.equal(connections.length, PAIRS);
+  const refused = (/** @type {Uint8Array} */ damaged) => {
+    assert.throws(() => read_project(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.code === 'unreadable-file' && /project file/.test(error.message));
+  };
+  refused(bytes.subarray(0, bytes.length - 100));
+  const flipped = Buffer.from(bytes);
+  flipped[bytes.length - 50] = (flipped[bytes.length - 50] ?? 0) ^ 4;
+  refused(flipped);
+  refused(Buffer.from('{}'));
+});

@@ -1,0 +1,53 @@
+/** Simulated blocks on disk, and runs of the command on them, also ones that are ended on the way. */
+
+import { spawn } from 'node:child_process';
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { join } from 'node:path';
+import { folder, json, PROGRAM } from './command.js';
+
+/** Small photos that are soon rendered: two strips of three. */
+export const SMALL = ['--strips', '2', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.12', '--workers', '2'];
+
+/** @param {string[]} options @returns {{ photos: string, truth: any, call: string[] }} its folder of photos, and the call that matches it, without --out */
+export function photographed(...options) {
+  const { truth, block } = json('simulate', '--block', '--out', folder(), ...SMALL, ...options);
+  const photos = block[2];
+  return { photos, truth: JSON.parse(readFileSync(truth, 'utf8')), call: ['block', photos, '--features', '1200'] };
+}
+
+/** All files below a folder with their contents, but for those of one folder.  @param {string} at @param {string} [without] @returns {Map<string, Buffer>} */
+export function contents(at, without = 'work') {
+  /** @type {Map<string, Buffer>} */
+  const files = new Map();
+  for (const name of readdirSync(at).sort()) {
+    const path = join(at, name);
+    if (statSync(path).isDirectory()) {
+      if (name !== without) for (const [inner, content] of contents(path, without)) files.set(`${name}/${inner}`, content);
+    } else files.set(name, readFileSync(path));
+  }
+  return files;
+}
+
+/**
+ * Runs the command and kills it as soon as a condition holds, which is asked again and again.
+ * @param {string[]} args @param {() => boolean} until @returns {Promise<boolean>} whether it was killed before its end
+ */
+export function killed(args, until) {
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: 'ignore' });
+    const timer = setInterval(() => { if (until()) child.kill('SIGKILL'); }, 1);
+    child.on('exit', (_code, signal) => {
+      clearInterval(timer);
+      resolve(signal === 'SIGKILL');
+    });
+  });
+}
+
+/** How many records a run has kept.  @param {string} out @param {string} part */
+export function records(out, part) {
+  try {
+    return readdirSync(join(out, 'work', part)).filter((name) => name.endsWith('.record')).length;
+  } catch {
+    return 0;
+  }
+}
