@@ -16,6 +16,7 @@ import { mountControls } from './panel/controls';
 import { mountCounts } from './panel/counts';
 import { byId } from './panel/dom';
 import { mountFiducials } from './panel/fiducials';
+import { mountGeometry } from './panel/geometry';
 import { mountHistograms } from './panel/histograms';
 import { mountOrientation } from './panel/orientation';
 import { mountPanes } from './panel/panes';
@@ -44,11 +45,16 @@ new Input(view, store, navigator);
 mountTheme(byId('theme'));
 for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
 mountToolbar(byId('toolbar'), store, navigator);
-mountPanes(view, store, { open: (side) => { pick(side); } });
+mountPanes(view, store, {
+  open: (side) => { pick(side); },
+  mask: (side) => { pick(side, 'mask'); },
+  unmask: (side) => { store.dispatch({ type: 'mask', side, mask: null }); },
+});
 mountControls(byId('panel-settings'), store);
 mountCamera(byId('panel-camera'), store, () => { pick(null); });
 mountFiducials(byId('panel-camera'), store, (side) => { pick(side); });
 mountCounts(byId('panel-results'), store);
+mountGeometry(byId('panel-results'), store);
 mountOrientation(byId('panel-results'), store);
 mountHistograms(byId('panel-results'), store);
 mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
@@ -68,9 +74,10 @@ store.watch((s) => [s.selection] as const, ([selection]) => {
 });
 void start();
 
-/** Opens the file dialog for a side, or for any files. */
-function pick(side: Side | null): void {
+/** Opens the file dialog for a side, or for any files; or for the mask of a side. */
+function pick(side: Side | null, what: 'any' | 'mask' = 'any'): void {
   const input = byId('file-input') as HTMLInputElement;
+  input.dataset['what'] = what;
   input.dataset['side'] = side ?? '';
   input.multiple = side === null;
   input.click();
@@ -79,9 +86,13 @@ function pick(side: Side | null): void {
 function mountHeader(): void {
   const input = byId('file-input') as HTMLInputElement;
   input.addEventListener('change', () => {
-    const side = input.dataset['side'];
-    void files.take([...(input.files ?? [])], side === 'left' || side === 'right' ? side : null);
+    const given = input.dataset['side'];
+    const side = given === 'left' || given === 'right' ? given : null;
+    const [first] = input.files ?? [];
+    if (input.dataset['what'] === 'mask' && side !== null && first !== undefined) void files.takeMask(first, side);
+    else void files.take([...(input.files ?? [])], side);
     input.value = '';
+    input.dataset['what'] = '';
     input.dataset['side'] = '';
     input.multiple = true;
   });

@@ -57,6 +57,9 @@ impl Camera {
     }
 }
 
+/// Steps of Newton's method after which a radius is not found.
+const MOST_STEPS: usize = 30;
+
 /// The interior orientation of one image: from its pixels to photo coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -148,6 +151,39 @@ impl Interior {
         [x0 + x / pixel_mm, y0 - y / pixel_mm]
     }
 
+    /// The image position in px of a position in the camera without distortion: the inverse of [`Interior::ideal_px`]. None where the
+    /// distortion leads no image position there.
+    pub fn image_px(&self, x_px: f64, y_px: f64) -> Option<[f64; 2]> {
+        let (pixel_mm, [x0, y0]) = (self.pixel_mm(), self.principal_point_px());
+        let [x, y] = [(x_px - x0) * pixel_mm, (y0 - y_px) * pixel_mm];
+        let wanted = (x * x + y * y).sqrt();
+        let share = if wanted > 0.0 { self.measured_radius_mm(wanted)? / wanted } else { 1.0 };
+        let [[a, b, tx], [d, e, ty]] = self.parameters;
+        let [u, v] = [share * x + self.principal_point_mm[0] - tx, share * y + self.principal_point_mm[1] - ty];
+        let determinant = a * e - b * d;
+        Some([(e * u - b * v) / determinant, (a * v - d * u) / determinant])
+    }
+
+    /// The measured distance from the principal point that the distortion corrects to this one, by Newton's method.
+    fn measured_radius_mm(&self, corrected: f64) -> Option<f64> {
+        let [k1, k2, k3] = self.radial_distortion;
+        let mut r = corrected;
+        for _ in 0..MOST_STEPS {
+            let r2 = r * r;
+            let slope = 1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + 7.0 * r2 * k3));
+            let step = (r * (1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))) - corrected) / slope;
+            // Beyond the radius where the correction turns back, several measured ones have the same corrected one.
+            if !(slope > 0.0 && step.is_finite()) {
+                return None;
+            }
+            r -= step;
+            if step.abs() <= 1e-12 * corrected {
+                return Some(r);
+            }
+        }
+        None
+    }
+
     /// Where the principal point lies in the image, px.
     pub fn principal_point_px(&self) -> [f64; 2] {
         let [[a, b, tx], [d, e, ty]] = self.parameters;
@@ -205,6 +241,23 @@ mod tests {
         let (of_scan, of_patch) = (whole.photo_mm(510.5, 211.5), patch.photo_mm(100.5, 100.5));
         assert!((of_scan[0] - of_patch[0]).abs() < 1e-12 && (of_scan[1] - of_patch[1]).abs() < 1e-12);
         assert!((patch.pixel_mm() - (0.25_f64 * 0.26 + 0.01 * 0.02).sqrt()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn an_ideal_position_leads_back_to_the_image() {
+        let camera = Camera { radial_distortion: [-3e-5, 2e-9, 0.0], ..camera() };
+        // A scan that is turned by a right angle, of a photo whose axes go right and up.
+        let parameters = [[0.01, 0.25, -100.0], [0.26, -0.02, -90.0]];
+        let turned = Interior { parameters, ..Interior::from_pixel_size(&camera, 800, 600).unwrap() };
+        for interior in [turned, Interior::from_pixel_size(&camera, 4000, 3000).unwrap()] {
+            for [x, y] in [[0.0, 0.0], [400.0, 300.0], [790.5, 20.25], interior.principal_point_px()] {
+                let [ideal_x, ideal_y] = interior.ideal_px(x, y);
+                let [back_x, back_y] = interior.image_px(ideal_x, ideal_y).unwrap();
+                assert!((back_x - x).abs() < 1e-8 && (back_y - y).abs() < 1e-8, "{back_x}, {back_y} instead of {x}, {y}");
+            }
+        }
+        let strong = Interior { radial_distortion: [-1.0, 0.0, 0.0], ..turned };
+        assert_eq!(strong.image_px(1e4, 1e4), None, "the correction turns back before");
     }
 
     #[test]

@@ -1,12 +1,14 @@
 //! The whole way of one pair: points, descriptors, offset, matches, photo coordinates, relative orientation.
 
 mod described;
+mod epipolar;
 mod geometry;
 mod orienting;
 mod rounds;
 mod verification;
 
 pub use described::{DescribedImage, describe_image};
+pub use epipolar::{PairSide, epipolar_line};
 pub use geometry::{PairInterior, photo_interior};
 pub use orienting::{match_weights, observations, orient_matches};
 pub use rounds::{PairMatching, match_in_rounds};

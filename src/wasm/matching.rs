@@ -5,9 +5,9 @@ use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
     DescribedImage, Descriptor, Error, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet,
-    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, TwoView,
-    candidates_of, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients, match_in_rounds, match_pair as match_images,
-    match_points as match_described,
+    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PointCounts, PointSet, Reduced, Rule, TwoView,
+    TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients,
+    match_in_rounds, match_pair as match_images, match_points as match_described,
 };
 use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -144,6 +144,26 @@ pub fn estimated_interior(
     Ok(pack(&focal.and_then(|focal| PairInterior::estimated(&focal, sizes))))
 }
 
+/// Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
+/// positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
+/// line passes the other image, whose width and height are given.
+#[wasm_bindgen]
+pub fn epipolar_line(
+    #[wasm_bindgen(unchecked_param_type = "\"left\" | \"right\"")] from: &JsValue,
+    x: f64,
+    y: f64,
+    #[wasm_bindgen(unchecked_param_type = "TwoViewModel")] model: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
+    other_width: usize,
+    other_height: usize,
+) -> JsResult<Vec<f64>> {
+    let side: PairSide = read("from", from)?;
+    let model: TwoViewModel = read("model", model)?;
+    let interior: Option<PairInterior> = read("interior", interior)?;
+    let line = line_between(&model, interior.as_ref(), (side, [x, y]), (other_width, other_height));
+    Ok(line.into_iter().flatten().collect())
+}
+
 /// The candidates of one left point, the best first: index of the right point and measure, stride 2.
 #[wasm_bindgen]
 pub fn candidates(
@@ -161,16 +181,19 @@ pub fn candidates(
     Ok(all.iter().flat_map(|c| [c.right as f64, c.measure]).collect())
 }
 
-/// Matches and orients a pair on one thread.
+/// Matches and orients a pair on one thread. Points whose pixel is 0 in the mask of their image, of its size and row by row, are left out.
 #[wasm_bindgen(unchecked_return_type = "PairOutput")]
 pub fn match_pair(
     left: &Photo,
     right: &Photo,
     #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+    left_mask: Option<Vec<u8>>,
+    right_mask: Option<Vec<u8>>,
 ) -> JsResult<JsValue> {
     let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
-    match_images(left.pair_image(), right.pair_image(), &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)
+    let (left, right) = (left.pair_image(&left_mask)?, right.pair_image(&right_mask)?);
+    match_images(left, right, &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)
 }
 
 fn pack_pair(result: &PairResult) -> JsValue {

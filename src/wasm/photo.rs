@@ -160,8 +160,9 @@ impl Photo {
 }
 
 impl Photo {
-    pub(super) fn pair_image(&self) -> PairImage<'_> {
-        PairImage { grey: self.grey.view(), exif: self.camera.as_ref(), mask: None }
+    /// The image with a mask of its size.
+    pub(super) fn pair_image<'m>(&'m self, mask: &'m Option<Vec<u8>>) -> JsResult<PairImage<'m>> {
+        Ok(PairImage { grey: self.grey.view(), exif: self.camera.as_ref(), mask: self.masked(mask)? })
     }
 
     /// A mask of the image's size.

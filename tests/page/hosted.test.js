@@ -2,21 +2,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { simulate } from '../../pkg/node.js';
-import { greyPng } from '../../pkg/command/png.js';
-import { done, hosted, number, open, part, ROOT, sample, saved, SHOTS, SKIP } from './page.js';
+import { again, choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload, verdicts } from './page.js';
 
 hosted('/some/folder/');
-
-/** @param {string} name @param {Uint8Array} content @param {string} [mimeType] */
-const upload = (name, content, mimeType = 'application/octet-stream') => ({ name, mimeType, buffer: Buffer.from(content) });
-
-/** The sample pair as two PNG files. */
-function pngs() {
-  const { left, right } = simulate({});
-  const png = (/** @type {{ width: number, height: number, grey: Uint8Array }} */ i) => greyPng(i.width, i.height, i.grey);
-  return [upload('left.png', png(left), 'image/png'), upload('right.png', png(right), 'image/png')];
-}
 
 test('the sample pair is matched and oriented, from a subfolder under the policy', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
@@ -27,25 +15,6 @@ test('the sample pair is matched and oriented, from a subfolder under the policy
   assert.deepEqual(complaints, []);
   await close();
 });
-
-/** Matches and refused points together.  @param {import('playwright-core').Page} page */
-async function verdicts(page) {
-  let sum = await number(page, 'count-matches');
-  for (const cell of await page.locator('[data-testid^="refused-"]').all()) sum += Number((await cell.textContent())?.replaceAll(/\D/g, ''));
-  return sum;
-}
-
-/** Chooses a value of a setting and waits for the run that follows.  @param {import('playwright-core').Page} page @param {string} key @param {string} value */
-async function choose(page, key, value) {
-  await page.locator(`select[data-key="${key}"]`).selectOption(value);
-  await again(page);
-}
-
-/** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
-async function again(page) {
-  await page.waitForFunction(() => !document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 10_000 }).catch(() => {});
-  await done(page);
-}
 
 test('the browser finds the matches of the golden files', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
@@ -69,6 +38,10 @@ test('the browser finds the matches of the golden files', { skip: SKIP }, async 
   await page.locator('input[data-key="matching.epipolar"]').check();
   await again(page);
   await same('sample-correlation.csv');
+  await choose(page, 'matching.refine', 'none');
+  await choose(page, 'matching.strategy', 'gradient');
+  assert.equal(await page.locator('select[data-key="points.operator"]').inputValue(), 'multiscale');
+  await same('sample-gradient.csv');
   assert.equal(await verdicts(page), await number(page, 'count-left-after_suppression'));
   const everything = JSON.parse((await saved(page, 'export-json')).toString());
   assert.ok(everything !== null && typeof everything === 'object');

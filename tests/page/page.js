@@ -5,6 +5,8 @@ import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { greyPng } from '../../pkg/command/png.js';
+import { simulate } from '../../pkg/node.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { serve } from '../../tools/lib/static-server.mjs';
 
@@ -84,4 +86,33 @@ export async function saved(page, id) {
   const chunks = [];
   for await (const chunk of stream) chunks.push(/** @type {Buffer} */ (chunk));
   return Buffer.concat(chunks);
+}
+
+/** @param {string} name @param {Uint8Array} content @param {string} [mimeType] */
+export const upload = (name, content, mimeType = 'application/octet-stream') => ({ name, mimeType, buffer: Buffer.from(content) });
+
+/** The sample pair as two PNG files. */
+export function pngs() {
+  const { left, right } = simulate({});
+  const png = (/** @type {{ width: number, height: number, grey: Uint8Array }} */ i) => greyPng(i.width, i.height, i.grey);
+  return [upload('left.png', png(left), 'image/png'), upload('right.png', png(right), 'image/png')];
+}
+
+/** Matches and refused points together.  @param {import('playwright-core').Page} page */
+export async function verdicts(page) {
+  let sum = await number(page, 'count-matches');
+  for (const cell of await page.locator('[data-testid^="refused-"]').all()) sum += Number((await cell.textContent())?.replaceAll(/\D/g, ''));
+  return sum;
+}
+
+/** Chooses a value of a setting and waits for the run that follows.  @param {import('playwright-core').Page} page @param {string} key @param {string} value */
+export async function choose(page, key, value) {
+  await page.locator(`select[data-key="${key}"]`).selectOption(value);
+  await again(page);
+}
+
+/** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
+export async function again(page) {
+  await page.waitForFunction(() => !document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 10_000 }).catch(() => {});
+  await done(page);
 }

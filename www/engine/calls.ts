@@ -1,9 +1,9 @@
 /** Every call a worker answers: name to input and output. Both ends are typed by this one table. */
 import type { BlockCalls } from '../block/calls';
 import type {
-  Camera, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, Interior, MatchResult, MatchScore, OffsetField,
-  Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings, Strategy,
-  WindowReport,
+  Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, GivenPoints, Interior, MatchResult, MatchScore,
+  OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
+  Strategy, TwoViewModel, WindowReport,
 } from './wasm';
 
 /** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
@@ -17,13 +17,48 @@ export interface Overview {
   halvings: number;
 }
 
-/** Points and descriptors of both images with the offset between them: what matching starts from. */
+/** Points of both images with what is compared, and the offset between them where the strategy needs one: what matching starts from. */
 export interface MatchInput {
-  leftPoints: Float64Array;
-  leftDescriptors: Float64Array;
-  rightPoints: Float64Array;
-  rightDescriptors: Float64Array;
-  offset: OffsetField;
+  left: GivenPoints;
+  right: GivenPoints;
+  offset: OffsetField | null;
+}
+
+/** The matches of a pair, with the interior orientations that they themselves tell where no camera is known. */
+export interface PairMatches extends MatchResult {
+  estimated: PairInterior | null;
+}
+
+/** A grey image of the size of another: where it is 0, no points are wanted. */
+export interface MaskImage {
+  width: number;
+  height: number;
+  grey: Uint8Array;
+  /** The pixels that are left out, in colour, reduced for display. */
+  overlay: ImageBitmap;
+}
+
+/** A square grid of samples in an image. */
+export interface PatchInput {
+  /** Its middle, px. */
+  x: number;
+  y: number;
+  /** Direction of its rows, from x towards y. */
+  direction: number;
+  /** Side of the grid in px, and in samples. */
+  reach: number;
+  side: number;
+}
+
+/** A point of one image, and the size of the other image, in which its epipolar line is wanted. */
+export interface LineInput {
+  from: 'left' | 'right';
+  x: number;
+  y: number;
+  model: TwoViewModel;
+  interior: PairInterior | null;
+  width: number;
+  height: number;
 }
 
 /** What the truth of a simulated pair is compared with. */
@@ -68,9 +103,13 @@ export interface Calls extends BlockCalls {
   open: { input: { source: ImageSource; overviewSide: number }; output: { info: PhotoInfo; overview: Overview } };
   tile: { input: { level: number; column: number; row: number; side: number }; output: ImageBitmap };
   reduced: { input: { maxSide: number }; output: ReducedImage };
-  detect: { input: Settings['points']; output: DetectedPoints };
+  /** Without the mask all pixels count. */
+  detect: { input: { settings: Settings; mask: Uint8Array | null }; output: DetectedPoints };
+  /** Finds points and describes them by gradients in one go. */
+  features: { input: { settings: Settings; mask: Uint8Array | null }; output: DescribedPoints };
   describe: { input: { points: Float64Array; window: Settings['window']; strategy: Strategy }; output: Float64Array };
   grey: { input: null; output: SampleImage };
+  patch: { input: PatchInput; output: Uint8Array };
   moments: { input: { col: number; row: number; window: Partial<Settings['window']> }; output: WindowReport };
   // The pair.
   simulate: { input: Flight; output: SamplePair };
@@ -78,8 +117,10 @@ export interface Calls extends BlockCalls {
   hold: { input: { left: SampleImage; right: SampleImage }; output: null };
   offset: { input: { left: ReducedImage; right: ReducedImage }; output: OffsetField };
   constantOffset: { input: { dx: number; dy: number }; output: OffsetField };
-  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings }; output: MatchResult };
+  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings }; output: PairMatches };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
+  gradientCandidates: { input: { index: number; left: Uint8Array; right: Uint8Array; most: number }; output: Float64Array };
+  epipolarLine: { input: LineInput; output: Float64Array };
   score: { input: ScoreInput; output: MatchScore };
   interior: { input: PhotoInput; output: InteriorOutput };
   orient: {
@@ -91,6 +132,7 @@ export interface Calls extends BlockCalls {
   reportStep: { input: null; output: boolean };
   reportPage: { input: null; output: string };
   // Files.
+  mask: { input: { file: Blob; overlaySide: number }; output: MaskImage };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
   parseCamera: { input: { text: string }; output: Camera };
   matchesCsv: { input: { matches: Float64Array }; output: string };

@@ -6,8 +6,8 @@ import type { Store } from '../state/store';
 import type { Output } from './calls';
 import { CallError, Cancelled, WorkerClient } from './client';
 import { plainMessage } from './failure';
+import type { Workers } from './inputs';
 import { RUNS } from './runs';
-import type { Workers } from './runs';
 import { STAGES, STAGE_NAMES } from './stages';
 import type { WorkerName } from './stages';
 
@@ -31,7 +31,7 @@ export class Engine implements Workers {
   private timer: number | undefined;
 
   constructor(private readonly store: Store) {
-    store.watch((s) => [s.settings, s.camera, s.photos, s.offset, s.fiducialModel] as const, () => { this.later(); });
+    store.watch((s) => [s.settings, s.camera, s.photos, s.masks, s.offset, s.fiducialModel] as const, () => { this.later(); });
     store.watch((s) => [s.images, s.selection, s.paused, s.failures] as const, () => { this.update(); });
   }
 
@@ -142,5 +142,6 @@ function isReady(state: State, stage: StageName): boolean {
   const { needs, uses = [] } = STAGES[stage];
   const keys = wantedKeys(state);
   const current = (input: StageName) => state.results[input]?.key === keys[input];
-  return needs.every(current) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
+  // A stage with a key has all that it needs: what has no key is not part of this run.
+  return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
 }

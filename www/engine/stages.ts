@@ -7,7 +7,7 @@ export interface StageInfo {
   /** What the status line says while it runs. */
   label: string;
   worker: WorkerName;
-  /** Stages whose current results it needs. */
+  /** Stages whose current results it needs, where they are wanted at all: a strategy without an expected place has no offset. */
   needs: readonly StageName[];
   /** Stages that it waits for where they are wanted, and does without where they failed. */
   uses?: readonly StageName[];

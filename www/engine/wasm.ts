@@ -1,15 +1,16 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 import {
-  defaults, flight_parameters, flight_preset, flight_presets, initSync, operator_defaults, parameters, rule_names, version,
+  ambiguity_defaults, defaults, flight_parameters, flight_preset, flight_presets, initSync, operator_defaults, parameters, rule_names, version,
 } from '../../pkg/wasm/tiepoint.js';
-import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
+import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
 import { sameRules } from '../state/codes';
 import { wasmModule } from './spawn';
 
 export type {
-  Camera, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation, FiveParameters, Interior, MatchCounts,
-  Given, MatchResult, MatchScore, OffsetField, PairInput, PairInterior, PhotoInfo, PointCounts, ReducedImage, RelativeOrientation,
-  ReportTruth, Rule, SampleImage, SamplePair, Strategy, Weakness, WindowReport,
+  Camera, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
+  FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, OffsetField, PairInput, PairInterior,
+  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Weakness,
+  WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
 export { draw_match_lines, draw_points, draw_vectors } from '../../pkg/wasm/tiepoint.js';
 
@@ -22,6 +23,8 @@ export interface Catalogue {
   defaults: Settings;
   /** What an operator does where an option is empty. */
   operatorDefaults: Record<Operator, OperatorDefaults>;
+  /** The ambiguity ratio of each strategy where none is chosen. */
+  ambiguityDefaults: Record<Strategy, number>;
   rules: string[];
   flightParameters: Parameter[];
   flights: { name: Preset; flight: Flight }[];
@@ -37,6 +40,7 @@ export async function loadCatalogue(): Promise<Catalogue> {
     parameters: parameters(),
     defaults: defaults(),
     operatorDefaults: operator_defaults(),
+    ambiguityDefaults: ambiguity_defaults(),
     rules,
     flightParameters: flight_parameters(),
     flights: flight_presets().map((name) => ({ name, flight: flight_preset(name) })),

@@ -1,10 +1,12 @@
 /** The worker: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
 import {
-  Photo, Report, candidates, constant_offset, estimate_offset, initSync, interior, match_photos, matches_csv, orient_fiducials, orient_matches,
-  parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
+  Photo, Report, candidates, constant_offset, epipolar_line, estimate_offset, estimated_interior, gradient_candidates, initSync,
+  interior, match_photos, matches_csv, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
 } from '../../pkg/wasm/tiepoint.js';
 import { BLOCK_HANDLERS } from '../block/handlers';
 import type { CallName, Calls, ImageSource, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
+import { overlayOf } from './mask';
+import { patchOf } from './patch';
 import { bitmapOf, tileOf } from './tiles';
 
 interface OpenPhoto {
@@ -38,10 +40,23 @@ async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'op
   };
 }
 
+/** The grey values of the image that is open, copied once. */
+function greyOf(current: OpenPhoto): Uint8Array {
+  current.grey ??= current.photo.grey();
+  return current.grey;
+}
+
 function tile({ level, column, row, side }: Input<'tile'>): Promise<ImageBitmap> {
   const current = photo();
-  current.grey ??= current.photo.grey();
-  return tileOf(current.grey, current.photo.width, current.photo.height, level, column, row, side);
+  return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
+}
+
+async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'>> {
+  const decoded = await decode({ kind: 'file', file });
+  const { width, height } = decoded;
+  const grey = decoded.grey();
+  decoded.free();
+  return { width, height, grey, overlay: await overlayOf(grey, width, height, overlaySide) };
 }
 
 /** The pair whose grey values this worker compares. */
@@ -60,7 +75,15 @@ function hold({ left, right }: Input<'hold'>): null {
 
 function match(m: Input<'match'>): Output<'match'> {
   if (held === null) throw new Error('no pair is held in this worker');
-  return match_photos(held.left, held.right, m.leftPoints, m.leftDescriptors, m.rightPoints, m.rightDescriptors, m.offset, m.interior, m.settings);
+  const { left, right } = held;
+  const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings);
+  return { ...result, estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height) };
+}
+
+function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {
+  if (offset === null) throw new Error('these candidates lie around an expected place');
+  const none = new Float64Array();
+  return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
 }
 
 /** The report in the making. */
@@ -94,16 +117,20 @@ const HANDLERS: { [K in CallName]: (input: Input<K>) => Output<K> | Promise<Outp
   open,
   tile,
   reduced: ({ maxSide }) => photo().photo.reduced(maxSide),
-  detect: (options) => photo().photo.detect(options),
+  detect: ({ settings, mask: left }) => photo().photo.detect(settings, left),
+  features: ({ settings, mask: left }) => photo().photo.describe_points(settings, left),
   describe: ({ points, window, strategy }) => photo().photo.describe(points, window, strategy),
   grey: () => ({ width: photo().photo.width, height: photo().photo.height, grey: photo().photo.grey() }),
+  patch: (input) => patchOf(greyOf(photo()), photo().photo.width, photo().photo.height, input),
   moments: ({ col, row, window }) => photo().photo.window_moments(col, row, window),
   simulate: (flight) => simulate(flight),
   hold,
   offset: ({ left, right }) => estimate_offset(left, right),
   constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
   match,
-  candidates: (m) => candidates(m.index, m.leftPoints, m.leftDescriptors, m.rightPoints, m.rightDescriptors, m.offset, m.options),
+  candidates: candidatesOf,
+  gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
+  epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
   score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
   interior: interiorOf,
   orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
@@ -112,6 +139,7 @@ const HANDLERS: { [K in CallName]: (input: Input<K>) => Output<K> | Promise<Outp
   reportPage: () => reportInHand().html(),
   parseFiducials: ({ text }) => parse_fiducials(text),
   parseCamera: ({ text }) => parse_camera(text),
+  mask,
   matchesCsv: ({ matches }) => matches_csv(matches),
   ...BLOCK_HANDLERS,
 };

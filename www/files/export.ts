@@ -1,5 +1,6 @@
 /** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
 import type { Engine } from '../engine/engine';
+import { interiorInUse } from '../state/interior';
 import { isCurrent, pairCameras } from '../state/keys';
 import { NO_POINT, shownPair } from '../state/select';
 import { truthOf } from '../state/truth';
@@ -21,7 +22,13 @@ function imageOf(state: State, side: Side) {
     exif: opened?.info.camera ?? null,
     fiducials: state.photos[side].fiducials,
     origin: state.photos[side].origin,
+    mask: state.masks[side]?.name ?? null,
   };
+}
+
+function framesOf(state: State, side: Side) {
+  const found = state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value;
+  return found === undefined || found.frames.length === 0 ? null : rows(found.frames, 2);
 }
 
 function verdicts(state: State) {
@@ -63,6 +70,7 @@ export function everything(state: State): object {
       pixel: 'the centre of the top-left pixel is (0.5, 0.5); x to the right, y down',
       photo: 'mm, x to the right, y up, origin at the principal point',
       points: '[x, y, interest value]',
+      frames: 'for points of many scales: [scale in px, direction in rad from x towards y]',
       matches: '[x left, y left, x right, y right, measure]',
       match_indices: '[index of the left point, index of the right point], the right one null where the place found is no interest point',
       fits: 'least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]',
@@ -75,17 +83,21 @@ export function everything(state: State): object {
     camera: pairCameras(state),
     fiducial_model: state.fiducialModel,
     given_offset: state.offset,
-    offset: state.results.offset?.value ?? null,
+    offset: isCurrent(state, 'offset') ? (state.results.offset?.value ?? null) : null,
     counts: countsOf(state),
     thresholds: { left: state.results.pointsLeft?.value.threshold ?? null, right: state.results.pointsRight?.value.threshold ?? null },
     points: { left: left === null ? null : rows(left, 3), right: right === null ? null : rows(right, 3) },
+    frames: { left: framesOf(state, 'left'), right: framesOf(state, 'right') },
     matches: match === null ? null : rows(match.matches, 5),
     match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => (index === NO_POINT ? null : index))),
     fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
     verdicts: verdicts(state),
+    geometry: match?.geometry ?? null,
+    geometry_reason: match?.geometry_reason ?? null,
     interior: {
       left: state.results.interiorLeft?.value ?? null,
       right: state.results.interiorRight?.value ?? null,
+      estimated: 'missing' in pairCameras(state) ? interiorInUse(state) : null,
     },
     orientation: orientation === null ? null : { ...orientation, points: rows(orientation.points, 9).map((point) => point.map(finite)) },
     truth: trueOrientation(state),

@@ -7,10 +7,19 @@ import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { sortFiles } from './sort';
 
+/** Longest side of the copy of a mask that is shown, px. */
+const MASK_SIDE = 1024;
+
 /** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
 const MOST_BYTES = 2 ** 30;
 
 let nextId = 1;
+
+/** Masks named "right", or the second of two, belong right. */
+function sideOfMask(mask: File, index: number): Side {
+  if (/right/iu.test(mask.name)) return 'right';
+  return /left/iu.test(mask.name) || index === 0 ? 'left' : 'right';
+}
 
 export class Files {
   constructor(private readonly store: Store, private readonly engine: Engine) {}
@@ -19,7 +28,7 @@ export class Files {
   async take(files: readonly File[], side: Side | null): Promise<void> {
     if (files.length === 0) return;
     this.store.dispatch({ type: 'notice', notice: null });
-    const { images, tables, cameras } = sortFiles(files);
+    const { images, masks, tables, cameras } = sortFiles(files);
     if (images.length > 2) {
       this.problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`);
       return;
@@ -28,6 +37,29 @@ export class Files {
     if (camera !== undefined) await this.takeCamera(camera);
     for (const [i, table] of tables.entries()) await this.takeFiducials(table, side ?? this.sideOfTable(table, i));
     if (images.length > 0) await this.takeImages(images, side);
+    for (const [i, mask] of masks.entries()) await this.takeMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i));
+  }
+
+  /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
+  async takeMask(file: File, side: Side): Promise<void> {
+    const opened = this.store.state.images[side];
+    if (opened === null) {
+      this.problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
+      return;
+    }
+    try {
+      const { info } = await this.engine.open(side, opened);
+      const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
+      if (mask.width !== info.width || mask.height !== info.height) {
+        this.problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(info.width)} × ${String(info.height)} px: a mask is as large as its image. Nothing was changed.`);
+        return;
+      }
+      this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
+      const share = mask.grey.reduce((zeros, grey) => zeros + (grey === 0 ? 1 : 0), 0) / mask.grey.length;
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${file.name} leaves out ${(100 * share).toFixed(1)} % of the ${side} image.` } });
+    } catch (error) {
+      this.failed(`${file.name} cannot be used as a mask`, error);
+    }
   }
 
   /** Renders the pair of a flight in a worker and opens it. */

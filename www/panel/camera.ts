@@ -1,11 +1,11 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
 import type { Camera, ExifCamera } from '../engine/wasm';
-import { pairCameras } from '../state/keys';
+import { comparesGradients, pairCameras } from '../state/keys';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from './dom';
-import { significant } from './format';
+import { fixed, significant } from './format';
 import { numberField, problemLine, readNumber, readPair, showNumber } from './numberfield';
 
 /** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
@@ -54,7 +54,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
     fields.forEach((field, i) => { showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera)); });
     clear.disabled = camera === null;
   });
-  store.watch((s) => [s.camera, s.results.openLeft, s.results.openRight, s.photos, s.truth] as const, () => { fill(source, sourceText(store.state)); });
+  store.watch((s) => [s.camera, s.results.openLeft, s.results.openRight, s.results.match, s.photos, s.truth] as const, () => { fill(source, sourceText(store.state)); });
 }
 
 function exifText(name: string, exif: ExifCamera): string {
@@ -73,7 +73,11 @@ function sourceText(state: State): string {
   const used = pairCameras(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
   if (!('missing' in used)) return `In use: EXIF. Values below take its place. ${exif}`;
-  return `Without a principal distance, and a pixel size or fiducial marks, matches are not oriented. ${exif}`;
+  const focal = state.results.match?.value.geometry?.focal ?? null;
+  if (focal !== null && state.results.match?.value.estimated != null) {
+    return `In use: as the matches tell it, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal points in the middle. Values below take its place. ${exif}`;
+  }
+  return `Without a principal distance, and a pixel size or fiducial marks, matches are not oriented, unless they tell the focal length themselves (gradients). ${exif}`;
 }
 
 /** The offset of the right image: estimated, or given. */
@@ -90,7 +94,11 @@ function offsetGroup(store: Store): HTMLElement {
     showNumber(dx, offset?.[0]);
     showNumber(dy, offset?.[1]);
   });
-  store.watch((s) => [s.results.offset, s.offset] as const, ([result, given]) => {
+  store.watch((s) => [s.results.offset, s.offset, s.settings] as const, ([result, given, settings]) => {
+    if (settings !== null && comparesGradients(settings)) {
+      fill(found, 'The strategy that compares gradients looks in the whole right image: it needs no offset.');
+      return;
+    }
     if (given !== null || result === undefined) {
       fill(found, given !== null ? 'Given. Empty both fields to estimate it.' : 'Right minus left position; empty: estimated by correlation, coarse to fine.');
       return;

@@ -94,7 +94,8 @@ function choiceField(parameter: Parameter, values: readonly string[], id: string
 
 const CHOICE_NAMES: Readonly<Record<string, string>> = {
   ground1: 'Ground 1', ground2: 'Ground 2', forstner: 'Förstner', moravec: 'Moravec',
-  moments: 'moments (DM)', invariants: 'invariants (DI)', 'least-squares': 'least squares',
+  multiscale: 'many scales', moments: 'moments (DM)', invariants: 'invariants (DI)', 'least-squares': 'least squares', gradient: 'gradients',
+  quadratic: 'quadratic',
   maxabs: 'larger magnitude', floor: 'larger magnitude, with floor', keep: 'keep all', first: 'keep the first',
   unit: 'grey / 255', huber: 'Huber', danish: 'Danish',
 };

@@ -1,7 +1,8 @@
 /** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are left out. */
-import type { Catalogue } from '../engine/wasm';
+import type { Catalogue, Settings } from '../engine/wasm';
+import { comparesGradients } from '../state/keys';
 import type { Store } from '../state/store';
-import { makeControl } from './control';
+import { choiceName, makeControl } from './control';
 import type { Control, Value } from './control';
 import { button, fill, h } from './dom';
 import { isUsed } from './relevance';
@@ -9,8 +10,11 @@ import { readSetting, withSetting } from './settings';
 
 const GROUPS: Readonly<Record<string, string>> = {
   points: 'Points',
+  multiscale: 'Points of many scales',
   window: 'Moments',
+  gradient: 'Gradient descriptors',
   matching: 'Matching',
+  geometry: 'Geometry of the two views',
   orientation: 'Relative orientation',
 };
 
@@ -42,8 +46,22 @@ export function mountControls(host: HTMLElement, store: Store): void {
 }
 
 function change(store: Store, key: string, value: Value): void {
-  const { settings } = store.state;
-  if (settings !== null) store.dispatch({ type: 'settings', settings: withSetting(settings, key, value) });
+  const { settings, catalogue } = store.state;
+  if (settings === null || catalogue === null) return;
+  const changed = withSetting(settings, key, value);
+  const operator = key === 'matching.strategy' ? usualOperator(settings, changed, catalogue) : null;
+  store.dispatch({ type: 'settings', settings: operator === null ? changed : withSetting(changed, 'points.operator', operator) });
+  if (operator === null) return;
+  const name = choiceName(operator);
+  const text = `The operator is now “${name}”, as is usual with this strategy; any other can be chosen under “Points”.`;
+  store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
+}
+
+/** Gradients describe points of many scales: the operator that goes with a newly chosen strategy; null where it stays. */
+function usualOperator(before: Settings, after: Settings, { defaults }: Catalogue): Settings['points']['operator'] | null {
+  const usual = (settings: Settings) => (comparesGradients(settings) ? 'multiscale' : defaults.points.operator);
+  const { operator } = before.points;
+  return operator === usual(before) && operator !== usual(after) ? usual(after) : null;
 }
 
 function resetAll(store: Store, { defaults }: Catalogue): void {
@@ -59,6 +77,8 @@ function whenEmpty(store: Store, catalogue: Catalogue, key: string): number | st
   if (settings === null) return '';
   if (key === 'orientation.base_mm') return 'from the matches';
   if (key === 'orientation.sigma0_mm') return 'estimated';
+  if (key === 'geometry.threshold_px') return 'from the matches';
+  if (key === 'matching.ambiguity') return catalogue.ambiguityDefaults[settings.matching.strategy];
   const defaults = catalogue.operatorDefaults[settings.points.operator];
   const value = new Map<string, number>(Object.entries(defaults).map(([field, number]) => [`points.${field}`, number as number])).get(key);
   return value === undefined || (key === 'points.threshold' && settings.points.fraction !== null) ? 'none' : value;

@@ -1,4 +1,5 @@
 /** Histograms: the measure of the matches, what the adjustment left, the interest value. */
+import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
 import { parallaxResiduals } from '../state/residuals';
 import { columnOf, histogram } from '../state/histogram';
@@ -49,7 +50,7 @@ const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
   },
   (state) => {
     const { orientation } = shownPair(state);
-    const interior = state.results.interiorLeft?.value.interior;
+    const interior = interiorInUse(state)?.left;
     if (orientation === null || interior === undefined) return null;
     const figure = chart('y-parallax residuals of the matches used', 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
     return markStale(figure, isStale(state, 'orientation') && !isStale(state, 'match'));

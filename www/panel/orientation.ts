@@ -1,6 +1,7 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
 import type { FiveParameters, RelativeOrientation, Weakness } from '../engine/wasm';
-import { isStale, pairCameras, wantedKeys } from '../state/keys';
+import { interiorInUse } from '../state/interior';
+import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
 import { pixelMm } from '../state/residuals';
 import { orientationAt, truthOf } from '../state/truth';
 import type { State } from '../state/state';
@@ -31,16 +32,28 @@ function content(state: State): HTMLElement[] {
   if (reason !== null) return [h('p', { class: 'note', testid: 'orientation-reason' }, reason)];
   const result = state.results.orientation?.value;
   if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, 'Not computed yet.')];
-  return [valueTable(state, result), ...warnings(result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), pictures(state, result)];
+  return [...estimatedFocal(state), valueTable(state, result), ...warnings(result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), pictures(state, result)];
+}
+
+/** Says where the focal length is from, where no camera is known. */
+function estimatedFocal(state: State): HTMLElement[] {
+  const { match } = state.results;
+  const focal = match?.value.geometry?.focal ?? null;
+  if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+  return [h('p', { class: 'note', testid: 'estimated-focal' },
+    `With the focal length that the matches tell: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below take for free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
 }
 
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 export function whyNotOriented(state: State): string | null {
   const keys = wantedKeys(state);
   if (state.images.left === null || state.images.right === null) return 'Two images are needed.';
+  const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
+  if (match?.geometry?.degenerate === 'pure-rotation') return 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
   const cameras = pairCameras(state);
-  if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras) {
-    return `Not oriented: ${cameras.missing}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+  if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
+    const untold = match?.geometry == null ? '' : ', and the matches do not tell the focal length';
+    return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
   }
   for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
     const failure = state.failures[stage];
@@ -95,7 +108,7 @@ function warnings({ weaknesses }: RelativeOrientation): HTMLElement[] {
 }
 
 function precision(state: State, result: RelativeOrientation): HTMLElement {
-  const interior = state.results.interiorLeft?.value.interior;
+  const interior = interiorInUse(state)?.left;
   const pixel = interior === undefined ? null : pixelMm(interior);
   const sigma = result.sigma0_mm;
   const used = result.residuals_mm.length - result.rejected.length;

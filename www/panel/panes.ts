@@ -9,6 +9,9 @@ import { count } from './format';
 
 export interface PaneActions {
   open: (side: Side) => void;
+  /** Asks for a mask of a side. */
+  mask: (side: Side) => void;
+  unmask: (side: Side) => void;
 }
 
 export function mountPanes(view: View, store: Store, actions: PaneActions): void {
@@ -23,7 +26,7 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
     }
   };
   new ResizeObserver(place).observe(view.host);
-  store.watch((s) => [s.images, s.results.openLeft, s.results.openRight, s.activeSide] as const, () => {
+  store.watch((s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const, () => {
     for (const side of SIDES) {
       labels[side].element.classList.toggle('is-active', store.state.activeSide === side);
       labels[side].element.classList.toggle('is-empty', store.state.images[side] === null);
@@ -38,12 +41,19 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
   replace.setAttribute('aria-label', `Replace the ${side} image`);
   const empty = button(`Open the ${side} image …`, `open-${side}`, () => { actions.open(side); });
   empty.className = 'invitation';
-  const head = h('div', { class: 'pane-head' }, name, replace);
+  const mask = button('Mask …', `mask-${side}`, () => { actions.mask(side); }, 'An image of the same size: where it is 0 (black), no points are wanted');
+  const unmask = button('× mask', `unmask-${side}`, () => { actions.unmask(side); });
+  unmask.setAttribute('aria-label', `Take the mask of the ${side} image away`);
+  const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
   const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);
   const show = (state: State) => {
     const image = state.images[side];
     const opened = state.results[side === 'left' ? 'openLeft' : 'openRight'];
+    const given = state.masks[side];
     head.hidden = image === null;
+    mask.hidden = given !== null;
+    unmask.hidden = given === null;
+    unmask.title = given === null ? '' : `Take ${given.name} away`;
     empty.hidden = image !== null;
     const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
     fill(name, image === null ? '' : `${image.name}${size}`);

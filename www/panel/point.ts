@@ -1,9 +1,10 @@
 /** The selected point: the rule that decided, its window, what was compared, its candidates, its statistics. */
-import { leftIndexOf } from '../engine/runs';
 import type { MatchResult } from '../engine/wasm';
-import { comparesGreyValues, isCurrent } from '../state/keys';
+import { interiorInUse } from '../state/interior';
+import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
 import { pixelMm } from '../state/residuals';
 import { matchOfLeft, shownPair } from '../state/select';
+import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
 import type { Inspection, PointWindow, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -11,6 +12,7 @@ import { statisticsOf } from '../state/statistics';
 import { fill, h, row } from './dom';
 import { facts } from './facts';
 import type { Fact } from './facts';
+import { featurePictures } from './feature';
 import { count, fixed, significant } from './format';
 import { swatch } from './swatch';
 import { verdictOf } from './verdict';
@@ -36,7 +38,7 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   const shown = shownPair(state);
   const points = selection === null ? null : shown[selection.side];
   if (selection === null || points === null || 3 * selection.index >= points.length) {
-    return [h('p', { class: 'note' }, 'Click a point in an image, or press N with the image in focus, to see its window, what was compared, its candidates and the rule that decided.')];
+    return [h('p', { class: 'note' }, 'Click a point in an image, or press N with the image in focus, to see what was compared, its candidates and the rule that decided.')];
   }
   const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
   const parts: HTMLElement[] = [
@@ -50,10 +52,21 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   if (inspection === undefined || !isCurrent(state, 'inspection')) return [...parts, h('p', { class: 'note' }, problemOr(state, 'Looking up the window and the candidates …'))];
   // Grey values are compared as they are: moments of their windows would say nothing about the verdict.
   const byGrey = state.settings !== null && comparesGreyValues(state.settings);
+  const byGradients = state.settings !== null && comparesGradients(state.settings);
+  const compared = byGradients ? featurePictures(inspection) : [windows(inspection, !byGrey), ...(byGrey ? [] : moments(inspection))];
   return [
-    ...parts, windows(inspection, !byGrey), ...(byGrey ? [] : moments(inspection)), ...matchStatistics(state, shown, shown.match),
+    ...parts, ...compared, ...lineNote(inspection, shown.match), ...matchStatistics(state, shown, shown.match),
     ...candidateTable(state, shown.match, inspection, select),
   ];
+}
+
+/** What is drawn of the geometry in the other image. */
+function lineNote({ line }: Inspection, { geometry }: MatchResult): HTMLElement[] {
+  if (line === null || geometry === null) return [];
+  const text = 'fundamental' in geometry.model
+    ? `The dashed line in the ${line.side} image is the epipolar line of this point: its match lies on it, whatever its height.`
+    : `The cross in the ${line.side} image is where the geometry has this point.`;
+  return [h('p', { class: 'note', testid: 'point-line' }, line.positions.length === 0 ? `By the geometry of the two views the ${line.side} image does not show this point.` : text)];
 }
 
 function problemOr(state: State, text: string): string {
@@ -91,7 +104,7 @@ function moments({ left, right }: Inspection): HTMLElement[] {
 function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HTMLElement[] {
   const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
   if (index < 0) return [];
-  const interior = state.results.interiorLeft?.value.interior;
+  const interior = interiorInUse(state)?.left;
   const { columns } = statisticsOf(match, shown.orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
   const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
   const list: Fact[] = [
@@ -113,9 +126,13 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
     const go = h('button', { type: 'button', class: 'link', aria: { label: `Select right point ${String(index + 1)}` } }, count(index + 1));
     go.addEventListener('click', () => { select('right', index); });
     const cells = [points[3 * index], points[3 * index + 1]].map((v) => h('td', { class: 'number' }, fixed(v, 1)));
-    return h('tr', { class: index === match.best[leftIndex] ? 'best' : '' }, h('td', {}, String(i + 1)), h('td', {}, go), ...cells, h('td', { class: 'number' }, fixed(candidates[2 * i + 1], 4)));
+    const [least = NaN, own = NaN] = [candidates[1], candidates[2 * i + 1]];
+    return h('tr', { class: index === match.best[leftIndex] ? 'best' : '' }, h('td', {}, String(i + 1)), h('td', {}, go), ...cells,
+      h('td', { class: 'number' }, fixed(own, 4)), h('td', { class: 'number' }, i === 0 ? '' : fixed(least / own, 3)));
   });
-  const heads = ['', 'Right point', 'x px', 'y px', 'Measure'].map((text) => h('th', { scope: 'col' }, text));
+  const measure = state.settings !== null && comparesGradients(state.settings) ? 'Distance' : 'Measure';
+  const heads = ['', 'Right point', 'x px', 'y px', measure].map((text) => h('th', { scope: 'col' }, text));
+  heads.push(h('th', { scope: 'col', title: 'The least of all divided by its own: the second one’s decides whether the best is ambiguous.' }, 'Ratio'));
   const caption = `${count(total)} ${total === 1 ? 'candidate' : 'candidates'} of left point ${count(leftIndex + 1)}${total > MOST_ROWS ? `, the best ${String(MOST_ROWS)}` : ''}`;
   return [h('h4', {}, caption), h('div', { class: 'scroll candidates' }, h('table', { testid: 'point-candidates', aria: { label: caption } }, h('thead', {}, h('tr', {}, ...heads)), h('tbody', {}, ...rows)))];
 }

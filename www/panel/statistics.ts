@@ -1,4 +1,5 @@
 /** The table of matches: each with its statistics, sorted by any of them, linked both ways to the images. Only the rows in sight exist. */
+import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
 import { matchOfLeft, shownPair } from '../state/select';
 import { pixelMm } from '../state/residuals';
@@ -148,7 +149,7 @@ class StatisticsTable {
 function statisticsOfState(state: State): Statistics | null {
   const { match, orientation } = shownPair(state);
   if (match === null || match.counts.matches === 0) return null;
-  const interior = state.results.interiorLeft?.value.interior;
+  const interior = interiorInUse(state)?.left;
   return statisticsOf(match, orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
 }
 

@@ -1,7 +1,7 @@
 /** Everything that can happen to the state. */
 import type { Camera, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../engine/wasm';
 import type {
-  Display, GivenImage, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult,
+  Display, GivenImage, GivenMask, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult,
 } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
@@ -15,6 +15,7 @@ export type Action =
   | { type: 'settings'; settings: Settings }
   | { type: 'camera'; camera: Camera | null }
   | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
+  | { type: 'mask'; side: Side; mask: GivenMask | null }
   | { type: 'fiducialModel'; model: FiducialModel }
   | { type: 'offset'; offset: [number, number] | null }
   | { type: 'stageStarted'; stage: StageName; key: string }

@@ -55,34 +55,74 @@ export function comparesGreyValues({ matching }: Settings): boolean {
   return matching.strategy === 'correlation' || matching.strategy === 'least-squares';
 }
 
+/** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
+export function comparesGradients({ matching }: Settings): boolean {
+  return matching.strategy === 'gradient';
+}
+
+/** Whether a strategy compares the moments of windows. */
+export function comparesMoments(settings: Settings): boolean {
+  return !comparesGreyValues(settings) && !comparesGradients(settings);
+}
+
+/** What the points depend on: of the groups `multiscale` and `gradient` only what is used. */
+function pointSettings(settings: Settings): unknown[] {
+  const gradients = comparesGradients(settings);
+  const scales = gradients || settings.points.operator === 'multiscale';
+  return [settings.points, scales ? settings.multiscale : null, gradients ? settings.gradient : null];
+}
+
+/** What the interior orientation of the matches' own making comes from: the matches, where they tell it or are still to come. */
+function estimatedFrom(state: State, settings: Settings, match: string | null): string | null {
+  const result = state.results.match;
+  const tellsNone = result !== undefined && result.key === match && result.value.estimated === null;
+  return comparesGradients(settings) && !tellsNone ? '' : null;
+}
+
+/** Photos from one place have no base: there is nothing to orient. */
+function fromOnePlace(state: State, match: string | null): boolean {
+  const result = state.results.match;
+  return result !== undefined && result.key === match && result.value.geometry?.degenerate === 'pure-rotation';
+}
+
 function openKey(state: State, side: Side): string | null {
   const image = state.images[side];
   return image === null ? null : keyOf('open', [], image.id);
+}
+
+/** What of the cameras matching depends on: the geometry that verifies gradients, and matching along epipolar lines. */
+function ofCameras(settings: Settings | null, interiors: readonly (string | null)[]): unknown[] {
+  if (settings === null) return [];
+  if (comparesGradients(settings)) return [...interiors, settings.geometry];
+  return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
 }
 
 function compute(state: State): WantedKeys {
   const { settings } = state;
   const openLeft = openKey(state, 'left');
   const openRight = openKey(state, 'right');
-  const known = settings === null ? null : '';
-  const pointsLeft = keyOf('points', [openLeft, known], settings?.points);
-  const pointsRight = keyOf('points', [openRight, known], settings?.points);
-  const described = settings === null || comparesGreyValues(settings) ? [] : [settings.window, settings.matching.strategy];
+  const points = (side: Side, open: string | null) =>
+    settings === null ? null : keyOf('points', [open], [pointSettings(settings), state.masks[side]?.id]);
+  const pointsLeft = points('left', openLeft);
+  const pointsRight = points('right', openRight);
+  const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
   const descriptorsLeft = keyOf('descriptors', [pointsLeft], described);
   const descriptorsRight = keyOf('descriptors', [pointsRight], described);
-  const offset = state.offset === null ? keyOf('offset', [openLeft, openRight]) : keyOf('offset', [], state.offset);
+  const gradients = settings !== null && comparesGradients(settings);
+  const given = state.offset === null ? keyOf('offset', [openLeft, openRight]) : keyOf('offset', [], state.offset);
+  const offset = gradients ? null : given;
   const cameras = pairCameras(state);
   const interior = (side: Side, open: string | null) =>
     'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, state.photos[side], state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
-  // Only matching along epipolar lines needs to know the camera.
-  const along = settings?.matching.epipolar === true ? [interiorLeft, interiorRight, settings.orientation] : [];
-  const match = keyOf('match', [descriptorsLeft, descriptorsRight, offset], [settings?.matching, along]);
+  const match = keyOf('match', [descriptorsLeft, descriptorsRight, gradients ? '' : offset], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+  const interiors = 'missing' in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
+  const orientable = fromOnePlace(state, match) ? null : '';
   const truth = truthOf(state);
   return {
     openLeft, openRight, pointsLeft, pointsRight, descriptorsLeft, descriptorsRight, offset, match, interiorLeft, interiorRight,
-    orientation: keyOf('orientation', [match, interiorLeft, interiorRight], settings?.orientation),
+    orientation: keyOf('orientation', [match, orientable, ...interiors], settings?.orientation),
     score: keyOf('score', [match, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
     inspection: keyOf('inspection', [match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };
@@ -102,7 +142,8 @@ export function isCurrent(state: State, stage: StageName): boolean {
   return key !== null && state.results[stage]?.key === key;
 }
 
-/** Whether a stage shows a result that other settings made. */
+/** Whether a stage shows a result that other settings made. What is not part of the run is neither shown nor out of date. */
 export function isStale(state: State, stage: StageName): boolean {
-  return state.results[stage] !== undefined && !isCurrent(state, stage);
+  const key = wantedKeys(state)[stage];
+  return key !== null && state.results[stage] !== undefined && state.results[stage].key !== key;
 }

@@ -7,7 +7,7 @@ const NO_DATA: PhotoData = { fiducials: [], origin: null };
 
 /** What a user does; what was said of an earlier deed is then over. Looking at points or moving the view is none of it. */
 const DEEDS: ReadonlySet<Action['type']> = new Set([
-  'images', 'simulated', 'flight', 'swap', 'settings', 'camera', 'photo', 'fiducialModel', 'offset', 'display', 'resume',
+  'images', 'simulated', 'flight', 'swap', 'settings', 'camera', 'photo', 'mask', 'fiducialModel', 'offset', 'display', 'resume',
 ]);
 
 export function reduce(state: State, action: Action): State {
@@ -35,6 +35,8 @@ function changed(state: State, action: Action): State {
       return { ...state, camera: action.camera, paused: false };
     case 'photo':
       return { ...state, photos: { ...state.photos, [action.side]: { ...state.photos[action.side], ...action.photo } }, paused: false };
+    case 'mask':
+      return { ...state, masks: { ...state.masks, [action.side]: action.mask }, paused: false };
     case 'fiducialModel':
       return { ...state, fiducialModel: action.model, paused: false };
     case 'offset':
@@ -99,6 +101,8 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
   return {
     ...before,
     images: { ...before.images, ...images },
+    // A mask belongs to its image.
+    masks: { left: images.left === undefined ? before.masks.left : null, right: images.right === undefined ? before.masks.right : null },
     selection: null,
     paused: false,
     failures: {},
@@ -149,6 +153,7 @@ function swapped(state: State): State {
     results,
     images: { left: state.images.right, right: state.images.left },
     photos: { left: state.photos.right, right: state.photos.left },
+    masks: { left: state.masks.right, right: state.masks.left },
     offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
     views: { left: state.views.right, right: state.views.left },
     selection: null,

@@ -1,7 +1,7 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
-import type { ImageSource, InteriorOutput, Overview } from '../engine/calls';
+import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from '../engine/calls';
 import type {
-  Camera, Catalogue, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchResult, MatchScore, OffsetField, Settings,
+  Camera, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
   PhotoInfo, RelativeOrientation, WindowReport,
 } from '../engine/wasm';
 
@@ -17,6 +17,12 @@ export interface GivenImage {
   id: number;
   name: string;
   source: ImageSource;
+}
+
+/** Where an image holds no points that are wanted. `id` differs for every mask ever given. */
+export interface GivenMask extends MaskImage {
+  id: number;
+  name: string;
 }
 
 /** What the user says of a photo. */
@@ -47,24 +53,53 @@ export interface PointWindow {
   problem: string | null;
 }
 
+/** A point with its gradient descriptor, and what of the image it describes. */
+export interface FeatureView {
+  /** 4 x 4 cells of 8 directions. */
+  descriptor: Uint8Array;
+  scale: number;
+  /** Of the grid's rows in the image, rad from x towards y. */
+  direction: number;
+  /** Side of the 4 x 4 cells in px. */
+  reach: number;
+  /** The cells turned and scaled to the frame of the point, and their surroundings as they lie in the image: grey values row by row. */
+  turned: Uint8Array;
+  upright: Uint8Array;
+}
+
+/** Where the selected point may be seen in the other image: x, y in px along its epipolar line, or of one place; stride 2. */
+export interface SeenAt {
+  side: Side;
+  positions: Float64Array;
+}
+
 /** What is looked up about the selected point. */
 export interface Inspection {
   left: PointWindow | null;
   right: PointWindow | null;
+  /** For the strategy that compares gradients, in place of the windows. */
+  features: Record<Side, FeatureView | null> | null;
   /** Stride 2: right index, measure; best first. Empty where the strategy searches the image in place of points. */
   candidates: Float64Array;
+  line: SeenAt | null;
 }
+
+/** Points; those of the strategy gradient come with 128 bytes each, the others with none. */
+export type FoundPoints = DetectedPoints & Pick<DescribedPoints, 'gradients'>;
+
+/** What the strategy compares of each point. */
+export type GivenDescriptors = Pick<DescribedPoints, 'moments' | 'gradients'>;
 
 /** What each stage makes. */
 export interface StageValues {
   openLeft: { info: PhotoInfo; overview: Overview };
   openRight: { info: PhotoInfo; overview: Overview };
-  pointsLeft: DetectedPoints;
-  pointsRight: DetectedPoints;
-  descriptorsLeft: Float64Array;
-  descriptorsRight: Float64Array;
+  pointsLeft: FoundPoints;
+  pointsRight: FoundPoints;
+  descriptorsLeft: GivenDescriptors;
+  descriptorsRight: GivenDescriptors;
   offset: OffsetField;
-  match: MatchResult;
+  match: PairMatches;
   interiorLeft: InteriorOutput;
   interiorRight: InteriorOutput;
   orientation: RelativeOrientation;
@@ -126,6 +161,7 @@ export interface State {
   settings: Settings | null;
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
+  masks: Record<Side, GivenMask | null>;
   camera: Camera | null;
   fiducialModel: FiducialModel;
   /** Offset given by the user; estimated where null. */
@@ -150,6 +186,7 @@ export const INITIAL: State = {
   settings: null,
   images: { left: null, right: null },
   photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
+  masks: { left: null, right: null },
   camera: null,
   fiducialModel: 'affine',
   offset: null,

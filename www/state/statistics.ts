@@ -39,7 +39,7 @@ const POSITION: readonly Described[] = [
   { key: 'x', label: 'x', unit: 'px', digits: 1, help: 'Column of the left point; the top-left pixel’s centre is at 0.5.' },
   { key: 'y', label: 'y', unit: 'px', digits: 1, help: 'Row of the left point.' },
 ];
-const MEASURE: Described = { key: 'measure', label: 'measure', unit: '', digits: 4, help: 'How unlike the windows are: of the moments, or 1 minus the correlation coefficient. Small is good.' };
+const MEASURE: Described = { key: 'measure', label: 'measure', unit: '', digits: 4, help: 'How unlike the points are: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.' };
 const FIT: Described = {
   key: 'standard_error', label: 's(x, y)', unit: 'px', digits: 3,
   help: 'Standard error of the right position from least squares matching: of its worse direction.',

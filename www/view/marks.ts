@@ -4,6 +4,7 @@ import { GROSS_ERROR, MATCHED } from '../state/codes';
 import { remember } from '../state/select';
 import { SIDES } from '../state/state';
 import type { PointLayer, Side, State } from '../state/state';
+import { drawFrames } from './frames';
 import { drawView } from './geometry';
 import type { Rect, Transform } from './geometry';
 import { DRAWN, LINE, LINE_REJECTED, STYLES } from './palette';
@@ -54,6 +55,7 @@ export function drawPoints(context: CanvasRenderingContext2D, state: State, scen
   const { styles, colours } = stylesAt(transform.scale);
   const view = drawView(transform, clip);
   draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
+  drawFrames(context, state, pane, transform, clip);
   if (pane.side === 'right') draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
 }
 

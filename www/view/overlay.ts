@@ -1,12 +1,13 @@
 /** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
-import { comparesGreyValues, isCurrent } from '../state/keys';
-import { leftIndexOf, placeOf } from '../engine/runs';
+import { comparesGradients, comparesGreyValues, isCurrent } from '../state/keys';
 import { expectedPosition } from '../state/offset';
+import { leftIndexOf, placeOf } from '../state/selected';
 import type { State } from '../state/state';
+import { drawSupport } from './frames';
 import { contains, toCanvas, toImage } from './geometry';
 import type { Rect, Transform } from './geometry';
 import { drawPoints } from './marks';
-import { CANDIDATE, SELECTED } from './palette';
+import { CANDIDATE, EPIPOLAR, SELECTED } from './palette';
 import { paintPicture } from './picture';
 import type { Pane, Scene } from './scene';
 import type { TileCache } from './tilecache';
@@ -15,6 +16,8 @@ import type { TileCache } from './tilecache';
 const LENS_SIDE = 176;
 const LENS_FACTOR = 4;
 const MOST_CANDIDATES_DRAWN = 200;
+/** Candidates by gradients lie all over the image: the nearest of them. */
+const MOST_GRADIENT_CANDIDATES_DRAWN = 10;
 
 function pointOf(pane: Pane, index: number): [number, number] | null {
   const x = pane.points?.[3 * index];
@@ -61,29 +64,67 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   const at = pointOf(own, selection.index);
   if (at === null) return;
   within(context, own.rect, () => {
-    square(context, own, at, comparesGreyValues(settings) ? settings.matching.template : settings.window.side, SELECTED, []);
+    if (comparesGradients(settings)) drawSupport(context, settings, own, selection.index);
+    else square(context, own, at, comparesGreyValues(settings) ? settings.matching.template : settings.window.side, SELECTED, []);
     ring(context, own, at, 9, SELECTED, 2.5);
   });
   if (scene.match === null) return;
+  drawLine(context, state, scene);
   const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
   const leftAt = pointOf(scene.panes.left, leftIndex);
   if (leftAt === null) return;
   if (selection.side === 'right') within(context, scene.panes.left.rect, () => { ring(context, scene.panes.left, leftAt, 9, SELECTED, 2); });
-  drawCandidates(context, state, scene, leftAt, placeOf(scene.match.places, leftIndex));
+  drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
 }
 
-function drawCandidates(context: CanvasRenderingContext2D, state: State, scene: Scene, leftAt: [number, number], best: [number, number] | null): void {
+/** The epipolar line of the selected point in the other image, or a cross at the one place that a map gives. */
+function drawLine(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
+  const line = isCurrent(state, 'inspection') ? state.results.inspection?.value.line : undefined;
+  if (line == null) return;
+  const pane = scene.panes[line.side];
+  const places = Array.from({ length: line.positions.length / 2 }, (_, i) => toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0));
+  const path = new Path2D();
+  for (const [i, [x, y]] of places.entries()) {
+    if (places.length > 1) {
+      if (i === 0) path.moveTo(x, y);
+      else path.lineTo(x, y);
+      continue;
+    }
+    path.moveTo(x - 14, y);
+    path.lineTo(x + 14, y);
+    path.moveTo(x, y - 14);
+    path.lineTo(x, y + 14);
+  }
+  within(context, pane.rect, () => {
+    context.lineWidth = 3;
+    context.strokeStyle = 'rgb(0 0 0 / 0.5)';
+    context.stroke(path);
+    context.setLineDash([9, 5]);
+    context.lineWidth = 1.5;
+    context.strokeStyle = EPIPOLAR;
+    context.stroke(path);
+    context.setLineDash([]);
+  });
+}
+
+function drawCandidates(
+  context: CanvasRenderingContext2D, state: State, scene: Scene, leftIndex: number, leftAt: [number, number], best: [number, number] | null,
+): void {
   const pane = scene.panes.right;
   within(context, pane.rect, () => {
-    const field = state.results.offset?.value;
+    const { settings } = state;
+    const gradients = settings !== null && comparesGradients(settings);
+    const field = isCurrent(state, 'offset') ? state.results.offset?.value : undefined;
     if (field !== undefined) square(context, pane, expectedPosition(field, leftAt), state.settings?.matching.search ?? 0, CANDIDATE, [5, 4]);
     if (isCurrent(state, 'inspection')) {
       const list = state.results.inspection?.value.candidates ?? new Float64Array();
-      for (let i = 0; i < Math.min(list.length / 2, MOST_CANDIDATES_DRAWN); i++) {
+      const most = gradients ? MOST_GRADIENT_CANDIDATES_DRAWN : MOST_CANDIDATES_DRAWN;
+      for (let i = 0; i < Math.min(list.length / 2, most); i++) {
         const at = pointOf(pane, list[2 * i] ?? -1);
         if (at !== null) ring(context, pane, at, 4, CANDIDATE, 1.2);
       }
     }
+    if (gradients) drawSupport(context, settings, pane, scene.match?.best[leftIndex] ?? -1);
     if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === 'right' ? 2.5 : 2);
   });
 }

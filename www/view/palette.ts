@@ -19,7 +19,7 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
     label: 'No window', colour: '#b0b0b0', shape: SHAPES.dot,
     sentence: 'Refused: its window leaves the image or all its grey values are equal, so there is nothing to compare.',
   },
-  no_candidate: { label: 'No candidate', sentence: 'Refused: nothing in its search window can be compared with it.', colour: '#ffffff', shape: SHAPES.plus },
+  no_candidate: { label: 'No candidate', sentence: 'Refused: there is nothing in reach that could be compared with it.', colour: '#ffffff', shape: SHAPES.plus },
   threshold: { label: 'Threshold', sentence: 'Refused: its best candidate is not like enough.', colour: '#e69f00', shape: SHAPES.triangleUp },
   ambiguous: {
     label: 'Ambiguous', colour: '#cc79a7', shape: SHAPES.square,
@@ -28,7 +28,7 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
   many_to_one: { label: 'Many to one', sentence: 'Refused: another left point matches the same place better.', colour: '#f0e442', shape: SHAPES.cross },
   parallax: {
     label: 'y-parallax', colour: '#0a84d6', shape: SHAPES.triangleDown,
-    sentence: 'Refused: its y-parallax deviates from that of the nearest matches, or from the epipolar line.',
+    sentence: 'Refused: its y-parallax deviates from that of the nearest matches, or it does not fit the geometry of the two views.',
   },
   border: {
     label: 'Border', colour: '#e69f00', shape: SHAPES.square,
@@ -36,7 +36,7 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
   },
   left_right: {
     label: 'Left-right', colour: '#cc79a7', shape: SHAPES.cross,
-    sentence: 'Refused: the place found correlates better with another place of the left image.',
+    sentence: 'Refused: from the right image back, another place of the left image is like it more.',
   },
   not_converged: {
     label: 'Not converged', colour: '#56b4e9', shape: SHAPES.diamond,
@@ -67,5 +67,6 @@ export const DRAWN: readonly number[] = [UNDECIDED, ...REFUSALS.map(codeOf), GRO
 
 export const SELECTED = '#ffd400';
 export const CANDIDATE = '#56b4e9';
+export const EPIPOLAR = '#ff9ee0';
 export const LINE = 'rgb(0 222 160 / 0.5)';
 export const LINE_REJECTED = 'rgb(255 110 20 / 0.85)';

@@ -1,5 +1,5 @@
 /** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
-import type { Overview } from '../engine/calls';
+import type { MaskImage, Overview } from '../engine/calls';
 import type { Rect, Transform } from './geometry';
 import { toImage } from './geometry';
 import { TILE_SIDE } from './tilecache';
@@ -64,5 +64,16 @@ export function paintPicture(
       }
     }
   }
+  context.restore();
+}
+
+/** Paints what a mask leaves out over its image. */
+export function paintMask(context: CanvasRenderingContext2D, { overlay, width, height }: MaskImage, t: Transform, clip: Rect): void {
+  context.save();
+  context.beginPath();
+  context.rect(clip.left, clip.top, clip.width, clip.height);
+  context.clip();
+  context.imageSmoothingEnabled = false;
+  context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
   context.restore();
 }

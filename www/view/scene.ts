@@ -1,5 +1,6 @@
 /** What the view shows, gathered from the state once a drawing. */
 import type { MatchResult, RelativeOrientation } from '../engine/wasm';
+import { interiorInUse } from '../state/interior';
 import { residualVectors } from '../state/residuals';
 import { GROSS_ERROR, MATCHED } from '../state/codes';
 import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
@@ -17,6 +18,8 @@ export interface Pane {
   transform: Transform;
   picture: Picture | null;
   points: Float64Array | null;
+  /** Scale and direction of each point, stride 2; empty for points of one scale. */
+  frames: Float64Array | null;
   /** One a point; see `palette.ts`. */
   codes: Uint8Array;
   vectors: Float64Array | null;
@@ -51,14 +54,15 @@ export function sceneOf(state: State, width: number, height: number): Scene {
   const pane = (side: Side): Pane => {
     const picture = pictureOf(state, side);
     const view = state.views[side] ?? (picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height));
-    const interior = state.results[side === 'left' ? 'interiorLeft' : 'interiorRight']?.value.interior;
+    const interior = interiorInUse(state)?.[side];
     const vectors =
       shown.match !== null && shown.orientation !== null && interior !== undefined
         ? residualVectors[side](shown.match, shown.orientation, interior)
         : null;
     return {
       side, rect: rects[side], transform: transformOf(rects[side], view), picture,
-      points: picture === null ? null : shown[side], codes: codes[side], vectors,
+      points: picture === null ? null : shown[side],
+      frames: state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.frames ?? null, codes: codes[side], vectors,
     };
   };
   const ofMatches = matchCodes(shown.match, shown.orientation);

@@ -9,7 +9,7 @@ import { toCanvas, toImage } from './geometry';
 import { PointGrid } from './grid';
 import { drawMarks } from './marks';
 import { drawLens, drawSelection } from './overlay';
-import { paintPicture } from './picture';
+import { paintMask, paintPicture } from './picture';
 import { isShown, paneAt, sceneOf } from './scene';
 import type { Pane, Scene } from './scene';
 import { TileCache } from './tilecache';
@@ -48,7 +48,7 @@ export class View {
       () => { this.redraw('pictures', 'overlay'); },
     );
     new ResizeObserver(() => { this.resize(); }).observe(host);
-    store.watch((s) => [s.views, s.images, s.results.openLeft, s.results.openRight] as const, () => { this.redraw(...LAYERS); });
+    store.watch((s) => [s.views, s.images, s.masks, s.results.openLeft, s.results.openRight] as const, () => { this.redraw(...LAYERS); });
     store.watch(
       (s) => [s.results.pointsLeft, s.results.pointsRight, s.results.match, s.results.orientation, s.display, s.catalogue] as const,
       () => { this.redraw('marks', 'overlay'); },
@@ -160,6 +160,8 @@ export class View {
     // Tiles are for the picture of the image that is wanted now.
     const current = wantedKeys(this.store.state)[pane.side === 'left' ? 'openLeft' : 'openRight'] !== null;
     paintPicture(context, pane.picture, pane.transform, pane.rect, this.ratio, current ? this.tiles : null);
+    const mask = this.store.state.masks[pane.side];
+    if (mask !== null) paintMask(context, mask, pane.transform, pane.rect);
   }
 }
 

@@ -1,0 +1,127 @@
+/** The strategy that compares gradients: its points, its geometry, what it shows of a point; and masks. */
+
+import assert from 'node:assert/strict';
+import { existsSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { greyPng } from '../../pkg/command/png.js';
+import { choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload } from './page.js';
+
+hosted();
+
+/** Photographs that only some machines have. */
+const FOUNTAIN = ['0003.jpg', '0004.jpg'].map((name) => join(ROOT, '..', 'shared', 'data', 'truth_terrestrial_fountain', name));
+
+/** @param {import('playwright-core').Page} page @param {string} id */
+const text = async (page, id) => (await part(page, id).textContent()) ?? '';
+
+/** What the page knows.  @param {import('playwright-core').Page} page */
+const everything = async (page) => JSON.parse((await saved(page, 'export-json')).toString());
+
+/** How many pixels of a canvas are neither black nor white nor grey.  @param {import('playwright-core').Locator} canvas */
+const coloured = (canvas) => canvas.evaluate((element) => {
+  const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+  const bytes = /** @type {HTMLCanvasElement} */ (element).getContext('2d')?.getImageData(0, 0, width, height).data ?? [];
+  let count = 0;
+  for (let i = 0; i < bytes.length; i += 4) if (bytes[i] !== bytes[i + 1] || bytes[i] !== bytes[i + 2]) count++;
+  return count;
+});
+
+test('gradients need no offset, and a point shows both descriptors, its candidates and its epipolar line', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await choose(page, 'matching.strategy', 'gradient');
+  assert.match(await text(page, 'status'), /operator is now/);
+  assert.ok(await number(page, 'score-right') > 4000);
+  assert.equal(await text(page, 'geometry-kind'), 'calibrated cameras');
+  assert.ok(await number(page, 'geometry-sigma') < await number(page, 'geometry-threshold'));
+  for (const key of ['points.threshold', 'window.side', 'matching.search']) assert.ok(!(await page.locator(`[data-key="${key}"]`).first().isVisible()), key);
+  const { points, frames, offset, geometry } = await everything(page);
+  assert.deepEqual([frames.left.length, frames.right.length], [points.left.length, points.right.length]);
+  assert.ok(frames.left.every((/** @type {number[]} */ [scale]) => (scale ?? 0) > 0.5));
+  assert.deepEqual([offset, geometry.model.kind], [null, 'calibrated']);
+  await part(page, 'tab-matches').click();
+  await page.locator('[data-testid="statistics-row"]').nth(8).click();
+  await part(page, 'tab-point').click();
+  await part(page, 'point-candidates').waitFor();
+  const best = page.locator('[data-testid="point-candidates"] tbody tr');
+  assert.equal(await best.count(), 50);
+  const distances = (await best.locator('td:nth-child(5)').allTextContents()).map(Number);
+  assert.deepEqual(distances, [...distances].sort((a, b) => a - b));
+  assert.equal(Number(await best.nth(1).locator('td:nth-child(6)').textContent()), Number(((distances[0] ?? 0) / (distances[1] ?? 1)).toFixed(3)));
+  assert.match(await text(page, 'point-verdict'), /agrees with the geometry/);
+  const [patches, descriptors] = ['point-patches', 'point-descriptors'].map((id) => page.locator(`[data-testid="${id}"] canvas`));
+  assert.ok(patches && descriptors);
+  assert.deepEqual([await patches.count(), await descriptors.count()], [2, 2]);
+  assert.equal(await coloured(patches.first()), 0);
+  assert.ok(await coloured(descriptors.first()) > 500 && await coloured(descriptors.last()) > 500, 'the stars of the descriptors');
+  assert.match(await text(page, 'point-line'), /epipolar line/);
+  await page.screenshot({ path: join(SHOTS, 'gradients.png') });
+  await choose(page, 'matching.strategy', 'moments');
+  assert.equal(await page.locator('select[data-key="points.operator"]').inputValue(), 'ground2');
+  assert.ok(!(await part(page, 'geometry-section').isVisible()));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('photos from one place are told to be that and not oriented', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Ready'));
+  await part(page, 'tab-simulate').click();
+  for (const [field, value] of /** @type {const} */ ([['base_mm', '0'], ['by_mm', '0'], ['bz_mm', '0'], ['kappa_deg', '5']])) {
+    await page.locator(`input[data-key="flight.${field}"]:not([type="range"])`).first().fill(value);
+  }
+  await part(page, 'render-flight').click();
+  await done(page);
+  await part(page, 'tab-settings').click();
+  await choose(page, 'matching.strategy', 'gradient');
+  assert.equal(await text(page, 'geometry-kind'), 'rotation');
+  assert.match(await text(page, 'degenerate-pure-rotation'), /no base/);
+  assert.match(await text(page, 'orientation-reason'), /from one place/);
+  await page.screenshot({ path: join(SHOTS, 'rotation.png') });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a focal length that only the matches tell orients the photos and is shown as estimated', { skip: SKIP || (FOUNTAIN.every((file) => existsSync(file)) ? false : 'skipped: no photographs') }, async () => {
+  const { page, complaints, close } = await open();
+  await part(page, 'file-input').setInputFiles(FOUNTAIN);
+  await done(page);
+  assert.match(await text(page, 'orientation-reason'), /no camera is given/);
+  await choose(page, 'matching.strategy', 'gradient');
+  const [, focal = NaN, error = NaN] = (/^(\d+) ± (\d+) px$/.exec(await text(page, 'geometry-focal')) ?? []).map(Number);
+  // The cameras were calibrated: 2759.48 px at 3072 px width.
+  assert.ok(Math.abs(focal - 0.5 * 2759.48) < 5 * error && error < 50, `${focal} ± ${error} px`);
+  assert.match(await text(page, 'estimated-focal'), /matches tell/);
+  assert.ok(await number(page, 'degrees-of-freedom') > 1000);
+  await page.screenshot({ path: join(SHOTS, 'estimated-focal.png') });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a mask leaves points out, is shown, and goes with its image; one of another size is refused', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await part(page, 'file-input').setInputFiles(pngs());
+  await done(page);
+  const all = await number(page, 'count-left-after_suppression');
+  await part(page, 'file-input').setInputFiles([upload('left-mask.png', greyPng(40, 30, new Uint8Array(1200)), 'image/png')]);
+  await page.waitForFunction(() => /as large as its image/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
+  assert.equal(await number(page, 'count-left-after_suppression'), all);
+  const half = Uint8Array.from({ length: 450 * 700 }, (_, i) => (i % 450 < 225 ? 0 : 255));
+  const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-left').click()]);
+  await chooser.setFiles([upload('half.png', greyPng(450, 700, half), 'image/png')]);
+  await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before, all);
+  assert.match(await done(page), /leaves out 50\.0 % of the left image/);
+  const { points, images } = await everything(page);
+  assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= 225));
+  assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < 225));
+  assert.deepEqual([images.left.mask, images.right.mask], ['half.png', null]);
+  assert.ok(await coloured(part(page, 'layer-pictures')) > 1000, 'the overlay');
+  await page.screenshot({ path: join(SHOTS, 'mask.png') });
+  await part(page, 'unmask-left').click();
+  await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) === before, all);
+  await done(page);
+  assert.equal(await coloured(part(page, 'layer-pictures')), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});

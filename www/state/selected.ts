@@ -1,0 +1,25 @@
+/** Which left point a selection is about, and where its best place lies. */
+import type { State } from './state';
+
+export type Position = [number, number];
+
+/** Where the best place of a left point lies in the right image; null where it has none. */
+export function placeOf(places: Float64Array, index: number): Position | null {
+  if (index < 0) return null;
+  const [x = NaN, y = NaN] = places.subarray(2 * index, 2 * index + 2);
+  return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
+}
+
+/** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate. */
+export function leftIndexOf(state: State, best: Int32Array, rules: Uint8Array): number {
+  const { selection } = state;
+  if (selection === null) return -1;
+  if (selection.side === 'left') return selection.index;
+  let found = -1;
+  for (let i = 0; i < best.length; i++) {
+    if (best[i] !== selection.index) continue;
+    if (rules[i] === 0) return i;
+    if (found < 0) found = i;
+  }
+  return found;
+}
