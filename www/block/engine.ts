@@ -1,13 +1,13 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
-import type { Jobs } from '../../pkg/block/index.js';
-import type { BlockFlight } from '../../pkg/wasm/tiepoint.js';
+import type { Jobs, RunOptions } from '../../pkg/block/index.js';
+import type { BlockFlight, BlockSettings } from '../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../engine/client';
 import type { Holder } from '../state/store';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, ToRun } from './calls';
 import { WorkerPool } from './pool';
 import type { BlockAction } from './reducer';
 import { wantedKey } from './state';
-import type { BlockState } from './state';
+import type { BlockOptions, BlockState } from './state';
 
 export type BlockStore = Holder<BlockState, BlockAction>;
 
@@ -26,8 +26,13 @@ export class BlockEngine {
 
   async run(): Promise<void> {
     const { state } = this.store;
-    const { settings, gps, cameras } = state.options;
+    const { settings } = state.options;
     if (settings === null || state.running.kind === 'yes') return;
+    if (!window.isSecureContext) {
+      // Records are named by digests, which browsers compute for pages from https, localhost or a file alone.
+      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: 'Blocks need this page from https, from localhost, or opened as a file: elsewhere the browser computes no digests of the images.' } });
+      return;
+    }
     const key = wantedKey(state);
     const { files } = state;
     const started = performance.now();
@@ -35,8 +40,7 @@ export class BlockEngine {
     const channel = new MessageChannel();
     this.listen(channel.port1);
     try {
-      const options = { settings, gps, ...(cameras === null ? {} : { cameras }) };
-      const input = { files, options, workers: this.pool.size, kept: this.kept, port: channel.port2 };
+      const input = { files, options: runOptions(state.options, settings), workers: this.pool.size, kept: this.kept, port: channel.port2 };
       const view = await this.block.call('blockRun', input, [channel.port2]);
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
@@ -107,6 +111,14 @@ export class BlockEngine {
       if (!(error instanceof Cancelled)) say({ kind: 'broke', id, message: reasonOf(error) });
     }
   }
+}
+
+function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunOptions {
+  return {
+    settings, gps,
+    ...(cameras === null ? {} : { cameras }),
+    ...(control === null || marks === null ? {} : { control: { points: control.text, marks: marks.text } }),
+  };
 }
 
 /** The memory of a job's records, which are copies that the run made for it. */

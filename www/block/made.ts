@@ -2,7 +2,7 @@
 import { zipSync } from 'fflate';
 import type { Zippable } from 'fflate';
 import { PROJECT_FILE, writeBlock } from '../../pkg/block/index.js';
-import { export_block, write_project } from '../../pkg/wasm/tiepoint.js';
+import { export_block, export_formats, write_project } from '../../pkg/wasm/tiepoint.js';
 import type { ExportKind, MadeFile } from './calls';
 import type { Held } from './outcome';
 
@@ -15,7 +15,7 @@ export function made({ run, project }: Held, kind: ExportKind, name: string): Ma
   const write = (path: string, text: string) => { files.set(path, text); };
   if (kind === 'project') write(`${name}-${PROJECT_FILE}`, write_project(project));
   else if (kind !== 'everything') export_block(project.block, kind, write);
-  else if (run !== null) writeBlock(run, [], write);
+  else if (run !== null) writeBlock(run, export_formats(), write);
   else throw new Error('a block that was opened has no run behind it: run it again to save everything');
   return packed(files, `${name}-${kind}`);
 }

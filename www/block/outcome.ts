@@ -2,6 +2,7 @@
 import type { BlockRun } from '../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Connection, Project } from '../../pkg/wasm/tiepoint.js';
+import { withAssembly } from './adjustment';
 import { layoutOf } from './layout';
 import type { BlockView, RayCount, ViewCamera, ViewConnection, ViewImage, ViewPoints } from './view';
 
@@ -13,17 +14,14 @@ export interface Held {
 }
 
 export function viewOfRun(run: BlockRun): BlockView {
-  const { model, points } = run;
+  const { model, points, assembly } = run;
   const shared = new Map<string, number>();
   for (let i = 0; i < points.shared.length; i += 3) shared.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
-  return {
-    ...view,
-    images: view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null })),
-    cameras: run.cameras.map((camera, i) => ({ ...view.cameras[i], ...blankCamera(i, run.images), label: camera.label, givenFocalPx: camera.focal_px })),
-    leftOut: run.leftOut,
-    found: { points: points.count, rays: points.rays },
-  };
+  const cameras = view.cameras.map((camera, i) => ({ ...camera, label: run.cameras[i]?.label ?? camera.label, givenFocalPx: run.cameras[i]?.focal_px ?? null }));
+  const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null }));
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays } };
+  return withAssembly(whole, assembly, run.assemblyReason);
 }
 
 export function viewOfProject({ block, connections }: Project): BlockView {
@@ -41,7 +39,7 @@ function viewOf(
   return {
     images,
     leftOut: [],
-    cameras: model.cameras.map((camera, i) => ({ ...blankCamera(i, model.images), label: `${String(camera.width_px)} × ${String(camera.height_px)} px` })),
+    cameras: camerasOf(model),
     connections: links,
     groups,
     layout: layoutOf(model.images, exif, links),
@@ -49,15 +47,19 @@ function viewOf(
     found: null,
     byRays: byRays(model),
     oriented: images.filter(({ oriented }) => oriented).length,
-    rmsePx: null,
+    rmsePx: rmseOf(model),
     sigma0Px: null,
     weaknesses: [],
     formats: export_formats(),
   };
 }
 
-function blankCamera(index: number, images: readonly { camera: number }[]): ViewCamera {
-  return { label: '', images: images.filter(({ camera }) => camera === index).length, givenFocalPx: null, focalPx: null, focalErrorPx: null };
+function camerasOf({ cameras, images }: BlockModel): ViewCamera[] {
+  return cameras.map(({ width_px: width, height_px: height, focal_px: focal, pixel_mm: pixelMm = null }, i) => {
+    const own = images.filter(({ camera }) => camera === i);
+    const oriented = own.some(({ pose }) => pose != null);
+    return { label: `${String(width)} × ${String(height)} px`, images: own.length, givenFocalPx: null, focalPx: oriented ? focal : null, focalErrorPx: null, pixelMm };
+  });
 }
 
 function imagesOf(model: BlockModel): ViewImage[] {
@@ -81,14 +83,19 @@ function pointsOf({ points }: BlockModel): ViewPoints {
   };
 }
 
-/** Points by their number of rays, with the root mean square of their residuals' lengths. */
+/** Root mean square length of the residuals of all rays; null where points are not adjusted. */
+function rmseOf({ points }: BlockModel): number | null {
+  const known = points.filter(({ rmse_px }) => rmse_px != null);
+  const rays = known.reduce((sum, point) => sum + point.rays.length, 0);
+  const squares = known.reduce((sum, point) => sum + point.rays.length * (point.rmse_px ?? 0) ** 2, 0);
+  return rays === 0 ? null : Math.sqrt(squares / rays);
+}
+
+/** Points by their number of rays. */
 function byRays({ points }: BlockModel): RayCount[] {
-  const sums = new Map<number, { points: number; rays: number; squares: number }>();
-  for (const { rays: { length }, rmse_px } of points) {
-    const sum = sums.get(length) ?? { points: 0, rays: 0, squares: 0 };
-    sums.set(length, { points: sum.points + 1, rays: sum.rays + length, squares: sum.squares + length * (rmse_px ?? NaN) ** 2 });
-  }
-  return [...sums].sort(([a], [b]) => a - b).map(([rays, sum]) => ({ rays, points: sum.points, rmsePx: Number.isNaN(sum.squares) ? null : Math.sqrt(sum.squares / sum.rays) }));
+  const groups = new Map<number, BlockModel['points']>();
+  for (const point of points) groups.set(point.rays.length, [...(groups.get(point.rays.length) ?? []), point]);
+  return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ cameras: [], images: [], points: group }) }));
 }
 
 /** Points that both images of a pair see, from the points themselves. */

@@ -1,5 +1,7 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import type { Engine } from '../engine/engine';
+import type { Camera } from '../engine/wasm';
+import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { BlockFile } from './calls';
@@ -25,9 +27,35 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
     say(block, `The pair cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
     return;
   }
+  readyFor(store, block, [a, b]);
   store.dispatch({ type: 'images', images });
   block.dispatch({ type: 'openedPair', images: [a, b] });
   block.dispatch({ type: 'mode', mode: 'pair' });
+}
+
+/** The block's settings of features and its camera, in place of whatever the pair before had. */
+function readyFor(store: Store, block: BlockStore, [a, b]: readonly [number, number]): void {
+  const { settings } = store.state;
+  const features = block.state.options.settings?.features;
+  if (settings !== null && features !== undefined) {
+    const { points, matching } = settings;
+    store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: 'multiscale' }, matching: { ...matching, strategy: 'gradient' } } });
+  }
+  store.dispatch({ type: 'camera', camera: cameraOf(block, a, b) });
+  store.dispatch({ type: 'offset', offset: null });
+  for (const side of SIDES) {
+    store.dispatch({ type: 'photo', side, photo: { fiducials: [], origin: null } });
+    store.dispatch({ type: 'mask', side, mask: null });
+  }
+}
+
+/** The calibrated camera of both images, the given one before there is one; null where they have two, or it has no scale in mm. */
+function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
+  const { images = [], cameras = [] } = block.state.shown?.view ?? {};
+  const [left, right] = [images[a]?.camera, images[b]?.camera];
+  const camera = left !== undefined && left === right ? cameras[left] : undefined;
+  const focal = camera?.focalPx ?? camera?.givenFocalPx ?? null;
+  return camera?.pixelMm == null || focal === null ? null : { focal_mm: focal * camera.pixelMm, pixel_mm: camera.pixelMm };
 }
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {

@@ -3,6 +3,7 @@ import type { StageName, Step } from '../../pkg/block/index.js';
 import { fill, h, section } from '../panel/dom';
 import { count } from '../panel/format';
 import type { BlockStore } from './engine';
+import type { Steps } from './state';
 
 const STAGES: Readonly<Record<StageName, string>> = {
   photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', orientation: 'Orientation',
@@ -15,13 +16,11 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
   const body = h('div', { class: 'stages' });
   const whole = section('Run', 'block-progress', body);
   host.append(whole);
-  store.watch((s) => [s.running] as const, ([running]) => {
-    whole.hidden = running.kind === 'no';
-    if (running.kind === 'no') return;
-    fill(body, ...NAMES.flatMap((name) => {
-      const step = running.steps[name];
-      return step === undefined ? [] : [stage(name, step)];
-    }));
+  store.watch((s) => [s.running, s.shown] as const, ([running, shown]) => {
+    const steps = running.kind === 'no' ? (shown?.steps ?? {}) : running.steps;
+    const begun = NAMES.flatMap((name) => (steps[name] === undefined ? [] : [stage(name, steps[name])]));
+    whole.hidden = begun.length === 0;
+    fill(body, ...begun);
   });
 }
 
@@ -43,7 +42,7 @@ function stepText({ done, total, found, seconds, secondsLeft, name }: Step): str
 }
 
 /** What the status line says of the stage that runs. */
-export function runText(steps: Partial<Record<StageName, Step>>): string {
+export function runText(steps: Steps): string {
   const name = NAMES.findLast((stage) => steps[stage] !== undefined);
   const step = name === undefined ? undefined : steps[name];
   return name === undefined || step === undefined ? 'Starting …' : `${STAGES[name]}: ${stepText(step)}`;

@@ -43,7 +43,7 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     case 'notice':
       return { ...state, notice: action.notice };
     case 'openedFile':
-      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key: '', view: action.view, files: [], seconds: 0 } };
+      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key: '', view: action.view, files: [], steps: {}, seconds: 0 } };
     case 'clear':
       return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, options: state.options, flight: state.flight };
     default:
@@ -68,7 +68,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
       return running.kind === 'yes' ? { ...state, running: { ...running, steps: { ...running.steps, [action.step.stage]: action.step } } } : state;
     case 'done': {
       const { key, view, files, seconds } = action;
-      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key, view, files, seconds } };
+      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} } };
     }
     case 'ended':
       return running.kind === 'yes' ? { ...state, running: { kind: 'ended', steps: running.steps, failure: action.failure } } : state;

@@ -4,7 +4,7 @@ import type { Value } from '../panel/control';
 import { button, fill, h } from '../panel/dom';
 import type { BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
 import type { BlockStore } from './engine';
-import type { BlockFiles } from './files';
+import type { TextFile } from './state';
 
 type Groups = Record<string, Record<string, Value | undefined>>;
 
@@ -14,7 +14,7 @@ const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['mu
 /** Parameters that matter for one rule of pairs alone. */
 const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];
 
-export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
+export function mountSettings(host: HTMLElement, store: BlockStore): void {
   store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
     if (catalogue === null) return;
     const { defaults } = catalogue;
@@ -30,7 +30,7 @@ export function mountSettings(host: HTMLElement, store: BlockStore, files: Block
       const own = controls.filter(({ parameter }) => parameter.key.startsWith(`${group}.`));
       return h('fieldset', { class: 'group' }, h('legend', {}, title), ...own.map(({ element }) => element));
     });
-    fill(host, positions(store), cameras(store, files), ...groups);
+    fill(host, positions(store), ...groups, textFiles(store));
     store.watch((s) => [s.options.settings] as const, ([settings]) => {
       if (settings === null) return;
       for (const { parameter, element, show } of controls) {
@@ -73,21 +73,32 @@ function positions(store: BlockStore): HTMLElement {
     h('p', { class: 'help' }, 'To choose near pairs, and to place the block on the earth.'));
 }
 
-/** A file of cameras in place of EXIF. */
-function cameras(store: BlockStore, files: BlockFiles): HTMLElement {
-  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: 'block-cameras-input', aria: { label: 'File of cameras' } });
-  input.accept = '.json,application/json';
+const CAMERAS = 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
+const CONTROL = 'None. Two files place the block by surveyed points: lines of name, x, y, z and perhaps two standard errors, and lines of image, point, column, row.';
+
+/** Files of text that say more of the block than its images do. */
+function textFiles(store: BlockStore): HTMLElement {
+  return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
+    textFile(store, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
+    textFile(store, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
+    textFile(store, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'));
+}
+
+function textFile(store: BlockStore, option: 'cameras' | 'control' | 'marks', title: string, none: string, accept: string): HTMLElement {
+  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `block-${option}-input`, aria: { label: `File: ${title}` } });
+  input.accept = accept;
+  const give = (file: TextFile | null) => { store.dispatch({ type: 'options', options: { [option]: file } }); };
   input.addEventListener('change', () => {
     const file = input.files?.[0];
-    if (file !== undefined) void files.takeCameras(file);
+    if (file !== undefined) void file.text().then((text) => { give({ name: file.name, text }); });
     input.value = '';
   });
-  const name = h('p', { class: 'note', testid: 'block-cameras-name' });
-  const remove = button('Remove', 'block-cameras-remove', () => { store.dispatch({ type: 'options', options: { cameras: null } }); });
-  store.watch((s) => [s.options.cameras] as const, ([given]) => {
-    fill(name, given === null ? 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.' : given.name);
+  const name = h('p', { class: 'note', testid: `block-${option}-name` });
+  const remove = button('Remove', `block-${option}-remove`, () => { give(null); });
+  remove.setAttribute('aria-label', `Remove: ${title}`);
+  store.watch((s) => [s.options[option]] as const, ([given]) => {
+    fill(name, given?.name ?? none);
     remove.hidden = given === null;
   });
-  return h('fieldset', { class: 'group' }, h('legend', {}, 'Cameras'), name,
-    h('div', { class: 'buttons' }, button('Cameras file …', 'block-cameras', () => { input.click(); }), remove), input);
+  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, input);
 }

@@ -1,5 +1,6 @@
 /** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
 import { button, fill, h } from '../panel/dom';
+import { count } from '../panel/format';
 import type { BlockStore } from './engine';
 import type { BlockFiles } from './files';
 import type { Looking } from './looking';
@@ -7,7 +8,7 @@ import { Matrix } from './matrix';
 import { Picture } from './picture';
 import { isBusy } from './state';
 import type { Choice } from './state';
-import type { Layout } from './view';
+import type { BlockView, Layout } from './view';
 import { describe } from './words';
 
 const ZOOM = 1.5;
@@ -36,15 +37,21 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
   const tools = h('div', { class: 'actions' },
     button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
   host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, null]]), tools),
-    welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, pointed, h('div', { class: 'chosen-line' }, chosen, open)),
+    welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
     h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
   looks.point(null);
   store.watch((s) => [s.choice, s.shown, s.running, s.notice] as const, ([choice, shown]) => {
     say(chosen, store, choice, '');
     open.hidden = choice?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
-    fill(layout, shown === null ? '' : LAYOUTS[shown.view.layout.kind]);
+    fill(layout, shown === null ? '' : legend(shown.view));
   });
+}
+
+/** What places and lines mean. */
+function legend(view: BlockView): string {
+  const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
+  return `${LAYOUTS[view.layout.kind]}. ${most > 0 ? `Widest line: ${count(most)} points in common.` : ''}`;
 }
 
 function say(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {

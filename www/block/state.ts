@@ -25,6 +25,9 @@ export interface BlockOptions {
   gps: 'use' | 'ignore';
   /** In place of what EXIF tells. */
   cameras: TextFile | null;
+  /** Surveyed points, and where the images show them: of use together. */
+  control: TextFile | null;
+  marks: TextFile | null;
 }
 
 export type Mode = 'pair' | 'block';
@@ -32,11 +35,24 @@ export type Mode = 'pair' | 'block';
 /** An image or a pair that is looked at. */
 export type Choice = { kind: 'image'; image: number } | { kind: 'pair'; images: [number, number] };
 
+/** How far each stage is that was begun. */
+export type Steps = Partial<Record<StageName, Step>>;
+
 export type Running =
   | { kind: 'no' }
-  | { kind: 'yes'; key: string; steps: Partial<Record<StageName, Step>> }
+  | { kind: 'yes'; key: string; steps: Steps }
   /** Ended by the user or by a failure, whose message it then has. */
-  | { kind: 'ended'; steps: Partial<Record<StageName, Step>>; failure: string | null };
+  | { kind: 'ended'; steps: Steps; failure: string | null };
+
+/** A block, and what it was made from. */
+export interface Shown {
+  key: string;
+  view: BlockView;
+  /** Empty for a block that was opened. */
+  files: readonly BlockFile[];
+  steps: Steps;
+  seconds: number;
+}
 
 export interface BlockState {
   mode: Mode;
@@ -45,8 +61,8 @@ export interface BlockState {
   options: BlockOptions;
   flight: BlockFlight | null;
   running: Running;
-  /** The block on the screen, and what it was made from; `files` are empty for a block that was opened. */
-  shown: { key: string; view: BlockView; files: readonly BlockFile[]; seconds: number } | null;
+  /** The block on the screen. */
+  shown: Shown | null;
   choice: Choice | null;
   /** The pair of the block that the pair's part shows. */
   opened: [number, number] | null;
@@ -57,7 +73,7 @@ export const BLOCK_INITIAL: BlockState = {
   mode: 'pair',
   catalogue: null,
   files: [],
-  options: { settings: null, gps: 'use', cameras: null },
+  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null },
   flight: null,
   running: { kind: 'no' },
   shown: null,

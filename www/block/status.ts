@@ -16,6 +16,8 @@ export function mountBlockStatus(store: BlockStore, pair: Store, engine: BlockEn
   store.watch((s) => [s] as const, ([state]) => {
     const { text, kind } = lineOf(state);
     line.dataset['kind'] = kind;
+    // Each image and pair would be read out.
+    line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
     fill(line, plain(state, pair, text));
     run.disabled = isBusy(state) || state.files.length < 2;
     run.textContent = state.running.kind === 'ended' ? 'Go on' : 'Run';

@@ -25,6 +25,8 @@ export interface ViewCamera {
   /** Calibrated by the block; null before its adjustment. */
   focalPx: number | null;
   focalErrorPx: number | null;
+  /** Side of a pixel; null where it is not known. */
+  pixelMm: number | null;
 }
 
 export interface ViewConnection {
