@@ -36,10 +36,13 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
   const layout = h('span', { class: 'note', testid: 'block-layout' });
   const tools = h('div', { class: 'actions' },
     button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
-  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, null]]), tools),
+  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, null]]);
+  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools),
     welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
     h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
   looks.point(null);
+  // The invitation lies over the picture.
+  store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });
   store.watch((s) => [s.choice, s.shown, s.running, s.notice] as const, ([choice, shown]) => {
     say(chosen, store, choice, '');
     open.hidden = choice?.kind !== 'pair' || shown === null;
@@ -61,7 +64,7 @@ function say(element: HTMLElement, store: BlockStore, choice: Choice | null, oth
 }
 
 /** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
-function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement | null])[]): HTMLElement {
+function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement | null])[]): { element: HTMLElement; show: (part: number) => void } {
   const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => { show(i); }));
   const show = (shown: number) => {
     parts.forEach(([, part, tools], i) => {
@@ -70,8 +73,7 @@ function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement | 
       buttons[i]?.setAttribute('aria-pressed', String(i === shown));
     });
   };
-  show(0);
-  return h('div', { class: 'mode', role: 'group', aria: { label: 'Shown' } }, ...buttons);
+  return { element: h('div', { class: 'mode', role: 'group', aria: { label: 'Shown' } }, ...buttons), show };
 }
 
 /** The picture with the invitation over it while there is no block. */

@@ -35,11 +35,11 @@ function imageRows({ images, leftOut, cameras }: BlockView): Rows {
     columns: [
       words('name', 'Image', (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? '', 'File name. A press shows the image in the picture.'),
       numbers('number', 'No.', '', 0, (i) => (i < images.length ? i + 1 : NaN), 'Its row and column in the matrix.'),
-      words('state', 'State', (i) => stateOf(images[i]?.why ?? leftOut[i - images.length]?.reason ?? ''), 'Whether it is oriented, and if not, why.'),
       numbers('features', 'Features', '', 0, (i) => known(images[i]?.features), 'Points found and described.'),
-      numbers('camera', 'Camera', '', 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`),
       numbers('rays', 'Rays', '', 0, (i) => known(images[i]?.rays), 'To the points that were chosen, without those that were rejected.'),
       numbers('rmse', 'RMSE', 'px', 2, (i) => known(images[i]?.rmsePx), 'Root mean square length of the residuals of its rays.'),
+      numbers('camera', 'Camera', '', 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`),
+      words('state', 'State', (i) => stateOf(images[i]?.why ?? leftOut[i - images.length]?.reason ?? ''), 'Whether it is oriented, and if not, why.'),
     ],
   };
 }
