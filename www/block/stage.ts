@@ -30,7 +30,17 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     const { choice } = store.state;
     if (choice?.kind === 'pair') looking.open(choice.images);
   });
-  const looks = { ...looking, point: (choice: Choice | null) => { say(pointed, store, choice, 'Point at an image, a line or a cell to see what it is, and why a pair is not connected.'); } };
+  const hint = 'Point at an image, a line or a cell to see what it is, and why a pair is not connected.';
+  let pointedAt: Choice | null = null;
+  const showPointed = () => {
+    say(pointed, store, pointedAt, hint);
+    // What is chosen is said already.
+    if (pointed.textContent === chosen.textContent) pointed.textContent = '';
+  };
+  const looks = { ...looking, point: (choice: Choice | null) => {
+    pointedAt = choice;
+    showPointed();
+  } };
   const picture = new Picture(pictureHost, store, looks);
   new Matrix(matrixHost, store, looks);
   const layout = h('span', { class: 'note', testid: 'block-layout' });
@@ -45,6 +55,7 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
   store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });
   store.watch((s) => [s.choice, s.shown, s.running, s.notice] as const, ([choice, shown]) => {
     say(chosen, store, choice, '');
+    showPointed();
     open.hidden = choice?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
     fill(layout, shown === null ? '' : legend(shown.view));
