@@ -6,7 +6,7 @@ import type { BlockEngine, BlockStore } from './engine';
 import { isBusy } from './state';
 
 const NAMES: Readonly<Record<ExportKind, string>> = {
-  project: 'Project, to be opened again', everything: 'Everything (.zip)', colmap: 'COLMAP', micmac: 'MicMac', bundler: 'Bundler', nvm: 'NVM (VisualSFM)',
+  project: 'Project file', everything: 'Everything (.zip)', colmap: 'COLMAP', micmac: 'MicMac', bundler: 'Bundler', nvm: 'NVM (VisualSFM)',
   opensfm: 'OpenSfM', bingo: 'BINGO', isat: 'ISAT', agisoft: 'Agisoft', patb: 'PAT-B', csv: 'CSV tables', json: 'JSON', geojson: 'GeoJSON',
 };
 

@@ -148,8 +148,9 @@ function choiceOf([row, column]: [number, number]): Choice {
 /** A pair that was tried in vain is a small square: told apart from a weak one without its colour. */
 function paintCell(context: CanvasRenderingContext2D, x: number, y: number, side: number, connected: boolean): void {
   const gap = side > 8 ? 1 : 0;
+  const share = side > 12 ? 0.28 : 0.6;
   if (connected) context.fillRect(x, y, side - gap, side - gap);
-  else context.fillRect(x + 0.36 * side, y + 0.36 * side, 0.28 * side, 0.28 * side);
+  else context.fillRect(x + 0.5 * (1 - share) * side, y + 0.5 * (1 - share) * side, share * side, share * side);
 }
 
 function paintNumbers(context: CanvasRenderingContext2D, colours: Colours, [a, b]: [number, number], side: number, matches: number): void {

@@ -28,7 +28,7 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
     view.weaknesses.length === 0 ? null : section('Weaknesses', 'block-weaknesses', h('ul', {}, ...view.weaknesses.map((text) => h('li', {}, text)))),
     notOriented(view),
     section('Points by rays', 'block-by-rays', rayTable(view)),
-    section('Cameras', 'block-cameras', cameraTable(view.cameras)),
+    section('Cameras', 'block-cameras', cameraTable(view)),
   ];
 }
 
@@ -80,13 +80,15 @@ function rayTable({ byRays }: BlockView): HTMLElement {
   return h('table', { testid: 'by-rays' }, head, h('tbody', {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))));
 }
 
-function cameraTable(cameras: readonly ViewCamera[]): HTMLElement {
+function cameraTable({ cameras, found }: BlockView): HTMLElement {
+  // A block that was opened does not say what was known before.
+  const given = ({ givenFocalPx: focal }: ViewCamera) => (focal === null ? (found === null ? '–' : 'unknown') : fixed(focal, 1));
   const head = h('thead', {}, h('tr', {}, ...['Camera', 'Images', 'Given f px', 'Calibrated f px'].map((text) => h('th', { scope: 'col' }, text))));
   const number = (text: string) => h('td', { class: 'number' }, text);
   return h('div', { class: 'scroll' }, h('table', { class: 'tight', testid: 'cameras' }, head, h('tbody', {}, ...cameras.map((camera, i) => row(
     `${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, '$1 × ')}`,
     number(count(camera.images)),
-    number(camera.givenFocalPx === null ? 'unknown' : fixed(camera.givenFocalPx, 1)),
+    number(given(camera)),
     number(camera.focalPx === null ? '–' : `${fixed(camera.focalPx, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`),
   )))));
 }
