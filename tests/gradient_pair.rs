@@ -1,8 +1,8 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
 use tiepoint::{
-    Camera, Degeneracy, GreyImage, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions, Refinement, Rule,
-    SAMPLE_SEED, Sample, Strategy, match_pair, sample_pair,
+    Camera, Degeneracy, Expectation, GreyImage, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput,
+    PointOptions, Refinement, Rule, SAMPLE_SEED, Sample, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,
 };
 
 /// The image turned by a quarter clockwise.
@@ -144,4 +144,25 @@ fn refinement_follows_a_quarter_turn() {
     let result = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings);
     assert!(result.matching.matches.len() > 1000, "{:?}", result.matching.counts);
     assert!(result.matching.matches.iter().all(|m| m.fit.is_some_and(|fit| fit.correlation > 0.7)));
+}
+
+#[test]
+fn nearest_neighbours_found_in_pieces_give_the_same_matches() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let mut settings = settings();
+    settings.multiscale.number = 1500;
+    let [left, right] = [&sample.left, &sample.right].map(|image| describe_image(image.view(), None, &settings).unwrap());
+    let images = [left.match_image(sample.left.view(), Strategy::Gradient), right.match_image(sample.right.view(), Strategy::Gradient)];
+    let offset = OffsetField::constant(0.0, 0.0);
+    let whole = match_in_rounds(images, &offset, None, &settings).unwrap();
+    let rows = left.set.points.len();
+    let mut table = nearest_of(&left.gradients, 0..700, &right.gradients).unwrap();
+    let some = Expectation { nearest: Some(&table), ..Expectation::from(&offset) };
+    assert!(matches!(
+        match_in_rounds(images, some, None, &settings),
+        Err(tiepoint::Error::InvalidInput { what: "nearest neighbours", .. })
+    ));
+    table.join(nearest_of(&left.gradients, 700..rows, &right.gradients).unwrap()).unwrap();
+    let all = Expectation { nearest: Some(&table), ..Expectation::from(&offset) };
+    assert_eq!(match_in_rounds(images, all, None, &settings).unwrap(), whole);
 }

@@ -1,8 +1,9 @@
 // @ts-check
 /** Which pairs of images are tried: by their positions, their order, or how alike they are. */
 
-import { choose_pairs, local_positions, pair_rule } from '../wasm/tiepoint.js';
+import { choose_pairs, local_positions, pair_rule, version } from '../wasm/tiepoint.js';
 import { keptFeatures } from './images.js';
+import { digest, readLikeness, RECORD_VERSION, writeLikeness } from './records.js';
 import { runStage } from './stage.js';
 
 /**
@@ -39,9 +40,17 @@ async function likenesses(images, { pool, store, progress, signal }) {
   const coarse = [];
   for (const { key } of images) coarse.push(await coarseOf(store, key));
   const items = images.slice(0, -1).map(({ name }, index) => ({ name, index }));
+  /** @param {{ index: number }} item */
+  const act = async ({ index }) => {
+    const key = await digest(JSON.stringify(['likeness', RECORD_VERSION, version(), COARSE, ...images.slice(index).map((image) => image.key)]));
+    const kept = await readLikeness(await store.get(`likeness/${key}`), key);
+    if (kept) return { result: kept, found: true };
+    const result = await pool.run('likeness', { own: coarse[index] ?? new Uint8Array(), others: coarse.slice(index + 1) });
+    await store.put(`likeness/${key}`, await writeLikeness({ key }, result));
+    return { result, found: false };
+  };
   const counts = await runStage({
-    name: 'likeness', items, width: pool.size + 1, label: ({ name }) => name, ...(progress && { progress }), ...(signal && { signal }),
-    act: async ({ index }) => ({ result: await pool.run('likeness', { own: coarse[index] ?? new Uint8Array(), others: coarse.slice(index + 1) }), found: false }),
+    name: 'likeness', items, width: pool.size + 1, label: ({ name }) => name, act, ...(progress && { progress }), ...(signal && { signal }),
   });
   return Float64Array.from(counts.flatMap((list, a) => Array.from(list, (count, k) => [a, a + 1 + k, count]).flat()));
 }

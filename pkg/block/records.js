@@ -20,7 +20,7 @@ const MAGIC = 0x43525054;
 const HEADER = 48;
 const DESCRIPTOR_BYTES = 128;
 
-const KINDS = { features: 1, pair: 2 };
+const KINDS = { features: 1, pair: 2, likeness: 3 };
 
 /** SHA-256 in hexadecimal digits.  @param {Uint8Array | string} content @returns {Promise<string>} */
 export async function digest(content) {
@@ -41,6 +41,9 @@ export const writeFeatures = (head, positions, shapes, descriptors) => write(KIN
 
 /** @param {PairHead} head @param {Uint32Array} indices of the left and the right feature; stride 2 @param {Float32Array} strengths */
 export const writePair = (head, indices, strengths) => write(KINDS.pair, head, strengths.length, [indices, strengths]);
+
+/** @param {{ key: string }} head @param {Uint32Array} counts common features with each of the images behind */
+export const writeLikeness = (head, counts) => write(KINDS.likeness, head, counts.length, [counts]);
 
 /**
  * A record of features; null where the bytes are none of this key: of other settings, damaged or cut off.
@@ -67,6 +70,12 @@ export async function readPair(bytes, key) {
   const { head, count, body } = read;
   const { buffer, byteOffset: at } = body;
   return { head: /** @type {PairHead} */ (head), count, indices: new Uint32Array(buffer, at, 2 * count), strengths: new Float32Array(buffer, at + 8 * count, count) };
+}
+
+/** As `readFeatures`, of likenesses.  @param {Uint8Array | null} bytes @param {string} key @returns {Promise<Uint32Array | null>} */
+export async function readLikeness(bytes, key) {
+  const read = await readRecord(KINDS.likeness, bytes, key, (n) => 4 * n);
+  return read && new Uint32Array(read.body.buffer, read.body.byteOffset, read.count);
 }
 
 /**

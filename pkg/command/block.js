@@ -1,11 +1,10 @@
 // @ts-check
-import { readdirSync } from 'node:fs';
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock, writeBlock } from '../block/index.js';
 import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
+import { filesIn, isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
@@ -39,8 +38,7 @@ const SETTINGS = [
 /** @param {string} name @param {string} key @param {number | undefined} fallback @returns {Option} */
 function setting(name, key, fallback) {
   const p = /** @type {Parameter} */ (PARAMETERS.get(key));
-  const option = parameterOption(name, p);
-  return { ...option, help: `${option.help} Default: ${fallback}.` };
+  return { ...parameterOption(name, p), ...(fallback !== undefined && { fallback }) };
 }
 
 /** What files an image may have in a folder. */
@@ -57,7 +55,7 @@ export const block = {
     word('pairs', RULES, PARAMETERS.get('pairs.rule')?.help ?? ''),
     ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
-    word('gps', ['use', 'ignore'], 'Whether positions that the images record choose the pairs (default: use).'),
+    { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
@@ -146,9 +144,9 @@ function sourcesOf(given) {
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {
-  const names = readdirSync(folder, { withFileTypes: true }).filter((entry) => !entry.isDirectory() && IMAGE.test(entry.name)).map(({ name }) => name);
+  const names = filesIn(folder).filter((name) => IMAGE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
-  return names.sort((a, b) => (a < b ? -1 : 1)).map((name) => join(folder, name));
+  return names.map((name) => join(folder, name));
 }
 
 /** @param {string} out @param {any} summary @returns {string[]} */

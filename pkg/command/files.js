@@ -1,7 +1,7 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
@@ -49,6 +49,27 @@ export function readPhoto(path) {
 /** @param {string} path */
 export function isFolder(path) {
   return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
+}
+
+/** The names of the files of a folder, in the order of their letters and of the numbers in them.  @param {string} path @returns {string[]} */
+export function filesIn(path) {
+  const entries = attempt('read the folder', path, () => readdirSync(path, { withFileTypes: true }));
+  return entries.filter((entry) => !entry.isDirectory()).map(({ name }) => name).sort(byNumbers);
+}
+
+/** `photo_9` comes before `photo_10`.  @param {string} a @param {string} b */
+function byNumbers(a, b) {
+  const [left, right] = [a, b].map((text) => text.match(/\d+|\D+/g) ?? []);
+  for (const [i, part] of (left ?? []).entries()) {
+    const other = right?.[i] ?? '';
+    // Numbers of any length: of two without leading zeros the longer one is larger.
+    const [one, two] = [part, other].map((word) => (/^\d/.test(word) ? word.replace(/^0+(?=\d)/, '') : word));
+    if (one === two || one === undefined || two === undefined) continue;
+    const numbers = /^\d/.test(part) && /^\d/.test(other);
+    if (numbers && one.length !== two.length) return one.length - two.length;
+    return one < two ? -1 : 1;
+  }
+  return (left?.length ?? 0) - (right?.length ?? 0) || (a < b ? -1 : 1);
 }
 
 /** Makes a folder and what is missing above it, and says at once if that cannot be.  @param {string} path */

@@ -8,10 +8,11 @@ import { DataError } from './errors.js';
 import { makeFolder, reasonOf } from './files.js';
 
 const ENDING = '.record';
-const PARTS = ['features', 'pairs'];
+const PARTS = ['features', 'likeness', 'pairs'];
 
 export class FolderStore {
   #root;
+  #written = 0;
 
   /** @param {string} root made where it is missing */
   constructor(root) {
@@ -36,7 +37,8 @@ export class FolderStore {
   /** @param {string} key @param {Uint8Array} record */
   async put(key, record) {
     const path = this.#path(key);
-    const unfinished = `${path}.${process.pid}.part`;
+    // Two images of the same content are of one record, which may be written twice at the same time.
+    const unfinished = `${path}.${++this.#written}.${process.pid}.part`;
     try {
       await writeFile(unfinished, record);
       await rename(unfinished, path);

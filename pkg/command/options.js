@@ -14,6 +14,7 @@ import { UsageError } from './errors.js';
  * @property {string} help
  * @property {string} [key] what it stands for, as messages of the crate name it: `group.field` of a setting or a flight, or an argument
  * @property {string} [range] what is allowed, in words, where no setting tells it
+ * @property {number | string} [fallback] its default, where that of the setting does not hold
  * @property {boolean} [negates] the flag switches the setting off
  * @property {Readonly<Record<string, string>>} [words] other words for some values of the setting
  * @property {(text: string) => Value} read checks and converts what was given
@@ -70,7 +71,7 @@ export function parameterOption(name, p) {
 }
 
 /** Units that stand for a value in a call.  @type {Readonly<Record<string, string>>} */
-const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY', 'km⁻²': 'N' };
+const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey values': 'GREY' };
 
 /** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const word = (name, words, help) => ({
@@ -153,8 +154,9 @@ export const pair = (name, placeholder, help) => ({
 export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
 /** @param {string} same what does not depend on it, with its verb @returns {Option} */
-export const workersOption = (same) => parameterOption('workers', {
-  key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number. Default: ${DEFAULT_WORKERS}.`,
+export const workersOption = (same) => ({
+  ...parameterOption('workers', { key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number.` }),
+  fallback: DEFAULT_WORKERS,
 });
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
@@ -244,7 +246,8 @@ export function withOptionNames(options, message) {
 }
 
 /** The default of an option, as `--help` shows it; empty where there is none.  @param {Option} option @returns {string} */
-export function defaultText({ key, placeholder, words }) {
+export function defaultText({ key, placeholder, words, fallback }) {
+  if (fallback !== undefined) return String(fallback);
   if (!key || !placeholder || words) return '';
   const [group = '', field = ''] = key.split('.');
   /** @type {Record<string, Record<string, unknown>>} */

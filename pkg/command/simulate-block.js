@@ -23,8 +23,7 @@ const DEFAULTS = { ...block_flight_defaults(), ...PHOTO };
 
 /** @param {{ field: string, parameter: Parameter }} of */
 function option({ field, parameter }) {
-  const made = parameterOption(field.replaceAll('_', '-'), parameter);
-  return { ...made, help: `${made.help} Default: ${/** @type {any} */ (DEFAULTS)[field]}.` };
+  return { ...parameterOption(field.replaceAll('_', '-'), parameter), fallback: /** @type {any} */ (DEFAULTS)[field] };
 }
 
 /** @type {import('./args.js').Command} */

@@ -164,3 +164,90 @@ fn text(exif: &Exif, tag: Tag) -> Option<String> {
     let text = String::from_utf8_lossy(lines.first()?).trim_matches(|c: char| c.is_whitespace() || c == '\0').to_owned();
     (!text.is_empty()).then_some(text)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A TIFF file of nothing but an orientation and a list of GPS fields: tag, type, value.
+    fn file(orientation: u16, gps: &[(u16, u16, Vec<u8>)]) -> Vec<u8> {
+        let entry = |tag: u16, kind: u16, count: u32, bytes: [u8; 4]| {
+            [&tag.to_be_bytes()[..], &kind.to_be_bytes(), &count.to_be_bytes(), &bytes].concat()
+        };
+        let mut out = b"MM\0*\0\0\0\x08\0\x02".to_vec();
+        let [a, b] = orientation.to_be_bytes();
+        out.extend(entry(0x0112, 3, 1, [a, b, 0, 0]));
+        let list = 8 + 2 + 2 * 12 + 4;
+        out.extend(entry(0x8825, 4, 1, (list as u32).to_be_bytes()));
+        out.extend([0; 4]);
+        out.extend((gps.len() as u16).to_be_bytes());
+        let mut behind = Vec::new();
+        for (tag, kind, value) in gps {
+            let size = [0, 1, 1, 2, 4, 8][usize::from(*kind)];
+            let place = (list + 2 + 12 * gps.len() + 4 + behind.len()) as u32;
+            let bytes = value.clone().try_into().unwrap_or_else(|long: Vec<u8>| {
+                behind.extend(long);
+                place.to_be_bytes()
+            });
+            out.extend(entry(*tag, *kind, (value.len() / size) as u32, bytes));
+        }
+        out.extend([0; 4]);
+        out.extend(behind);
+        out
+    }
+
+    fn text(letter: u8) -> Vec<u8> {
+        vec![letter, 0, 0, 0]
+    }
+
+    fn ratios(values: &[(u32, u32)]) -> Vec<u8> {
+        values.iter().flat_map(|(n, d)| [n.to_be_bytes(), d.to_be_bytes()].concat()).collect()
+    }
+
+    fn place(south: bool, west: bool) -> Vec<(u16, u16, Vec<u8>)> {
+        vec![
+            (1, 2, text(if south { b'S' } else { b'N' })),
+            (2, 5, ratios(&[(30, 1), (10, 1), (180, 10)])),
+            (3, 2, text(if west { b'W' } else { b'E' })),
+            (4, 5, ratios(&[(98, 1), (5, 1), (0, 1)])),
+        ]
+    }
+
+    #[test]
+    fn a_position_has_its_hemispheres_and_its_height() {
+        let read = |fields: &[(u16, u16, Vec<u8>)]| ExifImage::read(&file(6, fields), 10, 10);
+        let found = read(&place(false, true));
+        assert_eq!(found.orientation, Some(6));
+        let position = found.position.unwrap();
+        assert!((position.latitude_deg - (30.0 + 10.0 / 60.0 + 18.0 / 3600.0)).abs() < 1e-12, "{position:?}");
+        assert!((position.longitude_deg + (98.0 + 5.0 / 60.0)).abs() < 1e-12 && position.height_m.is_none(), "{position:?}");
+        assert!(read(&place(true, false)).position.unwrap().latitude_deg < -30.0);
+        let below =
+            [place(false, false), vec![(5, 1, vec![1, 0, 0, 0]), (6, 5, ratios(&[(125, 10)])), (31, 5, ratios(&[(3, 2)]))]].concat();
+        let position = read(&below).position.unwrap();
+        assert_eq!((position.height_m, position.error_m), (Some(-12.5), Some(1.5)));
+    }
+
+    #[test]
+    fn a_position_that_is_none_is_left_out() {
+        let without = |tag: u16| place(false, false).into_iter().filter(|field| field.0 != tag).collect::<Vec<_>>();
+        for tag in 1..=4 {
+            assert!(ExifImage::read(&file(1, &without(tag)), 10, 10).position.is_none(), "{tag}");
+        }
+        let changed = |tag: u16, value: Vec<u8>| {
+            place(false, false)
+                .into_iter()
+                .map(|field| if field.0 == tag { (tag, field.1, value.clone()) } else { field })
+                .collect::<Vec<_>>()
+        };
+        for fields in
+            [changed(1, text(b'X')), changed(2, ratios(&[(91, 1)])), changed(2, ratios(&[(1, 0)])), changed(4, ratios(&[(u32::MAX, 1)]))]
+        {
+            assert!(ExifImage::read(&file(1, &fields), 10, 10).position.is_none(), "{fields:?}");
+        }
+        let nowhere = [(1, 2, text(b'N')), (2, 5, ratios(&[(0, 1); 3])), (3, 2, text(b'E')), (4, 5, ratios(&[(0, 1); 3]))];
+        assert!(ExifImage::read(&file(1, &nowhere), 10, 10).position.is_none());
+        assert_eq!(ExifImage::read(b"no file of a known kind", 10, 10), ExifImage::default());
+        assert_eq!(ExifImage::read(&file(9, &[]), 10, 10).orientation, None);
+    }
+}

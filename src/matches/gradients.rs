@@ -1,7 +1,7 @@
 //! The strategy that compares gradient descriptors: the nearest one of the whole right image.
 
 use super::rules::{refuse_many_to_one, set_of};
-use super::{DescriptorMatch, MatchImage, MatchOptions, MatchSet, Nearest, Rule, Verdict, nearest};
+use super::{DescriptorMatch, MatchImage, MatchOptions, MatchSet, Nearest, NearestTable, Rule, Verdict, nearest};
 use crate::Error;
 
 /// Length of a descriptor before it was rounded to bytes.
@@ -13,13 +13,22 @@ const UNIT: f64 = 512.0;
 /// fits no geometry of the two views is still there.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] where points and descriptors differ in number.
+/// [`Error::InvalidInput`] where points and descriptors differ in number, or nearest neighbours that are known are of others.
 pub(super) fn match_gradients(
     left: (MatchImage<'_>, &[u8]),
     right: (MatchImage<'_>, &[u8]),
+    known: Option<&NearestTable>,
     options: &MatchOptions,
 ) -> Result<MatchSet, Error> {
-    let table = nearest(left.1, right.1)?;
+    let own;
+    let table = match known {
+        Some(known) => known,
+        None => {
+            own = nearest(left.1, right.1)?;
+            &own
+        }
+    };
+    check_table(table, left.0.points.len(), right.0.points.len())?;
     let verdict = |(k, found): (usize, &Option<Nearest>)| {
         let Some(found) = found else { return Verdict::none(Rule::NoCandidate) };
         let mut verdict = found_at(found, right.0);
@@ -37,6 +46,18 @@ pub(super) fn match_gradients(
     let mut verdicts: Vec<Verdict> = table.of_left().iter().enumerate().map(verdict).collect();
     refuse_many_to_one(&mut verdicts);
     Ok(set_of(left.0.points, verdicts))
+}
+
+/// Refuses nearest neighbours of other points.
+fn check_table(table: &NearestTable, left: usize, right: usize) -> Result<(), Error> {
+    if table.rows() == (0..left) && table.of_right().len() == right {
+        return Ok(());
+    }
+    Err(Error::InvalidInput {
+        what: "nearest neighbours",
+        got: format!("those of the left points {:?} among {} right ones", table.rows(), table.of_right().len()),
+        allowed: format!("those of the left points {:?} among {right} right ones", 0..left),
+    })
 }
 
 /// The matches of a set of [`match_gradients`] that a look at the geometry of the two views left: the others of the set are refused for

@@ -1,7 +1,7 @@
 //! Where the right point of a left one is looked for: a window about the expected position and, once the pair is oriented, a strip
 //! along the epipolar line.
 
-use super::OffsetField;
+use super::{NearestTable, OffsetField};
 use crate::camera::{Interior, rotation_from_angles};
 use nalgebra::{Matrix3, Vector3};
 
@@ -57,11 +57,13 @@ struct Strip {
 pub struct Expectation<'a> {
     pub offset: &'a OffsetField,
     pub lines: Option<&'a EpipolarLines>,
+    /// The nearest gradient descriptors of all left points, where they were found before; else they are found.
+    pub nearest: Option<&'a NearestTable>,
 }
 
 impl<'a> From<&'a OffsetField> for Expectation<'a> {
     fn from(offset: &'a OffsetField) -> Self {
-        Self { offset, lines: None }
+        Self { offset, lines: None, nearest: None }
     }
 }
 
@@ -135,7 +137,7 @@ mod tests {
         for depth in [900.0, 1000.0, 1100.0] {
             let right = seen(angles, base, 500.0, 250.0, depth);
             let offset = OffsetField::constant(right[0] - 503.0, right[1] - 251.0);
-            let region = Expectation { offset: &offset, lines: Some(&lines) }.region(500.0, 250.0, 12);
+            let region = Expectation { lines: Some(&lines), ..Expectation::from(&offset) }.region(500.0, 250.0, 12);
             assert!(region.allows(right[0], right[1]), "depth {depth}");
             assert!(!region.allows(right[0], right[1] + 0.7) && !region.allows(right[0], right[1] - 0.7));
             assert!(region.widened(0.5).allows(right[0], right[1] + 0.7));

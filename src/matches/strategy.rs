@@ -73,7 +73,9 @@ pub fn match_images<'a>(
         }
         Strategy::Correlation => area::correlate(left, right.grey, expected, options)?,
         Strategy::LeastSquares => area::adjust(left, right.grey, expected, options)?,
-        Strategy::Gradient => return gradients::match_gradients((left, left.gradients()?), (right, right.gradients()?), options),
+        Strategy::Gradient => {
+            return gradients::match_gradients((left, left.gradients()?), (right, right.gradients()?), expected.nearest, options);
+        }
     };
     Ok(refine(set, left, right, options))
 }

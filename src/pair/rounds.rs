@@ -4,8 +4,8 @@ use super::verification::{PairCameras, verify};
 use super::{PairInterior, PairSettings, orient_matches};
 use crate::matches::{refine, verified_set};
 use crate::{
-    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, OffsetField,
-    RelativeOrientation, Strategy, TwoView, match_images,
+    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, RelativeOrientation, Strategy,
+    TwoView, match_images,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.
@@ -33,14 +33,14 @@ pub struct PairMatching {
 ///
 /// # Errors
 /// As [`match_images`], and [`Error::InvalidOption`] of the geometry and the orientation.
-pub fn match_in_rounds(
+pub fn match_in_rounds<'a>(
     images: [MatchImage<'_>; 2],
-    offset: &OffsetField,
+    expected: impl Into<Expectation<'a>>,
     interior: Option<&PairInterior>,
     settings: &PairSettings,
 ) -> Result<PairMatching, Error> {
-    let [left, right] = images;
-    let mut set = match_images(left, right, offset, &settings.matching)?;
+    let ([left, right], expected) = (images, expected.into());
+    let mut set = match_images(left, right, expected, &settings.matching)?;
     if settings.matching.strategy == Strategy::Gradient {
         return verified(images, &set, interior, settings);
     }
@@ -52,7 +52,7 @@ pub fn match_in_rounds(
             Err(_) => break,
         };
         let lines = epipolar_lines(&orientation, interior);
-        let next = match_images(left, right, Expectation { offset, lines: Some(&lines) }, &settings.matching)?;
+        let next = match_images(left, right, Expectation { lines: Some(&lines), ..expected }, &settings.matching)?;
         let settled = next.matches == set.matches;
         set = next;
         if settled {

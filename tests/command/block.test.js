@@ -140,6 +140,18 @@ test('an image that cannot be read is told and left out', () => {
   assert.match(alone.stderr, /a block needs two images or more; 1 of 2 could be read \(a_text\.jpg: /);
 });
 
+test('images of the same content share what is kept of them', () => {
+  const twins = folder();
+  const [name = ''] = readdirSync(BLOCK.photos);
+  for (const copy of ['img_10.png', 'img_9.png', 'IMG.png', 'img_9b.png']) copyFileSync(join(BLOCK.photos, name), join(twins, copy));
+  const out = folder();
+  const summary = json('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1');
+  assert.equal(records(out, 'features'), 1);
+  assert.equal(summary.images.read, 4);
+  const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
+  assert.deepEqual(rows.map((row) => row.split(',')[1]), ['IMG.png', 'img_9.png', 'img_9b.png', 'img_10.png']);
+});
+
 test('cameras of a file take the place of those of EXIF', () => {
   const at = folder();
   const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
@@ -171,8 +183,10 @@ test('surveyed points place the block', () => {
       if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
     }
   }
+  // Straight down, a focal length and a height stand for each other: the camera is known here.
+  const known = ['--cameras', file(at, 'cameras.json', JSON.stringify({ cameras: [{ focal_px: camera.focal_px, fixed: true }] }))];
   const control = file(at, 'control.csv', points.map(({ name, at: place }) => [name, ...place].join()).join('\n'));
-  const { out, summary } = ran('--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
+  const { out, summary } = ran(...known, '--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
   assert.equal(summary.orientation.models[0].datum, 'control');
   const { block } = read_project(readFileSync(join(out, 'project.tiepoint')));
   block.images.forEach((/** @type {any} */ image, /** @type {number} */ i) => {
@@ -192,6 +206,7 @@ test('each rule of pairs chooses its own', () => {
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
   assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as alike/);
+  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });
 
@@ -225,8 +240,8 @@ test('calls that cannot be run are refused by name', () => {
   ])) {
     const ended = tiepoint(...args);
     assert.equal(ended.code, code, `${args}: ${ended.stderr}`);
-    assert.match(ended.stderr, pattern);
-    assert.equal(ended.stderr.trimEnd().split('\n').length, 1, ended.stderr);
+    // Behind the lines of the stages that were done.
+    assert.match(ended.stderr.trimEnd().split('\n').at(-1) ?? '', pattern);
   }
 });
 
