@@ -46,6 +46,14 @@ export function readPhoto(path) {
   return about(path, () => Photo.decode(bytes));
 }
 
+/** Grey values of a mask as large as the image that it belongs to.  @param {string} path @param {Photo} photo @returns {Uint8Array} */
+export function readMask(path, photo) {
+  const mask = readPhoto(path);
+  const [own, image] = [mask, photo].map(({ width, height }) => `${width} x ${height} px`);
+  if (own !== image) throw new DataError(`${path}: mask is ${own}; allowed: the image's ${image}`);
+  return mask.grey();
+}
+
 /** @param {string} path */
 export function isFolder(path) {
   return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;

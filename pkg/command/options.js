@@ -159,6 +159,9 @@ export const workersOption = (same) => ({
   fallback: DEFAULT_WORKERS,
 });
 
+/** What a mask is. */
+export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
+
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
 export const HELP_FLAG = flag('help', 'Prints this text.');
 

@@ -1,6 +1,6 @@
 // @ts-check
-import { JSON_FLAG, POINT_OPTIONS, settingsOf } from './options.js';
-import { readPhoto } from './files.js';
+import { readMask, readPhoto } from './files.js';
+import { JSON_FLAG, MASK, path, POINT_OPTIONS, settingsOf } from './options.js';
 import { print, printJson, rows } from './output.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
@@ -10,7 +10,7 @@ import { fixed, table } from './text.js';
 /** How many points the table shows. */
 const SHOWN = 20;
 
-const OPTIONS = [...POINT_OPTIONS, JSON_FLAG];
+const OPTIONS = [path('mask', 'FILE', `${MASK}.`), ...POINT_OPTIONS, JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const points = {
@@ -23,7 +23,9 @@ export const points = {
     const settings = settingsOf(OPTIONS, values);
     const progress = new Progress(2);
     const photo = progress.step('reading', () => readPhoto(image));
-    const found = progress.step('finding points', () => photo.detect(settings));
+    const file = values.get('mask');
+    const mask = typeof file === 'string' ? readMask(file, photo) : undefined;
+    const found = progress.step('finding points', () => photo.detect(settings, mask));
     progress.end();
     const { width, height } = photo;
     if (values.has('json')) printJson({ width, height, threshold: found.threshold, counts: found.counts, points: rows(found.points, 3), frames: rows(found.frames, 2) });

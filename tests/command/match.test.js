@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { folder, image, json, samplePair, speckle, tiepoint } from './command.js';
+import { file, folder, image, json, samplePair, speckle, tiepoint } from './command.js';
 
 const { at, call } = samplePair();
 const truth = JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8')).relative_orientation;
@@ -46,6 +46,7 @@ for (const [name, ...options] of [
   ['sample.csv'],
   ['sample-least-squares.csv', '--strategy', 'least-squares'],
   ['sample-correlation.csv', '--strategy', 'correlation', '--refine', 'least-squares', '--epipolar'],
+  ['sample-gradient.csv', '--strategy', 'gradient'],
 ]) {
   test(`Node finds exactly the matches of ${name} that the native build finds`, () => {
     // The golden file ends with a line of the orientation.
@@ -84,6 +85,51 @@ test('without a focal length the matches stand and the orientation is null with 
   assert.equal(bare.orientation, null);
   assert.match(bare.orientation_reason, /focal/i);
   assert.match(tiepoint('match', left, right).stdout, /no orientation: .*focal/i);
+});
+
+test('a focal length in px stands for a camera of pixels of 0.001 mm', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const camera = file(at, 'px.json', JSON.stringify({ focal_mm: 0.6, pixel_mm: 0.001 }));
+  const [by, named] = [json('match', left, right, '--focal-px', '600'), json('match', left, right, '--camera', camera)];
+  assert.ok(by.orientation !== null && by.pixel_mm === 0.001 && by.interior.focal_mm === 0.6);
+  assert.deepEqual(by, named);
+  for (const [options, pattern] of /** @type {const} */ ([
+    [['--focal-px', '0'], /--focal-px is 0; allowed: above 0, up to 10000000/],
+    [['--focal-px', '600', '--camera', camera], /--camera and --focal-px both give a focal length/],
+  ])) {
+    const { code, stderr } = tiepoint('match', left, right, ...options);
+    assert.equal(code, 2);
+    assert.match(stderr, pattern);
+  }
+});
+
+test('gradients tell the geometry of the two views, with a camera and without', () => {
+  const known = json(...call, '--strategy', 'gradient');
+  assert.deepEqual([known.geometry.model.kind, known.geometry.degenerate, known.geometry_reason, known.offset_px], ['calibrated', null, null, null]);
+  assert.ok(known.geometry.sigma_px < known.geometry.threshold_px && known.geometry.threshold_px < 2);
+  assert.equal(known.settings.points.operator, 'multiscale');
+  assert.match(tiepoint(...call, '--strategy', 'gradient').stdout, /geometry of the two views: orientation of calibrated cameras, standard error 0\.\d+ px/);
+  assert.equal(json(...call).geometry, null);
+  const flat = image(folder(), 'flat.png', 80, 60, () => 50);
+  const none = json('match', flat, flat, '--strategy', 'gradient');
+  assert.deepEqual([none.counts.matches, none.geometry], [0, null]);
+  assert.equal(typeof none.geometry_reason, 'string');
+});
+
+test('masks leave points out of their image, and have its size', () => {
+  const half = image(at, 'half.png', 450, 700, (col) => (col < 225 ? 0 : 255));
+  for (const strategy of ['moments', 'gradient']) {
+    const out = join(at, `masked-${strategy}`);
+    const { counts } = json(...call, '--strategy', strategy, '--mask-left', half, '--out', out);
+    const columns = (/** @type {string} */ name) => readFileSync(join(out, name), 'utf8').trim().split('\n').slice(1).map((line) => Number(line.split(',')[0]));
+    assert.ok(counts.left.after_suppression > 500 && columns('left-points.csv').every((x) => x >= 225), strategy);
+    assert.ok(columns('right-points.csv').some((x) => x < 225), strategy);
+    assert.ok(counts.matches > 200, strategy);
+  }
+  const small = image(at, 'small.png', 45, 70, () => 255);
+  const { code, stderr } = tiepoint(...call, '--mask-right', small);
+  assert.equal(code, 1);
+  assert.match(stderr, /small\.png: mask is 45 x 70 px; allowed: the image's 450 x 700 px/);
 });
 
 test('images without overlap, identical images and flat images end well', () => {

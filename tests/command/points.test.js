@@ -33,6 +33,28 @@ test('every operator finds something in speckle and nothing in a flat image', ()
   }
 });
 
+test('points of many scales have frames, the others none', () => {
+  // A disc and one twice as large, bright on dark.
+  const discs = image(at, 'discs.png', 160, 80, (col, row) => ([[40, 4], [110, 8]].some(([x = 0, r = 0]) => (col - x) ** 2 + (row - 40) ** 2 < r * r) ? 220 : 60));
+  const { points, frames, counts } = json('points', discs, '--operator', 'multiscale');
+  assert.equal(frames.length, points.length);
+  assert.equal(counts.after_suppression, points.length);
+  const scaleAt = (/** @type {number} */ x) => frames[points.findIndex((/** @type {number[]} */ p) => Math.hypot((p[0] ?? 0) - x - 0.5, (p[1] ?? 0) - 40.5) < 2)]?.[0];
+  const [small, large] = [scaleAt(40), scaleAt(110)];
+  assert.ok(Math.abs(large / small - 2) < 0.2, `${small}, ${large} px`);
+  assert.ok(json('points', discs, '--operator', 'multiscale', '--number', '3').points.length <= 3);
+  assert.deepEqual(json('points', discs).frames, []);
+});
+
+test('a mask leaves points out', () => {
+  const mask = image(at, 'mask.png', 64, 48, (_, row) => (row < 24 ? 0 : 1));
+  for (const operator of ['ground2', 'multiscale']) {
+    const { points } = json('points', speckled, '--operator', operator, '--mask', mask);
+    assert.ok(points.length > 0 && points.every((/** @type {number[]} */ [, y]) => (y ?? 0) >= 24), operator);
+  }
+  assert.match(tiepoint('points', spot, '--mask', mask).stderr, /mask\.png: mask is 64 x 48 px; allowed: the image's 40 x 30 px/);
+});
+
 test('the options reach the operator', () => {
   const count = (/** @type {string[]} */ ...options) => json('points', speckled, ...options).counts;
   assert.ok(count('--threshold', '120').candidates < count('--threshold', '20').candidates);

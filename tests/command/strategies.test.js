@@ -8,7 +8,7 @@ const run = (...options) => json(...call, ...options);
 const moments = run();
 
 test('the truth of the sample scores every strategy', () => {
-  const shares = Object.fromEntries(['moments', 'invariants', 'correlation', 'least-squares'].map((strategy) => {
+  const shares = Object.fromEntries(['moments', 'invariants', 'correlation', 'least-squares', 'gradient'].map((strategy) => {
     const { counts, score, orientation } = run('--strategy', strategy);
     assert.equal(score.matches, counts.matches);
     assert.equal(score.rightness.length, counts.matches);
@@ -23,7 +23,7 @@ test('the truth of the sample scores every strategy', () => {
 });
 
 test('every left point has one verdict with any strategy', () => {
-  for (const options of [['--strategy', 'correlation'], ['--strategy', 'least-squares'], ['--refine', 'least-squares']]) {
+  for (const options of [['--strategy', 'correlation'], ['--strategy', 'least-squares'], ['--refine', 'least-squares'], ['--strategy', 'gradient']]) {
     const { counts } = run(...options);
     const refused = Object.values(counts.refused).reduce((sum, n) => sum + Number(n), 0);
     assert.equal(counts.matches + refused, counts.left.after_suppression, options.join(' '));
@@ -85,7 +85,7 @@ test('bad values are usage errors that name what is allowed', () => {
   const pair = call.slice(0, 3);
   for (const [options, pattern] of /** @type {const} */ ([
     [['--strategy', 'correlation', '--measure', 'dm'], /--strategy and --measure set the same; give one of them/],
-    [['--strategy', 'sift'], /--strategy is sift; allowed: moments, invariants, correlation, least-squares/],
+    [['--strategy', 'sift'], /--strategy is sift; allowed: moments, invariants, correlation, least-squares, gradient/],
     [['--refine', 'yes'], /--refine is yes; allowed: none, least-squares/],
     [['--template', '12'], /--template is 12; allowed: odd whole numbers from 5 to 63/],
     [['--min-correlation', '2'], /--min-correlation is 2; allowed: -1 to 1/],

@@ -40,7 +40,7 @@ function pair(name, left, right) {
   const reduced = () => estimate_offset(left.reduced(1024), right.reduced(1024));
   const estimated = reduced();
   const [dx, dy] = estimated.median_px;
-  const detect = (/** @type {Photo} */ photo) => photo.detect(settings.points).points;
+  const detect = (/** @type {Photo} */ photo) => photo.detect(settings).points;
   const describe = (/** @type {Photo} */ photo, /** @type {Float64Array} */ points) => photo.describe(points, window, matching.strategy);
   const [pl, pr] = [detect(left), detect(right)];
   const [dl, dr] = [describe(left, pl), describe(right, pr)];
@@ -58,15 +58,14 @@ function pair(name, left, right) {
 
 /** 2,000 points by grey values, windows of 21 x 21 px.  @param {string} name @param {Photo} left @param {Photo} right */
 function windows(name, left, right) {
-  const { points } = left.detect(settingsWith(() => {}).points);
+  const { points } = left.detect(settingsWith(() => {}));
   const inner = Array.from({ length: points.length / 3 }, (_, i) => points.subarray(3 * i, 3 * i + 3))
     .filter(([x = 0, y = 0]) => x > 40 && y > 40 && x < left.width - 40 && y < left.height - 40);
   const chosen = Float64Array.from({ length: 6000 }, (_, i) => inner[Math.floor((Math.floor(i / 3) * inner.length) / 2000)]?.[i % 3] ?? NaN);
-  const none = new Float64Array();
   const run = (/** @type {Partial<import('../../pkg/node.js').MatchOptions>} */ matching) => {
     const settings = defaults();
     Object.assign(settings.matching, { template: 21, left_right: false, strategy: 'correlation', ...matching });
-    return medianMs(15, () => match_photos(left, right, chosen, none, none, none, constant_offset(0, 0), null, settings));
+    return medianMs(15, () => match_photos(left, right, { points: chosen }, { points: new Float64Array() }, constant_offset(0, 0), null, settings));
   };
   const plain = run({});
   tell(`${name}, correlation of 2,000 points, 21 x 21 px, in 25 x 25 places`, plain);
@@ -98,11 +97,12 @@ function large() {
   const bytes = bytesOf(name, file);
   tell(`decoding ${file} (12 MP JPEG)`, medianMs(5, () => Photo.decode(bytes).free()));
   const photo = photoOf(name, file);
-  const { points } = settingsWith(() => {});
-  tell('ground 2 on 12 MP, 14.8 % candidates', medianMs(15, () => photo.detect(points)));
-  tell('ground 2 on 12 MP, T = 40', medianMs(15, () => photo.detect({ ...points, fraction: undefined, threshold: 40 })));
+  const settings = settingsWith(() => {});
+  const by = (/** @type {Partial<import('../../pkg/node.js').PointOptions>} */ options) => () => photo.detect({ ...settings, points: { ...settings.points, ...options } });
+  tell('ground 2 on 12 MP, 14.8 % candidates', medianMs(15, by({})));
+  tell('ground 2 on 12 MP, T = 40', medianMs(15, by({ fraction: null, threshold: 40 })));
   for (const operator of /** @type {const} */ (['ground1', 'forstner', 'moravec'])) {
-    tell(`${operator} on 12 MP, 14.8 % candidates`, medianMs(5, () => photo.detect({ ...points, operator })));
+    tell(`${operator} on 12 MP, 14.8 % candidates`, medianMs(5, by({ operator })));
   }
   photo.free();
 }

@@ -1,6 +1,5 @@
 /** Moves through the images and from point to point. */
-import { isCurrent } from '../state/keys';
-import { expectedOrigin, expectedPosition } from '../state/offset';
+import { sameGround } from '../state/follow';
 import { otherSide } from '../state/state';
 import type { PaneView, Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
@@ -87,7 +86,7 @@ export class Navigator {
     this.store.dispatch({ type: 'views', views: { [side]: { x, y, scale: pane.transform.scale } } });
   }
 
-  /** Changes the view of a side; a linked one follows to the same ground, where the offset of the images is known. */
+  /** Changes the view of a side; a linked one follows to the same ground, where that is known. */
   private change(side: Side, next: (pane: Pane, own: PaneView, least: number) => PaneView): void {
     const scene = this.view.scene();
     const { state } = this.store;
@@ -103,10 +102,8 @@ export class Navigator {
 
   /** The view of the linked pane, centred where the ground at the other one's centre is expected. */
   private followed(side: Side, leader: PaneView | undefined, [other, view]: [Side, PaneView]): [Side, PaneView] {
-    const field = isCurrent(this.store.state, 'offset') ? this.store.state.results.offset?.value : undefined;
-    if (leader === undefined || field === undefined) return [other, view];
-    const [x, y] = side === 'left' ? expectedPosition(field, [leader.x, leader.y]) : expectedOrigin(field, [leader.x, leader.y]);
-    return [other, { x, y, scale: view.scale }];
+    const ground = leader === undefined ? null : sameGround(this.store.state, side, [leader.x, leader.y]);
+    return ground === null ? [other, view] : [other, { x: ground[0], y: ground[1], scale: view.scale }];
   }
 }
 
