@@ -57,9 +57,9 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
 
   await part(page, 'block-picture').focus();
   await page.keyboard.press('n');
-  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00000\.pgm: .*connected with/);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00000\.png: .*connected with/);
   await page.keyboard.press('c');
-  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00000\.pgm – photo_00001\.pgm: connected by \d+ matches/);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00000\.png – photo_00001\.png: connected by \d+ matches/);
   const box = await part(page, 'block-picture').boundingBox();
   assert.ok(box);
   // Somewhere on a raster over the picture the pointer meets an image or a line.
@@ -82,7 +82,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   await part(page, 'block-open-pair').click();
   assert.match(await done(page), /matches/);
   assert.ok(await number(page, 'count-matches') > 50);
-  assert.match((await part(page, 'of-block').textContent()) ?? '', /photo_0000\d\.pgm – photo_0000\d\.pgm/);
+  assert.match((await part(page, 'of-block').textContent()) ?? '', /photo_0000\d\.png – photo_0000\d\.png/);
   await page.screenshot({ path: join(SHOTS, 'block-pair.png') });
   await part(page, 'back-to-block').click();
   assert.equal(await part(page, 'block-chosen').textContent(), cell);

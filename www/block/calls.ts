@@ -48,13 +48,6 @@ export interface RunInput {
   port: MessagePort;
 }
 
-/** What is known of a flight before its photos are taken. */
-export interface FlightPlan {
-  photos: number;
-  /** Its cameras, as the text of a file. */
-  cameras: string;
-}
-
 /** What a block is saved as: its own file, everything, or what another program reads. */
 export type ExportKind = 'project' | 'everything' | ExportFormat;
 
@@ -68,8 +61,9 @@ export interface MadeFile {
 export interface BlockCalls {
   // Any worker of the pool.
   blockJob: { input: JobRequest; output: JobAnswer };
-  blockPlan: { input: BlockFlight; output: FlightPlan };
-  blockPhoto: { input: { flight: BlockFlight; index: number }; output: MadeFile };
+  /** The names of the photos that a flight takes. */
+  blockPlan: { input: BlockFlight; output: string[] };
+  blockPhoto: { input: { flight: BlockFlight; index: number }; output: Uint8Array<ArrayBuffer> };
   // The worker of the block: it holds the block that was run or opened last.
   blockRun: { input: RunInput; output: BlockView };
   blockOpen: { input: { bytes: Uint8Array }; output: BlockView };

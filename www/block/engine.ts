@@ -78,16 +78,15 @@ export class BlockEngine {
   }
 
   /** Takes the photos of the flight that is set, on all workers. */
-  async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<{ files: Omit<BlockFile, 'id'>[]; cameras: string }> {
-    const { photos, cameras } = await this.pool.call('blockPlan', flight);
+  async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<Omit<BlockFile, 'id'>[]> {
+    const names = await this.pool.call('blockPlan', flight);
     let count = 0;
-    const files = await Promise.all(Array.from({ length: photos }, async (_, index) => {
-      const { name, type, bytes } = await this.pool.call('blockPhoto', { flight, index });
+    return Promise.all(names.map(async (name, index) => {
+      const bytes = await this.pool.call('blockPhoto', { flight, index });
       count += 1;
-      done(count, photos);
-      return { name, file: new Blob([bytes], { type }) };
+      done(count, names.length);
+      return { name, file: new Blob([bytes], { type: 'image/png' }) };
     }));
-    return { files, cameras };
   }
 
   private listen(port: MessagePort): void {

@@ -36,8 +36,7 @@ export class BlockFiles {
     if (flight === null) return;
     this.say('busy', 'Building the town of the simulated block …');
     try {
-      const { files, cameras } = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
-      this.store.dispatch({ type: 'options', options: { cameras: { name: 'cameras of the simulated block', text: cameras } } });
+      const files = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })) });
       this.say('info', `${String(files.length)} photos of a simulated block. Press Run.`);
     } catch (error) {
