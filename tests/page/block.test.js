@@ -1,4 +1,6 @@
 import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -36,15 +38,27 @@ async function photograph(page, flight = FLIGHT) {
   await status(page, /Press Run/);
 }
 
-/** Photos of the flight as files, and one that is none.  @param {number} count */
-function uploads(count) {
+/** A folder with photos of the flight and what is no image.  @param {number} count */
+function photoFolder(count) {
+  const folder = mkdtempSync(join(tmpdir(), 'tiepoint-photos-'));
   const scene = new BlockScene(FLIGHT);
-  const photos = Array.from({ length: count }, (_, index) => {
+  for (let index = 0; index < count; index++) {
     const { width, height, grey } = scene.photo(index);
-    return { name: `photo_${index}.png`, mimeType: 'image/png', buffer: Buffer.from(greyPng(width, height, grey)) };
-  });
+    writeFileSync(join(folder, `photo_${index}.png`), greyPng(width, height, grey));
+  }
   scene.free();
-  return [...photos, { name: 'broken.jpg', mimeType: 'image/jpeg', buffer: Buffer.from('no image') }];
+  writeFileSync(join(folder, 'truth.json'), '{}');
+  return folder;
+}
+
+/** Drops files of these names that hold no image.  @param {Page} page @param {string[]} names */
+async function drop(page, names) {
+  const transfer = await page.evaluateHandle((given) => {
+    const data = new DataTransfer();
+    for (const name of given) data.items.add(new File(['no image'], name));
+    return data;
+  }, names);
+  for (const type of ['dragenter', 'dragover', 'drop']) await part(page, 'block-picture').dispatchEvent(type, { dataTransfer: transfer });
 }
 
 test('a simulated block is matched; picture, matrix, pair and exports answer', { skip: SKIP }, async () => {
@@ -113,8 +127,11 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
 
 test('a run that was cancelled goes on, and an image that cannot be read is listed', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
-  await part(page, 'block-files-input').setInputFiles(uploads(4));
-  await status(page, /^5 images/);
+  const folder = photoFolder(4);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await status(page, /^4 images in the block\. 1 file left aside/);
+  await drop(page, ['broken.jpg', 'notes.txt']);
+  await status(page, /^5 images in the block\. 1 file left aside/);
   await part(page, 'block-run').click();
   // What cannot be read is not kept: the second is.
   await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, { polling: 10 });
@@ -128,6 +145,7 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   const rows = await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').allTextContents();
   assert.equal(rows.length, 5);
   assert.ok(rows.some((text) => text.startsWith('broken.jpg')));
+  rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();
 });

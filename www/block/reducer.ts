@@ -31,7 +31,8 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     case 'mode':
       return { ...state, mode: action.mode };
     case 'files':
-      return { ...state, files: action.files, running: { kind: 'no' } };
+      // A run that goes on keeps the files it was given.
+      return { ...state, files: action.files, running: state.running.kind === 'yes' ? state.running : { kind: 'no' } };
     case 'options':
       return { ...state, options: { ...state.options, ...action.options }, notice: null };
     case 'flight':
