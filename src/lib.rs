@@ -84,9 +84,9 @@ pub use points::{
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
-    BlockFlight, BlockScene, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset, RIGHT_WITHIN_PX,
-    Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_matches, simulate, simulate_block,
-    simulate_network,
+    BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
+    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_block,
+    score_matches, simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 

@@ -1,8 +1,10 @@
 //! The assembly of simulated blocks: everything from the rays alone.
 
 use tiepoint::{
-    Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, MultiRayPoints,
-    ObservedPosition, SelectOptions, Similarity, SimulatedBlock, assemble_block, multi_ray_points, simulate_block,
+    AssembledPoint, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions,
+    BlockView, BundleOptions, ControlRay, Datum, FreeParameters, MultiRayPoints, ObservedPosition, OrientedPart, RayVerdict, SelectOptions,
+    Similarity, SimulatedBlock, UnorientedReason, adjust_block, assemble_block, geographic_from_local, local_from_geographic,
+    multi_ray_points, simulate_block,
 };
 
 struct Scene {
@@ -78,54 +80,257 @@ fn selected() -> AssemblyOptions {
     AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() }
 }
 
-#[test]
-fn a_nadir_block_is_oriented_whole() {
-    let scene = scene(&BlockFlight::default(), 1.0);
-    let assembly = scene.assemble(&selected());
-    scene.report("nadir", &assembly);
-    assert_eq!((assembly.models.len(), assembly.models[0].images.len()), (1, 30));
-    assert!(assembly.unoriented.is_empty());
+/// One model of all images, as precise as the rays: σ₀ is the noise of the features.
+fn assert_whole(scene: &Scene, assembly: &Assembly, most_off_m: f64) {
+    assert_eq!((assembly.models.len(), assembly.unoriented.len()), (1, 0), "{:?}", assembly.unoriented);
+    let model = &assembly.models[0];
+    assert_eq!(model.images.len(), scene.description.images.len());
+    let sigma0 = model.adjusted.sigma0_px.unwrap();
+    assert!((sigma0 / 0.3 - 1.0).abs() < 0.06, "{sigma0}");
+    let (position, angle) = scene.errors(assembly, 0);
+    assert!(position < most_off_m && angle < 0.5, "{position} m, {angle} deg");
 }
 
 #[test]
-fn an_oblique_block_is_oriented_whole() {
-    let scene = scene(&BlockFlight { view: BlockView::Oblique, strips: 4, exposures: 5, ..BlockFlight::default() }, 1.0);
+fn nadir_blocks_are_oriented_whole() {
+    for relief_m in [60.0, 0.0] {
+        let scene = scene(&BlockFlight { relief_m, ..BlockFlight::default() }, 1.0);
+        let assembly = scene.assemble(&selected());
+        scene.report(&format!("relief of {relief_m} m"), &assembly);
+        assert_whole(&scene, &assembly, 1.5);
+        assert!(!assembly.models[0].in_system && assembly.models[0].weaknesses[0].contains("arbitrary"));
+    }
+}
+
+#[test]
+fn an_oblique_block_with_wrong_focal_lengths_is_calibrated() {
+    // Forward and backward views of a short strip show other ground than the views down: the block must be longer than it is high.
+    let flight = BlockFlight {
+        view: BlockView::Oblique,
+        exposures: 9,
+        forward_overlap: 0.5,
+        side_overlap: 0.4,
+        features: 1000,
+        ..BlockFlight::default()
+    };
+    let scene = scene(&flight, 1.04);
     let assembly = scene.assemble(&selected());
     scene.report("oblique", &assembly);
-    assert_eq!((assembly.models.len(), assembly.models[0].images.len()), (1, 100));
+    assert_whole(&scene, &assembly, 1.0);
+    for (camera, calibrated) in assembly.models[0].adjusted.block.cameras.iter().enumerate() {
+        let wanted = scene.description.cameras[camera].focal_px.unwrap() / 1.04;
+        assert!((calibrated.focal_px / wanted - 1.0).abs() < 0.01, "{camera}: {}, {wanted}", calibrated.focal_px);
+    }
 }
 
 #[test]
-fn a_block_of_two_heights_with_a_wrong_focal_length_is_calibrated() {
-    let scene = scene(&BlockFlight { view: BlockView::TwoHeights, ..BlockFlight::default() }, 1.04);
+fn a_block_of_two_heights_finds_its_focal_length() {
+    let mut scene = scene(&BlockFlight { view: BlockView::TwoHeights, ..BlockFlight::default() }, 1.0);
+    let wanted = scene.description.cameras[0].focal_px.take().unwrap();
     let assembly = scene.assemble(&selected());
     scene.report("two heights", &assembly);
-    assert_eq!(assembly.models[0].images.len(), 30);
+    assert_whole(&scene, &assembly, 3.0);
+    let model = &assembly.models[0];
+    assert_eq!(model.guessed_focal, [0]);
+    let (found, error) = (model.adjusted.block.cameras[0].focal_px, model.adjusted.cameras[0].standard_errors[0].unwrap());
+    assert!((found - wanted).abs() < 4.0 * error && error < 0.02 * wanted, "{found} ± {error}, {wanted}");
+    assert!(model.weaknesses.iter().any(|weakness| weakness.contains("was not known; it is estimated")), "{:?}", model.weaknesses);
 }
 
 #[test]
 fn two_wrong_matches_in_five_do_not_keep_a_block_from_being_oriented() {
-    let scene = scene(&BlockFlight { wrong: 0.4, ..BlockFlight::default() }, 1.0);
-    let assembly = scene.assemble(&selected());
-    scene.report("40 % wrong", &assembly);
-    assert_eq!(assembly.models[0].images.len(), 30);
-}
-
-#[test]
-fn flat_ground_is_no_obstacle() {
-    let scene = scene(&BlockFlight { relief_m: 0.0, ..BlockFlight::default() }, 1.0);
-    let assembly = scene.assemble(&selected());
-    scene.report("flat", &assembly);
-    assert_eq!(assembly.models[0].images.len(), 30);
-}
-
-#[test]
-fn gps_puts_a_block_into_its_system() {
-    let mut scene = scene(&BlockFlight::default(), 1.0);
-    for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
-        image.position = Some(ObservedPosition::Local { position: exposure.centre, sigma: [3.0, 3.0, 5.0] });
+    for repeated in [0.05, 0.5] {
+        let scene = scene(&BlockFlight { wrong: 0.4, repeated, seed: 3, ..BlockFlight::default() }, 1.04);
+        let assembly = scene.assemble(&selected());
+        scene.report("40 % wrong", &assembly);
+        assert_whole(&scene, &assembly, 2.0);
     }
+}
+
+#[test]
+fn parts_without_common_points_are_models_of_their_own() {
+    // Forward, backward and downward views of a short block show three stretches of ground.
+    let scene = scene(&BlockFlight { view: BlockView::Oblique, strips: 4, exposures: 5, ..BlockFlight::default() }, 1.0);
     let assembly = scene.assemble(&selected());
-    scene.report("GPS", &assembly);
-    assert!(assembly.models[0].in_system);
+    scene.report("short oblique block", &assembly);
+    assert!(assembly.models.len() > 1);
+    assert!(assembly.models.windows(2).all(|pair| pair[0].images.len() >= pair[1].images.len()));
+    let mut all: Vec<usize> = assembly.models.iter().flat_map(|model| model.images.clone()).collect();
+    all.extend(assembly.unoriented.iter().map(|image| image.image));
+    all.sort_unstable();
+    assert_eq!(all, (0..100).collect::<Vec<_>>(), "every image is in one model or has a reason");
+    for model in 0..assembly.models.len() {
+        assert!(scene.errors(&assembly, model).0 < 3.0);
+    }
+}
+
+#[test]
+fn images_that_cannot_be_oriented_have_a_reason() {
+    let flight = BlockFlight::default();
+    let simulated = simulate_block(&flight).unwrap();
+    let whole = scene(&flight, 1.0);
+    // Image 7 has no matches at all; of image 20 only eight with each other image are left.
+    let counts: Vec<u32> = simulated.features.iter().map(|list| list.len() as u32).collect();
+    let mut matches = tiepoint::BlockMatches::new(&counts).unwrap();
+    for (images, list) in simulated.pairs.iter().filter(|(images, _)| !images.contains(&7)) {
+        let most = if images.contains(&20) { 1 } else { list.len() };
+        matches.add_pair(*images, &list[..most]).unwrap();
+    }
+    let (points, _) = multi_ray_points(&matches, &BlockOptions::default()).unwrap();
+    let assembly = assemble_block(&whole.description, &points, &whole.block.image_features(), &selected()).unwrap();
+    assembly.unoriented.iter().for_each(|image| println!("{}", image.text));
+    assert_eq!(assembly.models[0].images.len(), 28);
+    assert_eq!(assembly.unoriented.iter().map(|image| image.image).collect::<Vec<_>>(), [7, 20]);
+    assert_eq!(assembly.unoriented[0].reason, UnorientedReason::NoPoints);
+    assert!(matches!(assembly.unoriented[1].reason, UnorientedReason::TooFewPoints { needed: 12, .. }), "{:?}", assembly.unoriented[1]);
+    assert!(assembly.unoriented[1].text.starts_with("0020.jpg sees"));
+}
+
+/// Standard normal numbers, nearly: sums of twelve uniform ones by SplitMix64 (Steele, Lea & Flood 2014).
+struct Normal(u64);
+
+impl Normal {
+    fn next(&mut self) -> f64 {
+        let mut uniform = || {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+    }
+}
+
+#[test]
+fn errors_of_assembled_blocks_are_as_large_as_told() {
+    let sigma = 0.1;
+    let mut squares = [Vec::new(), Vec::new()];
+    let mut variances = Vec::new();
+    for seed in 1..=120 {
+        let flight = BlockFlight { strips: 3, exposures: 5, features: 1000, seed, ..BlockFlight::default() };
+        let mut scene = scene(&flight, 1.0);
+        let mut normal = Normal(u64::from(seed) << 32);
+        for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
+            let position = exposure.centre.map(|v| v + sigma * normal.next());
+            image.position = Some(ObservedPosition::Local { position, sigma: [sigma; 3] });
+        }
+        scene.description.cameras[0].free = FreeParameters::default();
+        let assembly = scene.assemble(&selected());
+        let model = &assembly.models[0];
+        assert!(model.in_system && model.images.len() == 15);
+        variances.push((model.adjusted.sigma0_px.unwrap() / 0.3).powi(2));
+        for ((k, image), statistics) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
+            let told = statistics.position_errors.unwrap();
+            squares[0].extend((0..3).map(|i| ((image.position[i] - scene.block.exposures[*k].centre[i]) / told[i]).powi(2)));
+        }
+        for ((point, known), statistics) in model.adjusted.block.points.iter().zip(&model.points).zip(&model.adjusted.points) {
+            let (Some(statistics), AssembledPoint::MultiRay(index)) = (statistics, known) else { continue };
+            let rays = scene.points.rays(*index as usize);
+            let owners: Vec<_> = rays.iter().map(|ray| scene.block.owners[ray.image as usize][ray.feature as usize]).collect();
+            // Of a point with a ray that does not belong to it the truth is not one place.
+            let Some(owner) = owners[0].filter(|_| owners.iter().all(|owner| *owner == owners[0])) else { continue };
+            let told = statistics.errors.unwrap();
+            let wanted = scene.block.ground[owner as usize];
+            squares[1].extend((0..3).map(|i| ((point.position[i] - wanted[i]) / told[i]).powi(2)));
+        }
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let [positions, points] = squares.map(|values| mean(&values));
+    let variance = mean(&variances);
+    println!("positions {positions:.3}, points {points:.3}, variance of a coordinate {variance:.3}");
+    assert!([positions, points, variance].iter().all(|v| (0.9..1.1).contains(v)), "{positions} {points} {variance}");
+}
+
+#[test]
+fn geographic_positions_and_control_put_a_block_onto_the_earth() {
+    let mut scene = scene(&BlockFlight::default(), 1.0);
+    let origin = [8.0, 50.0, 200.0];
+    for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
+        let [longitude_deg, latitude_deg, height_m] = geographic_from_local(exposure.centre, origin);
+        image.position = Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [3.0, 3.0, 5.0] });
+    }
+    // A surveyed point is measured wherever it was found.
+    let target = (0..scene.points.len()).find(|point| scene.points.rays(*point).len() >= 6).unwrap();
+    let rays = scene.points.rays(target);
+    let owner = scene.block.owners[rays[0].image as usize][rays[0].feature as usize].unwrap();
+    let [longitude_deg, latitude_deg, height_m] = geographic_from_local(scene.block.ground[owner as usize], origin);
+    let ray = |ray: &tiepoint::PointRay| {
+        let [x, y] = scene.block.features[ray.image as usize][ray.feature as usize];
+        ControlRay { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y) }
+    };
+    let control = AssemblyControl {
+        name: "church".into(),
+        position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [0.02; 3] },
+        rays: rays.iter().map(ray).collect(),
+    };
+    scene.description.control.push(control);
+    let assembly = scene.assemble(&selected());
+    scene.report("on the earth", &assembly);
+    assert_whole(&scene, &assembly, 1.5);
+    let model = &assembly.models[0];
+    assert!(model.in_system && model.adjusted.datum == Datum::GpsAndControl);
+    assert_eq!(model.points.last(), Some(&AssembledPoint::Control(0)));
+    // The model's place of an image on the earth is that of the exposure.
+    let from = assembly.origin.unwrap();
+    let from = [from.longitude_deg, from.latitude_deg, from.height_m];
+    for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
+        let at = local_from_geographic(geographic_from_local(image.position, from), origin);
+        let off = (0..3).map(|i| (at[i] - scene.block.exposures[*k].centre[i]).powi(2)).sum::<f64>().sqrt();
+        assert!(off < 4.0, "image {k} is off by {off} m");
+    }
+    let exported = assembly.block_model(0, &scene.description, &scene.points).unwrap();
+    exported.check().unwrap();
+    assert_eq!((exported.images.len(), exported.origin), (30, assembly.origin));
+    let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == RayVerdict::Accepted).count();
+    assert_eq!(exported.points.iter().map(|point| point.rays.len()).sum::<usize>(), accepted);
+    // There and back: what is exchanged adjusts to the same residuals.
+    let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &BundleOptions::default()).unwrap();
+    assert!((again.rmse_px - model.adjusted.rmse_px).abs() < 0.01, "{} {}", again.rmse_px, model.adjusted.rmse_px);
+}
+
+#[test]
+fn the_same_rays_give_the_same_block() {
+    let scene = scene(&BlockFlight { strips: 3, exposures: 4, wrong: 0.2, ..BlockFlight::default() }, 1.02);
+    let first = scene.assemble(&selected());
+    assert_eq!(first, scene.assemble(&selected()));
+    let text = serde_json::to_string(&first).unwrap();
+    assert_eq!(serde_json::from_str::<Assembly>(&text).unwrap(), first);
+}
+
+#[test]
+fn what_does_not_fit_together_is_refused() {
+    let scene = scene(&BlockFlight { strips: 2, exposures: 3, ..BlockFlight::default() }, 1.0);
+    let refused = |change: &dyn Fn(&mut BlockDescription, &mut AssemblyOptions), words: &str| {
+        let (mut description, mut options) = (scene.description.clone(), selected());
+        change(&mut description, &mut options);
+        let error = assemble_block(&description, &scene.points, &scene.block.image_features(), &options).unwrap_err();
+        assert!(error.to_string().contains(words), "{error}");
+    };
+    let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
+    let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 0.0, sigma_m: [1.0; 3] };
+    refused(&|d, _| d.images[2].camera = 1, "camera 1 of image 2");
+    refused(&|d, _| d.cameras[0].focal_px = Some(f64::NAN), "focal length of a camera: got NaN");
+    refused(&|d, _| d.cameras[0].focal_px = Some(0.0), "focal length of a camera: got 0");
+    refused(&|d, _| d.cameras[0].radial[1] = f64::INFINITY, "distortion");
+    refused(&|d, _| d.cameras[0].free.radial = 4, "radial");
+    refused(&|d, _| d.images[0].position = local(f64::NAN), "position: got NaN");
+    refused(&|d, _| (d.images[0].position, d.images[1].position) = (local(1.0), Some(geographic)), "1 geographic and 1 local");
+    refused(&|d, _| d.images.truncate(1), "at least 2");
+    refused(&|d, _| d.images.truncate(5), "features of 6 images");
+    refused(&|_, o| o.least_angle_deg = f64::NAN, "assembly.least_angle_deg is NaN");
+    refused(&|_, o| o.least_rays = 2, "assembly.least_rays is 2");
+    refused(&|_, o| o.bundle.alpha0 = 2.0, "bundle.alpha0");
+    refused(&|_, o| o.datum = Some(Datum::Gps), "GPS positions or control points");
+    let ray = ControlRay { image: 9, x_px: 1.0, y_px: 1.0 };
+    let control = AssemblyControl { name: "a".into(), position: local(0.0).unwrap(), rays: vec![ray] };
+    refused(&|d, _| d.control.push(control.clone()), "image 9 of control point 0");
+}
+
+#[test]
+fn a_block_without_points_has_no_model() {
+    let scene = scene(&BlockFlight { strips: 2, exposures: 2, ..BlockFlight::default() }, 1.0);
+    let none = MultiRayPoints::default();
+    let assembly = assemble_block(&scene.description, &none, &scene.block.image_features(), &selected()).unwrap();
+    assert!(assembly.models.is_empty());
+    assert!(assembly.unoriented.len() == 4 && assembly.unoriented.iter().all(|image| image.reason == UnorientedReason::NoPoints));
 }

@@ -166,3 +166,53 @@ fn nearest_neighbours_found_in_pieces_give_the_same_matches() {
     let all = Expectation { nearest: Some(&table), ..Expectation::from(&offset) };
     assert_eq!(match_in_rounds(images, all, None, &settings).unwrap(), whole);
 }
+
+/// The columns of an image from `first` to before `end`.
+fn columns(image: &GreyImage, first: usize, end: usize) -> GreyImage {
+    let view = image.view();
+    GreyImage::from_fn(end - first, image.height(), |col, row| view.at(col + first, row)).unwrap()
+}
+
+/// The image in a dark border with fiducial marks and a data strip, on a scan that begins `shift` px further left and up.
+fn framed(image: &GreyImage, shift: [usize; 2]) -> GreyImage {
+    let (width, height) = (image.width(), image.height());
+    let border = 90;
+    let view = image.view();
+    GreyImage::from_fn(width + 2 * border + shift[0], height + 2 * border + shift[1], |col, row| {
+        let (u, v) = (col as i64 - shift[0] as i64, row as i64 - shift[1] as i64);
+        let (x, y) = (u - border as i64, v - border as i64);
+        if (0..width as i64).contains(&x) && (0..height as i64).contains(&y) {
+            return view.at(x as usize, y as usize);
+        }
+        // Signs of a strip on the left, ticks all around: of different shapes, the same on every frame.
+        let cell = |k: i64| (k / 9).wrapping_mul(2_654_435_761) ^ ((k / 9) >> 3);
+        let sign = (cell(u) ^ cell(v).wrapping_mul(40_503)) >> 7 & 7;
+        let on_margin = u > 20 && v > 20 && (u < 60 || v < 60 || u > width as i64 + 120 || v > height as i64 + 120);
+        if on_margin && sign == 0 { 220 } else { 12 }
+    })
+    .unwrap()
+}
+
+#[test]
+fn film_borders_do_not_match() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    // The ground moves by 100 px from one frame to the other.
+    let width = sample.left.width();
+    let pictures = [columns(&sample.left, 100, width), columns(&sample.right, 0, width - 100)];
+    let [left, right] = [framed(&pictures[0], [0, 0]), framed(&pictures[1], [23, 11])];
+    let mut settings = settings();
+    let count = |result: &PairResult| {
+        // Both lie equally on their frames.
+        let on_frame =
+            |m: &&tiepoint::Match| (m.right_px[0] - m.left_px[0] - 23.0).abs() < 3.0 && (m.right_px[1] - m.left_px[1] - 11.0).abs() < 3.0;
+        (result.matching.matches.iter().filter(on_frame).count(), result.matching.matches.len())
+    };
+    let without = matched(&left, &right, &PairInput::default(), &settings);
+    settings.matching.without_frame = false;
+    let with = matched(&left, &right, &PairInput::default(), &settings);
+    let (frame, all) = count(&without);
+    assert!(without.matching.counts.frame > 20 && frame <= all / 200, "{frame} of {all}; {:?}", without.matching.counts);
+    assert_eq!(with.matching.counts.frame, 0);
+    let verified = matched(&pictures[0], &pictures[1], &PairInput::default(), &settings).matching.matches.len();
+    assert!(10 * all > 7 * verified, "{all} of {verified}");
+}

@@ -13,17 +13,17 @@ export const PROJECT_FILE = 'project.tiepoint';
 
 /**
  * Writes everything. A format that this block cannot be written in is told, and the others are written.
- * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write
+ * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write @param {object} [beside] what the summary holds beside the run
  * @returns {object} the summary
  */
-export function writeBlock(run, formats, write) {
+export function writeBlock(run, formats, write, beside = {}) {
   write(PROJECT_FILE, write_project(run.project));
   const graph = explain_connections(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
   if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
   const exports = formats.map((format) => ({ format, refused: writeFormat(run, format, write) }));
-  const summary = summaryOf(run, graph.groups, exports);
+  const summary = { ...summaryOf(run, graph.groups, exports), ...beside };
   write('summary.json', `${JSON.stringify(summary, null, 2)}\n`);
   return summary;
 }

@@ -9,8 +9,15 @@ export class BlockError extends Error {}
 /** The name of a block's own file. */
 export const PROJECT_FILE: string;
 
-/** Writes the files of a block; gives the summary that is among them. */
-export function writeBlock(run: BlockRun, formats: readonly ExportFormat[], write: (path: string, text: string) => void): object;
+/** Writes the files of a block; gives the summary that is among them, with what it is to hold beside the run. */
+export function writeBlock(run: BlockRun, formats: readonly ExportFormat[], write: (path: string, text: string) => void, beside?: object): object;
 
-/** Runs a block from its image files to its tie points. */
+/**
+ * Runs a block from its image files to its tie points and orientation. What the store holds from an earlier run with the same images and
+ * settings is not done again; the result is the same, for any number of workers. An image that cannot be read is left out and told in
+ * `leftOut`. The module must be initialised. Joining points and orienting images take the calling thread: a page calls this in a worker.
+ *
+ * Rejects with a `BlockError` for images that make no block, with a `TiepointError` for options outside their range, and with the reason of
+ * `signal`; what was kept until then stays.
+ */
 export function runBlock(sources: readonly Source[], options: RunOptions, surroundings: Surroundings): Promise<BlockRun>;

@@ -37,17 +37,21 @@ export async function runStage({ name, items, width, label, act, progress, signa
   tell('');
   const lane = async () => {
     while (next < items.length && !failed) {
-      throwIfAborted(signal);
       const index = next++;
       const item = /** @type {T} */ (items[index]);
-      const outcome = await act(item).catch((error) => {
+      try {
+        throwIfAborted(signal);
+        const outcome = await act(item);
+        // Another lane has failed in the meantime: nothing more is told.
+        if (failed) return;
+        results[index] = outcome.result;
+        done += 1;
+        found += outcome.found ? 1 : 0;
+        tell(label(item));
+      } catch (error) {
         failed = true;
         throw error;
-      });
-      results[index] = outcome.result;
-      done += 1;
-      found += outcome.found ? 1 : 0;
-      tell(label(item));
+      }
     }
   };
   await Promise.all(Array.from({ length: Math.min(width, items.length) }, lane));

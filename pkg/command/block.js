@@ -2,9 +2,9 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock, writeBlock } from '../block/index.js';
-import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../node.js';
+import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points, score_block } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { filesIn, isFolder, makeFolder, readText, reasonOf, replaceInto } from './files.js';
+import { filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished, replaceInto } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
@@ -58,6 +58,7 @@ export const block = {
     { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
+    path('truth', 'truth.json', 'Scores the block by the truth of a simulated flight.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     workersOption('the result is'),
     JSON_FLAG,
@@ -77,13 +78,17 @@ async function run(call) {
   const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
   const cameras = values.get('cameras');
   const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values) };
+  const truth = values.get('truth');
+  const known = typeof truth === 'string' ? truthOf(truth) : null;
   makeFolder(out);
+  removeUnfinished(out);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new StageProgress(values.has('json'));
   try {
     const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.show(step) });
     shown.end();
-    const summary = writeBlock(found, formats, (name, text) => replaceInto(out, name, text));
+    const score = known && about(String(truth), () => score_block(found.model, known));
+    const summary = writeBlock(found, formats, (name, text) => replaceInto(out, name, text), score ? { score } : {});
     for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
@@ -100,6 +105,17 @@ function camerasOf(file) {
   const text = readText(file);
   about(file, () => parse_camera_rules(text));
   return { name: file, text };
+}
+
+/** The block of a truth, as simulate --block writes it.  @param {string} file @returns {import('../node.js').BlockModel} */
+function truthOf(file) {
+  try {
+    const { block: known } = JSON.parse(readText(file));
+    if (known) return known;
+  } catch (error) {
+    if (!(error instanceof SyntaxError)) throw error;
+  }
+  throw new DataError(`${file}: it is no truth of a block, as simulate --block writes it`);
 }
 
 /** @param {Call['values']} values */
@@ -150,7 +166,7 @@ function imagesIn(folder) {
 }
 
 /** @param {string} out @param {any} summary @returns {string[]} */
-function describe(out, { images, cameras, pairs, groups, points, selection, orientation }) {
+function describe(out, { images, cameras, pairs, groups, points, selection, orientation, score }) {
   return [
     table([
       ['images', images.read], ['left out', images.left_out.length], ['cameras', cameras.length], ['features', images.features],
@@ -158,6 +174,8 @@ function describe(out, { images, cameras, pairs, groups, points, selection, orie
       ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
       ['fewest rays of an image', selection.least_rays_of_an_image], ['images oriented', orientation.oriented],
       ...(orientation.models ?? []).slice(0, 1).flatMap((/** @type {any} */ model) => [['sigma0 [px]', fixed(model.sigma0_px, 3)], ['residuals, RMS [px]', fixed(model.rmse_px, 3)]]),
+      ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
+      ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),
     ]),
     ...(orientation.reason ? ['', `not oriented: ${orientation.reason}`] : []),
     ...(orientation.unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`),

@@ -1,7 +1,8 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
 import { about, DataError } from './errors.js';
@@ -108,6 +109,9 @@ export function writeInto(folder, name, content) {
   return path;
 }
 
+/** The ending of a file that is being written, with the process that writes it. */
+const unfinishedEnding = `.tiepoint-${process.pid}.part`;
+
 /**
  * Writes a file whole or not at all, whatever ends the command.
  * @param {string} folder @param {string} name with slashes between folders, which are made @param {string | Uint8Array} content
@@ -115,9 +119,46 @@ export function writeInto(folder, name, content) {
 export function replaceInto(folder, name, content) {
   const path = join(folder, ...name.split('/'));
   makeFolder(dirname(path));
-  const unfinished = `${path}.${process.pid}.part`;
+  const unfinished = path + unfinishedEnding;
   attempt('write', path, () => {
-    writeFileSync(unfinished, content);
-    renameSync(unfinished, path);
+    try {
+      writeFileSync(unfinished, content);
+      renameSync(unfinished, path);
+    } finally {
+      rmSync(unfinished, { force: true });
+    }
   });
+}
+
+/**
+ * As `replaceInto`, without waiting for the disk; `turn` tells writers of one path apart.
+ * @param {string} path @param {Uint8Array} content @param {number} turn
+ */
+export async function replaceFile(path, content, turn) {
+  const unfinished = `${path}.${turn}${unfinishedEnding}`;
+  try {
+    await writeFile(unfinished, content);
+    await rename(unfinished, path);
+  } catch (error) {
+    rmSync(unfinished, { force: true });
+    throw new DataError(`cannot write ${path}: ${reasonOf(error)}`);
+  }
+}
+
+/** Removes what commands that were ended have left unfinished below a folder.  @param {string} folder */
+export function removeUnfinished(folder) {
+  for (const name of attempt('read the folder', folder, () => readdirSync(folder, { recursive: true, encoding: 'utf8' }))) {
+    const owner = /\.tiepoint-(\d+)\.part$/.exec(name)?.[1];
+    if (owner !== undefined && !isRunning(Number(owner))) rmSync(join(folder, name), { force: true });
+  }
+}
+
+/** Whether another process of this number runs.  @param {number} pid */
+function isRunning(pid) {
+  try {
+    process.kill(pid, 0);
+    return pid !== process.pid;
+  } catch (error) {
+    return /** @type {NodeJS.ErrnoException} */ (error).code === 'EPERM';
+  }
 }

@@ -42,8 +42,13 @@ export class ThreadPool {
       if (!lane && this.#lanes.length < this.size) lane = this.#open();
       const job = lane && this.#line.shift();
       if (!lane || !job) return;
-      lane.job = job;
-      lane.worker.postMessage({ name: job.name, input: job.input }, /** @type {ArrayBuffer[]} */ ([...job.transfer]));
+      try {
+        lane.worker.postMessage({ name: job.name, input: job.input }, /** @type {ArrayBuffer[]} */ ([...job.transfer]));
+        lane.job = job;
+      } catch (error) {
+        // What cannot be copied to a worker is the fault of this job alone.
+        job.reject(error instanceof Error ? error : new Error(String(error)));
+      }
     }
   }
 

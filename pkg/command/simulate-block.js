@@ -2,7 +2,7 @@
 import { join } from 'node:path';
 import { block_flight_defaults, block_flight_parameters, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
-import { makeFolder, replaceInto } from './files.js';
+import { makeFolder, removeUnfinished, replaceInto } from './files.js';
 import { DEFAULT_WORKERS, flag, JSON_FLAG, parameterOption, path, workersOption } from './options.js';
 import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
@@ -52,6 +52,7 @@ async function run({ values }) {
   const flight = { ...DEFAULTS, ...Object.fromEntries(given) };
   const truth = truthOf(flight);
   makeFolder(out);
+  removeUnfinished(out);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new StageProgress(values.has('json'));
   try {
@@ -64,7 +65,7 @@ async function run({ values }) {
       },
     });
     replaceInto(out, 'truth.json', `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`);
-    const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block')];
+    const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
     if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });
     else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', words.map(shellWord).join(' '));
   } finally {

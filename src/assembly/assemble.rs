@@ -1,7 +1,7 @@
 //! The assembly as it is called: one model after another, until no images are left that make one.
 
 use super::description::BlockDescription;
-use super::finish::{Material, finish};
+use super::finish::{Finished, Material, finish};
 use super::frame::Frame;
 use super::growth::{CameraPrior, Growth, camera_prior};
 use super::net::Net;
@@ -58,7 +58,8 @@ pub fn assemble_block(
         images,
     );
     let shared: Vec<SharedPoints> = shared_points(&subset(points, &chosen), images);
-    let mut material = Material { description, points, features, options, frame: &frame, camera_of: &camera_of, all: None };
+    let mut material =
+        Material { description, points, features, options, frame: &frame, camera_of: &camera_of, priors: &priors, all: None };
     let mut is_open = vec![true; images];
     let mut refused: Vec<Option<UnorientedReason>> = vec![None; images];
     let mut models: Vec<AssembledModel> = Vec::new();
@@ -66,25 +67,19 @@ pub fn assemble_block(
         let net = Net::new(&rays, &camera_of, cameras.clone(), options.largest_residual_px);
         let Some(mut growth) = best_start(Growth::new(net, options, &priors, is_open.clone()), &shared) else { break };
         growth.grow(usize::MAX);
-        growth.adjust_all();
-        let oriented: Vec<usize> = (0..images).filter(|image| growth.net.poses[*image].is_some()).collect();
-        for (reason, own) in refused.iter_mut().zip(&growth.refused) {
-            // The first model is the largest: why an image is not in it is what counts.
-            *reason = reason.or(own.map(|(reason, _)| reason));
-        }
-        if oriented.len() < 2 {
+        if growth.net.oriented() < 2 {
             break;
         }
-        match finish(&mut material, &growth.net) {
-            Ok(model) => {
-                let lost = oriented.iter().filter(|image| model.images.binary_search(image).is_err());
-                lost.for_each(|image| refused[*image] = Some(UnorientedReason::Lost { rays: growth.net.accepted_of(*image) }));
+        match finish(&mut material, &growth.net, &is_open) {
+            Ok(Finished { model, unoriented }) => {
+                model.images.iter().for_each(|image| is_open[*image] = false);
+                // The first model is the largest as a rule: why an image is not in it is what counts.
+                unoriented.iter().for_each(|(image, reason)| refused[*image] = refused[*image].or(Some(*reason)));
                 models.push(model);
             }
             Err(error) if models.is_empty() => return Err(error),
-            Err(_) => oriented.iter().for_each(|image| refused[*image] = Some(UnorientedReason::NoPartner)),
+            Err(_) => (0..images).filter(|image| growth.net.poses[*image].is_some()).for_each(|image| is_open[image] = false),
         }
-        oriented.iter().for_each(|image| is_open[*image] = false);
     }
     models.sort_by_key(|model| std::cmp::Reverse(model.images.len()));
     let mut is_oriented = vec![false; images];

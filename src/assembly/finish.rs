@@ -2,10 +2,11 @@
 
 use super::description::BlockDescription;
 use super::frame::Frame;
+use super::growth::{CameraPrior, Growth};
 use super::net::Net;
 use super::options::AssemblyOptions;
 use super::rays::Rays;
-use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay};
+use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay, UnorientedReason};
 use super::weaknesses::weaknesses;
 use crate::Error;
 use crate::block::{ImageFeatures, MultiRayPoints, select_points};
@@ -19,6 +20,7 @@ pub(super) struct Material<'a> {
     pub options: &'a AssemblyOptions,
     pub frame: &'a Frame,
     pub camera_of: &'a [usize],
+    pub priors: &'a [CameraPrior],
     /// The rays of all points, the surveyed ones last; made with the first model.
     pub all: Option<Rays>,
 }
@@ -28,21 +30,36 @@ const LEAST_RAYS: usize = 6;
 /// Times that the block is adjusted without its weakest image.
 const WITHOUT: usize = 3;
 
-/// Finishes a model.
+/// A finished model, with the reasons why images that were open to it are not in it.
+pub(super) struct Finished {
+    pub model: AssembledModel,
+    pub unoriented: Vec<(usize, UnorientedReason)>,
+}
+
+/// Finishes a model; images of others are not open to it.
 ///
 /// # Errors
 /// As [`adjust_block`].
-pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>) -> Result<AssembledModel, Error> {
+pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>, is_open: &[bool]) -> Result<Finished, Error> {
     let rays = material.all.take().unwrap_or_else(|| all_rays(material));
     let mut net = Net::new(&rays, material.camera_of, grown.cameras.clone(), grown.limit_px);
     net.poses = grown.poses.clone();
-    let most_cosine = libm::cos(material.options.least_angle_deg.to_radians());
+    let mut growth = Growth::new(net, material.options, material.priors, is_open.to_vec());
+    let most_cosine = growth.most_cosine();
     (0..rays.points()).for_each(|point| {
-        net.intersect(point, most_cosine);
+        growth.net.intersect(point, most_cosine);
     });
-    let model = adjusted(material, &mut net);
+    growth.orient_rest();
+    let finished = adjusted(material, &mut growth.net).map(|model| {
+        let left = (0..is_open.len()).filter(|image| is_open[*image] && model.images.binary_search(image).is_err());
+        let reason = |image: usize| match growth.net.poses[image] {
+            Some(_) => UnorientedReason::Lost { rays: growth.net.accepted_of(image) },
+            None => growth.reason(image),
+        };
+        Finished { unoriented: left.map(|image| (image, reason(image))).collect(), model }
+    });
     material.all = Some(rays);
-    model
+    finished
 }
 
 /// The rays of all multi-ray points, then of all surveyed ones.

@@ -10,6 +10,10 @@ use crate::bundle::{Block, BlockImage, BlockPoint, CAMERA_PARAMETERS, Ray, Start
 /// Up to so many images all are adjusted in every round; beyond, all are when there are this many times as many as the last time.
 const FEW: usize = 30;
 const GROWTH: f64 = 1.4;
+/// Beyond so many images adjustments of all cost more than the rest, and images are held from many sides: they are made more seldom and
+/// end sooner.
+const MANY: usize = 300;
+const GROWTH_OF_MANY: f64 = 2.0;
 /// Images with this share of the points of the best are oriented in one round.
 const ALIKE: f64 = 0.5;
 /// Oriented images that are adjusted with a new one: those with most points in common.
@@ -18,8 +22,9 @@ const NEIGHBOURS: usize = 4;
 const CALIBRATED: usize = 10;
 /// Images from which on cameras are calibrated.
 const LEAST_CALIBRATING: usize = 3;
-/// Iterations of an adjustment on the way.
+/// Iterations of an adjustment on the way, and of one of many images.
 const ITERATIONS: usize = 12;
+const ITERATIONS_OF_MANY: usize = 4;
 /// Times that an image may be tried.
 const TRIES: u32 = 6;
 /// An image is tried again when it has this many times the points of the last time.
@@ -43,7 +48,7 @@ pub(super) struct Growth<'a> {
     /// Images of other models.
     pub is_open: Vec<bool>,
     /// Why an image was not oriented, with the points it had then.
-    pub refused: Vec<Option<(UnorientedReason, usize)>>,
+    refused: Vec<Option<(UnorientedReason, usize)>>,
     tries: Vec<u32>,
     /// Images at the last adjustment of all.
     adjusted: usize,
@@ -72,8 +77,7 @@ impl<'a> Growth<'a> {
     pub fn grow(&mut self, most: usize) {
         let mut last_chance = false;
         while self.net.oriented() < most {
-            let open = self.net.oriented()..most;
-            let added = self.orient_next(open.len());
+            let added = self.orient_next(most - self.net.oriented());
             if !added.is_empty() {
                 last_chance = false;
                 self.settle(&added);
@@ -86,6 +90,18 @@ impl<'a> Growth<'a> {
                 last_chance = true;
             }
         }
+    }
+
+    /// Orients what is left without any adjustment: for points that were not intersected while the model grew.
+    pub fn orient_rest(&mut self) {
+        while !self.orient_next(usize::MAX).is_empty() {}
+    }
+
+    /// Why an image is not oriented.
+    pub fn reason(&self, image: usize) -> UnorientedReason {
+        let points = self.net.known_of(image);
+        let few = UnorientedReason::TooFewPoints { points, needed: self.options.least_rays };
+        self.refused[image].map_or(few, |(reason, _)| reason)
     }
 
     /// Orients the images with most intersected points, up to `most`.
@@ -160,7 +176,8 @@ impl<'a> Growth<'a> {
     /// Adjusts after new images: them and their neighbours, or all.
     fn settle(&mut self, added: &[usize]) {
         let oriented = self.net.oriented();
-        if oriented <= FEW || oriented as f64 >= GROWTH * self.adjusted as f64 {
+        let growth = if oriented > MANY { GROWTH_OF_MANY } else { GROWTH };
+        if oriented <= FEW || oriented as f64 >= growth * self.adjusted as f64 {
             self.adjust_all();
             return;
         }
@@ -185,7 +202,7 @@ impl<'a> Growth<'a> {
             self.intersect_of(&all);
             self.lose_weak(&all);
             let changed = before.iter().zip(&self.net.accepted).filter(|(a, b)| a != b).count();
-            if changed * 100 < before.iter().filter(|a| **a).count() {
+            if all.len() > MANY || changed * 100 < before.iter().filter(|a| **a).count() {
                 break;
             }
         }
@@ -265,7 +282,8 @@ impl<'a> Growth<'a> {
         let accepted = vec![true; block.rays.len()];
         let cameras = self.known_cameras(&images, fixed.iter().any(|fixed| *fixed));
         let sigma_px = self.net.limit_px / 10.0;
-        let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px, max_iterations: ITERATIONS };
+        let max_iterations = if free.len() > MANY { ITERATIONS_OF_MANY } else { ITERATIONS };
+        let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px, max_iterations };
         // A singular one leaves everything as it is: what made it so falls by its residuals.
         let Ok(adjusted) = adjust_start(block, &start) else { return };
         for (place, image) in images.iter().enumerate().filter(|(place, _)| !fixed[*place]) {

@@ -27,8 +27,12 @@ pub struct AssemblyOptions {
     pub most_models: usize,
     /// Start of the random numbers.
     pub seed: u32,
+    /// By default as [`BundleOptions`] is, but that camera parameters are fixed beyond 20 px.
     pub bundle: BundleOptions,
 }
+
+/// A focal length that is fixed at a value from growth would hide its error: it is estimated where the block says anything of it.
+const CALIBRATION_LIMIT_PX: f64 = 20.0;
 
 impl Default for AssemblyOptions {
     fn default() -> Self {
@@ -41,7 +45,7 @@ impl Default for AssemblyOptions {
             selection: None,
             most_models: 10,
             seed: 1,
-            bundle: BundleOptions::default(),
+            bundle: BundleOptions { calibration_limit_px: CALIBRATION_LIMIT_PX, ..BundleOptions::default() },
         }
     }
 }

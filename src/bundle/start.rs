@@ -53,3 +53,54 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
     };
     problem.adjust(state, &demand).map(|adjusted| adjusted.state.put_into(block))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bundle::{FreeParameters, free_of, values_of};
+    use crate::{NetworkFlight, SimulatedNetwork, simulate_network};
+
+    fn simulated() -> SimulatedNetwork {
+        simulate_network(&NetworkFlight { gross_share: 0.05, ..NetworkFlight::default() }).unwrap()
+    }
+
+    fn distance(a: &Block, b: &Block, image: usize) -> f64 {
+        let square = |k: usize| {
+            (a.images[image].position[k] - b.images[image].position[k]) * (a.images[image].position[k] - b.images[image].position[k])
+        };
+        (0..3).map(square).sum::<f64>().sqrt()
+    }
+
+    #[test]
+    fn fixed_images_stay_and_hold_the_others() {
+        let SimulatedNetwork { observed, truth, .. } = simulated();
+        let (fixed, accepted) = ((0..30).map(|image| image % 6 < 4).collect::<Vec<_>>(), vec![true; observed.rays.len()]);
+        let mut block = observed.clone();
+        (0..30).filter(|image| fixed[*image]).for_each(|image| block.images[image] = truth.images[image].clone());
+        let cameras = [values_of(&block.cameras[0]).map(|value| (value, 0.0))];
+        let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px: 0.2, max_iterations: 12 };
+        let adjusted = adjust_start(block, &start).unwrap();
+        for image in 0..30 {
+            let (before, after) = (distance(&observed, &truth, image), distance(&adjusted, &truth, image));
+            // The errors of the start are half a metre; gross errors are weighted down.
+            assert!(if fixed[image] { after == 0.0 } else { after < 0.15 && before > 0.1 }, "{image}: {before} {after}");
+        }
+    }
+
+    #[test]
+    fn a_camera_follows_the_rays_as_far_as_what_is_known_of_it_lets_it() {
+        let SimulatedNetwork { observed, truth, .. } = simulated();
+        let (fixed, accepted) = (vec![false; 30], vec![true; observed.rays.len()]);
+        let found = |sigma: f64| {
+            let mut block = observed.clone();
+            block.cameras[0].focal_px *= 1.03;
+            block.cameras[0].free = FreeParameters { focal: true, ..FreeParameters::default() };
+            let (values, free) = (values_of(&block.cameras[0]), free_of(&block.cameras[0]));
+            let cameras = [std::array::from_fn(|k| (values[k], if free[k] { sigma } else { 0.0 }))];
+            let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px: 0.4, max_iterations: 30 };
+            adjust_start(block, &start).unwrap().cameras[0].focal_px / truth.cameras[0].focal_px
+        };
+        let (held, free) = (found(0.01), found(200.0));
+        assert!((held - 1.03).abs() < 1e-4 && (free - 1.0).abs() < 0.01, "{held} {free}");
+    }
+}

@@ -61,10 +61,17 @@ fn check_table(table: &NearestTable, left: usize, right: usize) -> Result<(), Er
 }
 
 /// The matches of a set of [`match_gradients`] that a look at the geometry of the two views left: the others of the set are refused for
-/// their parallax, and the ones it does not have are added to it.
-pub(crate) fn verified_set(set: &MatchSet, verified: &[DescriptorMatch], left: MatchImage<'_>, right: MatchImage<'_>) -> MatchSet {
+/// their parallax, or as parts of the frame where they are among these left points; the ones it does not have are added to it.
+pub(crate) fn verified_set(
+    set: &MatchSet,
+    verified: &[DescriptorMatch],
+    framed: &[usize],
+    left: MatchImage<'_>,
+    right: MatchImage<'_>,
+) -> MatchSet {
     let mut verdicts = set.verdicts.clone();
     verdicts.iter_mut().filter(|v| v.rule == Rule::Matched).for_each(|v| v.rule = Rule::Parallax);
+    framed.iter().for_each(|left| verdicts[*left].rule = Rule::Frame);
     for found in verified {
         let verdict = &mut verdicts[found.left];
         if verdict.best == Some(found.right) {

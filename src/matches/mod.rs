@@ -69,11 +69,13 @@ pub enum Rule {
     NotConverged,
     /// The standard error of the right position exceeds the largest one allowed.
     Imprecise,
+    /// It lies at the same place of both frames, as the film's border and its marks do.
+    Frame,
 }
 
 impl Rule {
     /// All rules; the place of a rule here is its code.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Matched,
         Self::NoDescriptor,
         Self::NoCandidate,
@@ -85,6 +87,7 @@ impl Rule {
         Self::LeftRight,
         Self::NotConverged,
         Self::Imprecise,
+        Self::Frame,
     ];
 }
 
@@ -162,6 +165,7 @@ pub struct MatchCounts {
     pub left_right: usize,
     pub not_converged: usize,
     pub imprecise: usize,
+    pub frame: usize,
 }
 
 /// The outcome of matching two sets of points.

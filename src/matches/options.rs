@@ -95,6 +95,8 @@ pub struct MatchOptions {
     pub left_right: bool,
     /// Largest standard error of a right position found by least squares matching, in px.
     pub max_standard_error: f64,
+    /// Gradients: leaves out what lies at the same place of both frames, as the film's border, fiducial marks and data strip.
+    pub without_frame: bool,
 }
 
 impl Default for MatchOptions {
@@ -113,6 +115,7 @@ impl Default for MatchOptions {
             min_correlation: 0.7,
             left_right: true,
             max_standard_error: 0.2,
+            without_frame: true,
         }
     }
 }

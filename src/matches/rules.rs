@@ -52,5 +52,6 @@ fn count(verdicts: &[Verdict]) -> MatchCounts {
         left_right: of(Rule::LeftRight),
         not_converged: of(Rule::NotConverged),
         imprecise: of(Rule::Imprecise),
+        frame: of(Rule::Frame),
     }
 }

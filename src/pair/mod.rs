@@ -2,6 +2,7 @@
 
 mod described;
 mod epipolar;
+mod frames;
 mod geometry;
 mod orienting;
 mod rounds;

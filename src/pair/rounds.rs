@@ -1,5 +1,6 @@
 //! Matching and orienting by turns: an orientation narrows the search to the epipolar lines, which gives a better orientation.
 
+use super::frames::CommonFrame;
 use super::verification::{PairCameras, verify};
 use super::{PairInterior, PairSettings, orient_matches};
 use crate::matches::{refine, verified_set};
@@ -70,7 +71,8 @@ fn verified(
     settings: &PairSettings,
 ) -> Result<PairMatching, Error> {
     let [left, right] = images;
-    let cameras = PairCameras::new(interior, images.map(|image| (image.grey.width(), image.grey.height())));
+    let sizes = images.map(|image| (image.grey.width(), image.grey.height()));
+    let cameras = PairCameras::new(interior, sizes);
     let positions = [0, 1].map(|side| cameras.ideal(side, images[side].points.iter().map(|p| [p.x, p.y])));
     let located = |side: usize| Located {
         positions: &positions[side],
@@ -82,8 +84,18 @@ fn verified(
     // Their measures stand in the set.
     let pair = |m: &Match| m.right.map(|right| DescriptorMatch { left: m.left, right, square: 0, second_square: None });
     let first: Vec<DescriptorMatch> = set.matches.iter().filter_map(pair).collect();
-    let found = verify(located(0), located(1), &first, &cameras.options(&settings.geometry))?;
-    let all = verified_set(set, &found.matches, left, right);
+    let place = |m: &DescriptorMatch| {
+        let (p, q) = (left.points[m.left], right.points[m.right]);
+        [p.x, p.y, q.x, q.y]
+    };
+    let frame = match settings.matching.without_frame {
+        true => CommonFrame::find(&first.iter().map(place).collect::<Vec<_>>(), sizes, settings.geometry.seed),
+        false => None,
+    };
+    let in_frame = |m: &DescriptorMatch| frame.is_some_and(|frame| frame.holds(&place(m)));
+    let found = verify(located(0), located(1), &first, in_frame, &cameras.options(&settings.geometry))?;
+    let framed: Vec<usize> = first.iter().filter(|m| in_frame(m)).map(|m| m.left).collect();
+    let all = verified_set(set, &found.matches, &framed, left, right);
     let set = refine(all, left, right, &settings.matching);
     // Refinement refuses some.
     let geometry = found.geometry.map(|geometry| TwoView { inliers: (0..set.matches.len()).collect(), ..geometry });

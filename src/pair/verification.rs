@@ -1,9 +1,10 @@
 //! Matches of features from one image to the other, verified by the geometry that relates the two views, and completed by it.
 
 use super::PairInterior;
+use super::frames::CommonFrame;
 use crate::{
-    DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel, TwoViewOptions,
-    guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
+    TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +17,9 @@ const REACH: f64 = 2.0;
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct FeatureMatchOptions {
     pub nearest: NearestOptions,
+    /// Width and height of both images in px: what lies at the same place of both frames is left out then, as film borders are. Absent:
+    /// nothing is.
+    pub sizes: Option<[[usize; 2]; 2]>,
     /// What is known of the cameras, and the search for what relates the views.
     pub geometry: TwoViewOptions,
 }
@@ -37,32 +41,55 @@ pub struct VerifiedMatches {
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where positions and descriptors do not fit together.
 pub fn match_features(left: Located<'_>, right: Located<'_>, options: &FeatureMatchOptions) -> Result<VerifiedMatches, Error> {
+    check_located("left features", left)?;
+    check_located("right features", right)?;
     let first = nearest_matches(left.descriptors, right.descriptors, &options.nearest)?;
-    verify(left, right, &first, &options.geometry)
+    let place = |m: &DescriptorMatch| {
+        let ([xl, yl], [xr, yr]) = (left.positions[m.left], right.positions[m.right]);
+        [xl, yl, xr, yr]
+    };
+    let frame = options.sizes.and_then(|sizes| {
+        CommonFrame::find(&first.iter().map(place).collect::<Vec<_>>(), sizes.map(|[width, height]| (width, height)), options.geometry.seed)
+    });
+    verify(left, right, &first, |m| frame.is_some_and(|frame| frame.holds(&place(m))), &options.geometry)
 }
 
-/// Finds the geometry of two views by matches of which many may be wrong, and all matches that agree with it.
+/// Refuses features with positions and descriptors of different number.
+fn check_located(what: &'static str, features: Located<'_>) -> Result<(), Error> {
+    let (positions, bytes) = (features.positions.len(), features.descriptors.len());
+    if positions * DESCRIPTOR_BYTES == bytes {
+        return Ok(());
+    }
+    let allowed = format!("{DESCRIPTOR_BYTES} bytes for each position");
+    Err(Error::InvalidInput { what, got: format!("{positions} positions with {bytes} bytes of descriptors"), allowed })
+}
+
+/// Finds the geometry of two views by matches of which many may be wrong, and all matches that agree with it but those that are
+/// not wanted.
 pub(super) fn verify(
     left: Located<'_>,
     right: Located<'_>,
     first: &[DescriptorMatch],
+    unwanted: impl Fn(&DescriptorMatch) -> bool,
     options: &TwoViewOptions,
 ) -> Result<VerifiedMatches, Error> {
     let positions = |matches: &[DescriptorMatch]| -> Vec<[f64; 4]> {
         let both = |m: &DescriptorMatch| (left.positions[m.left], right.positions[m.right]);
         matches.iter().map(both).map(|([xl, yl], [xr, yr])| [xl, yl, xr, yr]).collect()
     };
-    let start = match two_view(&positions(first), options) {
+    let first: Vec<DescriptorMatch> = first.iter().filter(|m| !unwanted(m)).copied().collect();
+    let start = match two_view(&positions(&first), options) {
         Ok(start) => start,
         Err(error) if error.is_usage() || matches!(error, Error::InvalidInput { .. }) => return Err(error),
         Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(error.to_string()) }),
     };
     let guided = GuidedOptions { radius_px: REACH * start.threshold_px, ..GuidedOptions::default() };
-    let second = guided_matches(left, right, &guide(&start), &guided)?;
+    let mut second = guided_matches(left, right, &guide(&start), &guided)?;
+    second.retain(|m| !unwanted(m));
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
     let (found, all) = match two_view(&positions(&second), options) {
         Ok(better) if better.inliers.len() >= start.inliers.len() => (better, &second[..]),
-        _ => (start, first),
+        _ => (start, &first[..]),
     };
     let matches: Vec<DescriptorMatch> = found.inliers.iter().map(|k| all[*k]).collect();
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });

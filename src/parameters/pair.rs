@@ -167,6 +167,13 @@ pub const PARAMETERS: &[Parameter] = &[
         "Least squares matching: a match whose right position is less precise is refused, as on an edge along which it can slide.",
     ),
     parameter(
+        "matching.without_frame",
+        "Without the frame",
+        "",
+        ParameterKind::Flag,
+        "Gradient: leaves out what lies at the same place of both frames, as film borders, fiducial marks and data strips, which match by themselves.",
+    ),
+    parameter(
         "orientation.method",
         "Method",
         "",

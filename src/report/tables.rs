@@ -69,6 +69,7 @@ fn rule_name(rule: Rule) -> &'static str {
         Rule::LeftRight => "refused: left-right check",
         Rule::NotConverged => "refused: not converged",
         Rule::Imprecise => "refused: imprecise",
+        Rule::Frame => "refused: part of the frame",
     }
 }
 

@@ -1,7 +1,7 @@
-//! Simulated photos of a block, one at a time.
+//! Simulated photos of a block, one at a time, and the score of what is made of them.
 
-use super::convert::{JsResult, object, pack, read_options, thrown};
-use crate::{BLOCK_FLIGHT_PARAMETERS, BlockFlight, BlockScene as Scene};
+use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use crate::{BLOCK_FLIGHT_PARAMETERS, BlockFlight, BlockModel, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -48,6 +48,16 @@ impl BlockScene {
     pub fn recorded_position(&self, index: usize) -> JsResult<Vec<f64>> {
         self.scene.recorded_position(index).map(Vec::from).map_err(thrown)
     }
+}
+
+/// Scores an oriented block by the truth of its photos, which have the same names.
+#[wasm_bindgen(unchecked_return_type = "BlockScore")]
+pub fn score_block(
+    #[wasm_bindgen(unchecked_param_type = "BlockModel")] model: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "BlockModel")] truth: &JsValue,
+) -> JsResult<JsValue> {
+    let (model, truth): (BlockModel, BlockModel) = (read("block", model)?, read("truth", truth)?);
+    score_by_truth(&model, &truth).map(|score| pack(&score)).map_err(thrown)
 }
 
 /// Every parameter of a block's flight with label, unit, range and help.

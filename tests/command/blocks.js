@@ -8,11 +8,11 @@ import { folder, json, PROGRAM } from './command.js';
 /** Small photos that are soon rendered: two strips of three. */
 export const SMALL = ['--strips', '2', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.12', '--workers', '2'];
 
-/** @param {string[]} options @returns {{ photos: string, truth: any, call: string[] }} its folder of photos, and the call that matches it, without --out */
+/** @param {string[]} options @returns {{ photos: string, truth: any, truthFile: string, call: string[] }} its folder of photos, and the call that matches it, without --out */
 export function photographed(...options) {
   const { truth, block } = json('simulate', '--block', '--out', folder(), ...SMALL, ...options);
   const photos = block[2];
-  return { photos, truth: JSON.parse(readFileSync(truth, 'utf8')), call: ['block', photos, '--features', '1200'] };
+  return { photos, truthFile: truth, truth: JSON.parse(readFileSync(truth, 'utf8')), call: ['block', photos, '--features', '1200'] };
 }
 
 /** All files below a folder with their contents, but for those of one folder.  @param {string} at @param {string} [without] @returns {Map<string, Buffer>} */

@@ -1,16 +1,19 @@
 //! A simulated block: exposures over made ground, the features they see and matches of which it is known which are right, or photos.
 //!
 //! Data flow: [`BlockFlight`] → `exposures` (where each photo is taken, and how it is turned) → `features` (which ground each sees) →
-//! `matches` (right ones, wrong ones) → [`SimulatedBlock`]; or `exposures` → `photos` ([`BlockScene`], one photo at a time).
+//! `matches` (right ones, wrong ones) → [`SimulatedBlock`]; or `exposures` → `photos` ([`BlockScene`], one photo at a time);
+//! what is made of either is compared with the truth in `score`.
 
 mod exposures;
 mod features;
 mod ground;
 mod matches;
 mod photos;
+mod score;
 
 pub use exposures::Exposure;
 pub use photos::BlockScene;
+pub use score::{BlockScore, score_block};
 
 use crate::parameters::{BLOCK_FLIGHT_PARAMETERS, check_by};
 use crate::{BlockMatches, Error, FeatureMatch, ImageFeatures};
