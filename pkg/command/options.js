@@ -194,6 +194,7 @@ export const MATCH_OPTIONS = [
   setting('min-correlation', 'R', 'matching.min_correlation'),
   switchOff('no-left-right', 'matching.left_right', 'Correlation: without the check that the window found correlates best with the left point it came from.'),
   setting('max-standard-error', 'PX', 'matching.max_standard_error'),
+  switchOff('keep-frame', 'matching.without_frame', 'Gradient: keeps what lies at the same place of both frames, as film borders and fiducial marks, which is left out else.'),
   switchOn('upright', 'gradient.upright'),
   setting('threshold-px', 'PX', 'geometry.threshold_px'),
   setting('largest-threshold-px', 'PX', 'geometry.largest_threshold_px'),

@@ -25,7 +25,7 @@ const PHASES: readonly [keyof PointCounts, string][] = [
 ];
 
 /** Rules that only some strategies have. */
-const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converged', 'imprecise']);
+const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converged', 'imprecise', 'frame']);
 
 export function mountCounts(host: HTMLElement, store: Store): void {
   const phases = h('div', {});

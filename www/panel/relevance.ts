@@ -46,6 +46,7 @@ const USED: Readonly<Record<string, Test>> = {
   'matching.template': (s) => comparesGreyValues(s) || adjusts(s),
   'matching.min_correlation': (s) => comparesGreyValues(s) || adjusts(s),
   'matching.left_right': (s) => correlates(s) || comparesGradients(s),
+  'matching.without_frame': comparesGradients,
   'matching.max_standard_error': adjusts,
   'geometry.threshold_px': comparesGradients,
   'geometry.largest_threshold_px': (s) => comparesGradients(s) && s.geometry.threshold_px === null,

@@ -3,7 +3,7 @@ import type { Rule } from '../engine/wasm';
 
 const RULES = [
   'matched', 'no_descriptor', 'no_candidate', 'threshold', 'ambiguous', 'many_to_one', 'parallax', 'border', 'left_right', 'not_converged',
-  'imprecise',
+  'imprecise', 'frame',
 ] as const satisfies readonly Rule[];
 
 /** After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses. */

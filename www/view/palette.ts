@@ -46,6 +46,10 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
     label: 'Imprecise', colour: '#f0e442', shape: SHAPES.triangleUp,
     sentence: 'Refused: the standard error of its right position is too large, as on an edge along which it can slide.',
   },
+  frame: {
+    label: 'Frame', colour: '#b0b0b0', shape: SHAPES.square,
+    sentence: 'Refused: it lies at the same place of both frames, as the border of the film, fiducial marks and data strips do.',
+  },
   gross_error: {
     label: 'Gross error', colour: '#d55e00', shape: SHAPES.diamond,
     sentence: 'Matched, then left out of the relative orientation: its standardised residual exceeds the limit that α₀ sets.',
