@@ -21,8 +21,11 @@ function sceneOf(flight) {
   return kept.scene;
 }
 
-/** The names of the photos that a flight takes, in their order.  @param {BlockFlight} flight @returns {string[]} */
-export const photoNames = (flight) => sceneOf(flight).truth().images.map(({ name }) => `${name}.png`);
+/** The truth of a flight, its images named as their files.  @param {BlockFlight} flight @returns {import('../wasm/tiepoint.js').BlockModel} */
+export function photoTruth(flight) {
+  const truth = sceneOf(flight).truth();
+  return { ...truth, images: truth.images.map((image) => ({ ...image, name: `${image.name}.png` })) };
+}
 
 /**
  * @param {BlockFlight} flight @param {number} index

@@ -67,6 +67,8 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
   assert.ok(await number(page, 'block-points-count') > 0);
+  const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
+  assert.ok(right > 0.9 * all, `${right} of ${all}`);
   assert.match((await part(page, 'stage-pairs').textContent()) ?? '', /15 of 15/);
 
   await part(page, 'block-picture').focus();

@@ -1,6 +1,6 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
 import type { Jobs, RunOptions, Step } from '../../pkg/block/index.js';
-import type { BlockFlight, ExportFormat } from '../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, BlockModel, ExportFormat } from '../../pkg/wasm/tiepoint.js';
 import type { BlockView } from './view';
 
 /** An image file of a block. */
@@ -41,6 +41,8 @@ export type ToRun =
 export interface RunInput {
   files: readonly BlockFile[];
   options: RunOptions;
+  /** Of a simulated block. */
+  truth: BlockModel | null;
   /** How many jobs run at the same time. */
   workers: number;
   /** Records of earlier runs. */
@@ -61,8 +63,8 @@ export interface MadeFile {
 export interface BlockCalls {
   // Any worker of the pool.
   blockJob: { input: JobRequest; output: JobAnswer };
-  /** The names of the photos that a flight takes. */
-  blockPlan: { input: BlockFlight; output: string[] };
+  /** The truth of a flight, which names its photos. */
+  blockPlan: { input: BlockFlight; output: BlockModel };
   blockPhoto: { input: { flight: BlockFlight; index: number }; output: Uint8Array<ArrayBuffer> };
   // The worker of the block: it holds the block that was run or opened last.
   blockRun: { input: RunInput; output: BlockView };

@@ -1,6 +1,6 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { Jobs, RunOptions } from '../../pkg/block/index.js';
-import type { BlockFlight, BlockSettings } from '../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, BlockModel, BlockSettings } from '../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../engine/client';
 import type { Holder } from '../state/store';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, ToRun } from './calls';
@@ -34,13 +34,13 @@ export class BlockEngine {
       return;
     }
     const key = wantedKey(state);
-    const { files } = state;
+    const { files, truth } = state;
     const started = performance.now();
     this.store.dispatch({ type: 'started', key });
     const channel = new MessageChannel();
     this.listen(channel.port1);
     try {
-      const input = { files, options: runOptions(state.options, settings), workers: this.pool.size, kept: this.kept, port: channel.port2 };
+      const input = { files, options: runOptions(state.options, settings), truth, workers: this.pool.size, kept: this.kept, port: channel.port2 };
       const view = await this.block.call('blockRun', input, [channel.port2]);
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
@@ -78,15 +78,16 @@ export class BlockEngine {
   }
 
   /** Takes the photos of the flight that is set, on all workers. */
-  async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<Omit<BlockFile, 'id'>[]> {
-    const names = await this.pool.call('blockPlan', flight);
+  async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<{ files: Omit<BlockFile, 'id'>[]; truth: BlockModel }> {
+    const truth = await this.pool.call('blockPlan', flight);
     let count = 0;
-    return Promise.all(names.map(async (name, index) => {
+    const files = await Promise.all(truth.images.map(async ({ name }, index) => {
       const bytes = await this.pool.call('blockPhoto', { flight, index });
       count += 1;
-      done(count, names.length);
+      done(count, truth.images.length);
       return { name, file: new Blob([bytes], { type: 'image/png' }) };
     }));
+    return { files, truth };
   }
 
   private listen(port: MessagePort): void {

@@ -36,8 +36,8 @@ export class BlockFiles {
     if (flight === null) return;
     this.say('busy', 'Building the town of the simulated block …');
     try {
-      const files = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
-      this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })) });
+      const { files, truth } = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
+      this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
       this.say('info', `${String(files.length)} photos of a simulated block. Press Run.`);
     } catch (error) {
       this.failed('The block could not be simulated', error);
@@ -70,7 +70,7 @@ export class BlockFiles {
     }
     const twice = found.length - (files.size - before);
     const sorted: BlockFile[] = [...files.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
-    if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted });
+    if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
     const notes = [
       `${images(sorted.length)} in the block.`,
       twice > 0 ? `${images(twice)} left aside: of a name that is there already.` : '',

@@ -49,6 +49,7 @@ function viewOf(
     oriented: images.filter(({ oriented }) => oriented).length,
     rmsePx: rmseOf(model),
     sigma0Px: null,
+    score: null,
     weaknesses: [],
     formats: export_formats(),
   };

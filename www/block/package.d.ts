@@ -6,6 +6,6 @@ declare module '*/pkg/block/jobs.js' {
 }
 
 declare module '*/pkg/block/photo.js' {
-  export function photoNames(flight: object): string[];
+  export function photoTruth(flight: object): import('../../pkg/wasm/tiepoint.js').BlockModel;
   export function photoFile(flight: object, index: number, deflate: (bytes: Uint8Array) => Uint8Array): Uint8Array<ArrayBuffer>;
 }

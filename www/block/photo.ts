@@ -1,11 +1,11 @@
 /** Photos of a simulated block, taken one at a time. */
 import { zlibSync } from 'fflate';
-import { photoFile, photoNames } from '../../pkg/block/photo.js';
-import type { BlockFlight } from '../../pkg/wasm/tiepoint.js';
+import { photoFile, photoTruth } from '../../pkg/block/photo.js';
+import type { BlockFlight, BlockModel } from '../../pkg/wasm/tiepoint.js';
 
-/** The names of the photos that a flight takes, in their order. */
-export function blockPlan(flight: BlockFlight): string[] {
-  return photoNames(flight);
+/** The truth of a flight, which names its photos. */
+export function blockPlan(flight: BlockFlight): BlockModel {
+  return photoTruth(flight);
 }
 
 export function blockPhoto({ flight, index }: { flight: BlockFlight; index: number }): Uint8Array<ArrayBuffer> {

@@ -1,6 +1,6 @@
 /** How the state of the block changes. Pure: the same state and action give the same state. */
 import type { Step } from '../../pkg/block/index.js';
-import type { BlockFlight } from '../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, BlockModel } from '../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../state/state';
 import type { BlockFile } from './calls';
 import { BLOCK_INITIAL } from './state';
@@ -10,7 +10,7 @@ import type { BlockView } from './view';
 export type BlockAction =
   | { type: 'ready'; catalogue: BlockCatalogue }
   | { type: 'mode'; mode: Mode }
-  | { type: 'files'; files: readonly BlockFile[] }
+  | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
   | { type: 'options'; options: Partial<BlockOptions> }
   | { type: 'flight'; flight: BlockFlight }
   | { type: 'started'; key: string }
@@ -32,7 +32,7 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
       return { ...state, mode: action.mode };
     case 'files':
       // A run that goes on keeps the files it was given.
-      return { ...state, files: action.files, running: state.running.kind === 'yes' ? state.running : { kind: 'no' } };
+      return { ...state, files: action.files, truth: action.truth, running: state.running.kind === 'yes' ? state.running : { kind: 'no' } };
     case 'options':
       return { ...state, options: { ...state.options, ...action.options }, notice: null };
     case 'flight':

@@ -5,6 +5,7 @@ import type { Fact } from '../panel/facts';
 import { count, fixed } from '../panel/format';
 import type { BlockStore } from './engine';
 import { isOutdated } from './state';
+import type { BlockScore } from '../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from './view';
 import { matchesOf } from './words';
 
@@ -25,6 +26,7 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
   return [
     leftOut(view),
     section('Block', 'block-facts', facts(factsOf(view))),
+    view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
     view.weaknesses.length === 0 ? null : section('Weaknesses', 'block-weaknesses', h('ul', {}, ...view.weaknesses.map((text) => h('li', {}, text)))),
     notOriented(view),
     section('Points by rays', 'block-by-rays', rayTable(view)),
@@ -45,6 +47,16 @@ function factsOf(view: BlockView): Fact[] {
     { name: 'Chosen points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} rays`, help: 'The points of the block, and how often the images see them.' },
     { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted rays after the adjustment.' },
     { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, by the adjustment.' },
+  ];
+}
+
+function scoreFacts(score: BlockScore): Fact[] {
+  const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(', ');
+  return [
+    { name: 'Right points', testid: 'score-points', value: `${count(score.right_points)} of ${count(score.points)}`, help: 'Points of which all rays meet, by the true orientations, within 1.5 px in each image.' },
+    { name: 'Their rays', testid: 'score-rays', value: `${fixed(score.right_rmse_px, 3)} px`, help: 'Root mean square distance of the rays of right points from where they meet.' },
+    { name: 'Positions', testid: 'score-positions', value: positions === undefined ? '–' : `${positions} m`, help: 'Root mean square errors of x, y, z of the perspective centres, after the similarity transformation that brings all of them nearest to the truth.' },
+    { name: 'Angles', testid: 'score-angles', value: `${fixed(score.angle_rmse_deg, 4)}°`, help: 'Root mean square angle between the oriented and the true directions, after the same transformation.' },
   ];
 }
 

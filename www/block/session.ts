@@ -1,7 +1,7 @@
 /** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 import { runBlock } from '../../pkg/block/index.js';
 import type { BlockRun, Jobs, Pool, Store as RecordStore } from '../../pkg/block/index.js';
-import { read_project } from '../../pkg/wasm/tiepoint.js';
+import { read_project, score_block } from '../../pkg/wasm/tiepoint.js';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
 import { made } from './made';
 import { viewOfProject, viewOfRun } from './outcome';
@@ -16,7 +16,7 @@ export function heldBlock(): Held {
   return held;
 }
 
-export async function blockRun({ files, options, workers, kept, port }: RunInput): Promise<BlockView> {
+export async function blockRun({ files, options, truth, workers, kept, port }: RunInput): Promise<BlockView> {
   const link = new Link(port);
   try {
     const run: BlockRun = await runBlock(files.map(sourceOf), options, {
@@ -26,7 +26,7 @@ export async function blockRun({ files, options, workers, kept, port }: RunInput
       signal: link.stopped.signal,
     });
     held = { run, project: run.project };
-    return viewOfRun(run);
+    return { ...viewOfRun(run), score: truth === null ? null : score_block(run.model, truth) };
   } finally {
     port.close();
   }

@@ -1,6 +1,6 @@
 /** The state of the block's part of the page. */
 import type { Step, StageName } from '../../pkg/block/index.js';
-import type { BlockFlight, BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
+import type { BlockFlight, BlockModel, BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../state/state';
 import type { BlockFile } from './calls';
 import type { BlockView } from './view';
@@ -58,6 +58,8 @@ export interface BlockState {
   mode: Mode;
   catalogue: BlockCatalogue | null;
   files: readonly BlockFile[];
+  /** Of photos that were simulated. */
+  truth: BlockModel | null;
   options: BlockOptions;
   flight: BlockFlight | null;
   running: Running;
@@ -73,6 +75,7 @@ export const BLOCK_INITIAL: BlockState = {
   mode: 'pair',
   catalogue: null,
   files: [],
+  truth: null,
   options: { settings: null, gps: 'use', cameras: null, control: null, marks: null },
   flight: null,
   running: { kind: 'no' },

@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { Connection, ExportFormat } from '../../pkg/wasm/tiepoint.js';
+import type { BlockScore, Connection, ExportFormat } from '../../pkg/wasm/tiepoint.js';
 import type { LeftOut } from '../../pkg/block/index.js';
 
 export interface ViewImage {
@@ -85,6 +85,8 @@ export interface BlockView {
   oriented: number;
   rmsePx: number | null;
   sigma0Px: number | null;
+  /** How near a simulated block is to its truth. */
+  score: BlockScore | null;
   /** What is weak about the block, in words. */
   weaknesses: string[];
   formats: ExportFormat[];
