@@ -18,6 +18,6 @@ export function writeBlock(run: BlockRun, formats: readonly ExportFormat[], writ
  * `leftOut`. The module must be initialised. Joining points and orienting images take the calling thread: a page calls this in a worker.
  *
  * Rejects with a `BlockError` for images that make no block, with a `TiepointError` for options outside their range, and with the reason of
- * `signal`; what was kept until then stays.
+ * `signal`, each once the jobs under way have ended; what was kept until then stays.
  */
 export function runBlock(sources: readonly Source[], options: RunOptions, surroundings: Surroundings): Promise<BlockRun>;

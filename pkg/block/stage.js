@@ -26,7 +26,8 @@ export async function runStage({ name, items, width, label, act, progress, signa
   /** @type {R[]} */
   const results = new Array(items.length);
   let [next, done, found] = [0, 0, 0];
-  let failed = false;
+  /** @type {{ error: unknown } | null} */
+  let failure = null;
   const tell = (/** @type {string} */ last) => {
     const seconds = (performance.now() - began) / 1000;
     const made = done - found;
@@ -36,25 +37,26 @@ export async function runStage({ name, items, width, label, act, progress, signa
   };
   tell('');
   const lane = async () => {
-    while (next < items.length && !failed) {
+    while (next < items.length && !failure) {
       const index = next++;
       const item = /** @type {T} */ (items[index]);
       try {
         throwIfAborted(signal);
         const outcome = await act(item);
         // Another lane has failed in the meantime: nothing more is told.
-        if (failed) return;
+        if (failure) return;
         results[index] = outcome.result;
         done += 1;
         found += outcome.found ? 1 : 0;
         tell(label(item));
       } catch (error) {
-        failed = true;
-        throw error;
+        failure ??= { error };
       }
     }
   };
+  // Nothing goes on behind the caller's back: the jobs under way are waited for.
   await Promise.all(Array.from({ length: Math.min(width, items.length) }, lane));
+  if (failure) throw /** @type {{ error: unknown }} */ (failure).error;
   throwIfAborted(signal);
   return results;
 }
