@@ -3,6 +3,7 @@ import './style/base.css';
 import './style/layout.css';
 import './style/panels.css';
 import './style/view.css';
+import { mountBlock } from './block/mount';
 import { Engine } from './engine/engine';
 import { loadCatalogue } from './engine/wasm';
 import { mountDrop } from './files/drop';
@@ -66,6 +67,7 @@ mountStatus(store, {
   run: () => { store.dispatch({ type: 'resume' }); },
 });
 mountHeader();
+mountBlock(store, engine);
 store.watch((s) => [s.selection] as const, ([selection]) => {
   // The table of matches shows the selected one itself, and is gone through by selecting.
   if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');

@@ -150,9 +150,6 @@ export const pair = (name, placeholder, help) => ({
   },
 });
 
-/** What a mask is. */
-export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
-
 /** Threads that are used unless told. */
 export const DEFAULT_WORKERS = Math.min(availableParallelism(), 16);
 
@@ -161,6 +158,9 @@ export const workersOption = (same) => ({
   ...parameterOption('workers', { key: 'workers', label: 'Workers', unit: '', kind: 'integer', min: 1, max: 256, odd: false, help: `Threads; ${same} the same for any number.` }),
   fallback: DEFAULT_WORKERS,
 });
+
+/** What a mask is. */
+export const MASK = 'Grey image as large as the image itself: where it is 0 (black), no points are wanted';
 
 export const JSON_FLAG = flag('json', 'Prints one JSON object in full precision in place of a table.');
 export const HELP_FLAG = flag('help', 'Prints this text.');

@@ -168,7 +168,7 @@ test('the keyboard stays where it was when what it was on is built anew', { skip
   await part(page, 'statistics-selected').waitFor();
   assert.ok(await row.evaluate((button) => button === document.activeElement));
   // Out of sight it gives the keyboard to the table, which scrolls.
-  await page.locator('.rows').evaluate((rows) => { rows.scrollTop = 12_000; });
+  await page.locator('#panel-matches .rows').evaluate((rows) => { rows.scrollTop = 12_000; });
   await page.waitForFunction(() => document.activeElement?.classList.contains('rows'));
   assert.deepEqual(complaints, []);
   await close();

@@ -1,4 +1,5 @@
 /** Every call a worker answers: name to input and output. Both ends are typed by this one table. */
+import type { BlockCalls } from '../block/calls';
 import type {
   Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, GivenPoints, Interior, MatchResult, MatchScore,
   OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
@@ -97,7 +98,7 @@ export interface InteriorOutput {
   fiducials: FiducialOrientation | null;
 }
 
-export interface Calls {
+export interface Calls extends BlockCalls {
   // One image a worker: `open` first, the others refer to the image opened last.
   open: { input: { source: ImageSource; overviewSide: number }; output: { info: PhotoInfo; overview: Overview } };
   tile: { input: { level: number; column: number; row: number; side: number }; output: ImageBitmap };

@@ -3,6 +3,7 @@ import {
   Photo, Report, candidates, constant_offset, epipolar_line, estimate_offset, estimated_interior, gradient_candidates, initSync,
   interior, match_photos, matches_csv, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
 } from '../../pkg/wasm/tiepoint.js';
+import { BLOCK_HANDLERS } from '../block/handlers';
 import type { CallName, Calls, ImageSource, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
 import { overlayOf } from './mask';
 import { patchOf } from './patch';
@@ -140,6 +141,7 @@ const HANDLERS: { [K in CallName]: (input: Input<K>) => Output<K> | Promise<Outp
   parseCamera: ({ text }) => parse_camera(text),
   mask,
   matchesCsv: ({ matches }) => matches_csv(matches),
+  ...BLOCK_HANDLERS,
 };
 
 /** Buffers and bitmaps of an answer, moved rather than copied. Every array the crate hands out is a copy of its own. */

@@ -84,11 +84,12 @@ function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
   return { elements: [input], show: (value) => { input.checked = value === true; }, onProblem: () => undefined };
 }
 
-function choiceField(parameter: Parameter, values: readonly string[], id: string, { set }: Binding): Field {
+function choiceField(parameter: Parameter, values: readonly string[], id: string, { set, standard, whenEmpty }: Binding): Field {
   const select = h('select', { id, key: parameter.key, aria: { describedby: `${id}-help` } });
+  if (standard() === null) select.append(new Option(String(whenEmpty() ?? ''), ''));
   for (const value of values) select.append(new Option(choiceName(value), value));
-  select.addEventListener('change', () => { set(select.value); });
-  return { elements: [select], show: (value) => { select.value = String(value); }, onProblem: () => undefined };
+  select.addEventListener('change', () => { set(select.value === '' ? null : select.value); });
+  return { elements: [select], show: (value) => { select.value = String(value ?? ''); }, onProblem: () => undefined };
 }
 
 const CHOICE_NAMES: Readonly<Record<string, string>> = {

@@ -1,29 +1,29 @@
-/** Holds the state and tells who asked when a part of it changed. */
+/** Holds a state and tells who asked when a part of it changed. */
 import type { Action } from './actions';
 import { reduce } from './reducer';
 import { INITIAL } from './state';
 import type { State } from './state';
 
-type Listener = (state: State) => void;
-
-export class Store {
-  private current: State = INITIAL;
-  private readonly listeners: Listener[] = [];
+/** A state `S` that changes by actions `A` alone. */
+export class Holder<S, A> {
+  private readonly listeners: ((state: S) => void)[] = [];
   private dispatching = false;
-  private readonly waiting: Action[] = [];
+  private readonly waiting: A[] = [];
 
-  get state(): State {
+  constructor(private current: S, private readonly reduce: (state: S, action: A) => S) {}
+
+  get state(): S {
     return this.current;
   }
 
   /** Applies an action, then tells the listeners. An action dispatched by a listener follows after all have been told. */
-  dispatch(action: Action): void {
+  dispatch(action: A): void {
     this.waiting.push(action);
     if (this.dispatching) return;
     this.dispatching = true;
     try {
       for (let next = this.waiting.shift(); next !== undefined; next = this.waiting.shift()) {
-        this.current = reduce(this.current, next);
+        this.current = this.reduce(this.current, next);
         for (const listener of this.listeners) listener(this.current);
       }
     } finally {
@@ -32,7 +32,7 @@ export class Store {
   }
 
   /** Calls back now and whenever one of the selected values is another than before. */
-  watch<T extends readonly unknown[]>(select: (state: State) => T, callback: (values: T) => void): void {
+  watch<T extends readonly unknown[]>(select: (state: S) => T, callback: (values: T) => void): void {
     let seen = select(this.current);
     this.listeners.push((state) => {
       const values = select(state);
@@ -41,5 +41,12 @@ export class Store {
       callback(values);
     });
     callback(seen);
+  }
+}
+
+/** The state of the pair. */
+export class Store extends Holder<State, Action> {
+  constructor() {
+    super(INITIAL, reduce);
   }
 }

@@ -54,7 +54,7 @@ const uint = (value, bytes) => Array.from({ length: bytes }, (_, i) => Math.floo
 const entry = (tag, type, count, bytes) => ({ tag, type, count, bytes: Uint8Array.from(bytes) });
 
 /** @param {number} tag @param {string} text */
-const ascii = (tag, text) => entry(tag, ASCII, text.length + 1, Buffer.from(`${text}\0`, 'latin1'));
+const ascii = (tag, text) => entry(tag, ASCII, text.length + 1, new TextEncoder().encode(`${text}\0`));
 
 /** @param {number} tag @param {number} value */
 const long = (tag, value) => entry(tag, LONG, 1, uint(value, 4));

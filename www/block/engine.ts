@@ -1,0 +1,138 @@
+/** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
+import type { Jobs, RunOptions } from '../../pkg/block/index.js';
+import type { BlockFlight, BlockModel, BlockSettings } from '../../pkg/wasm/tiepoint.js';
+import { CallError, Cancelled, WorkerClient } from '../engine/client';
+import type { Holder } from '../state/store';
+import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, ToRun } from './calls';
+import { WorkerPool } from './pool';
+import type { BlockAction } from './reducer';
+import { wantedKey } from './state';
+import type { BlockOptions, BlockState } from './state';
+
+export type BlockStore = Holder<BlockState, BlockAction>;
+
+/** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
+const PATIENCE_MS = 300;
+
+export class BlockEngine {
+  readonly pool = new WorkerPool();
+  /** Holds the block of the last run. */
+  private readonly block = new WorkerClient('block');
+  /** Records of images and pairs that were done, by key: what is done once is not done again. */
+  private readonly kept = new Map<string, Blob>();
+  private port: MessagePort | null = null;
+
+  constructor(private readonly store: BlockStore) {}
+
+  async run(): Promise<void> {
+    const { state } = this.store;
+    const { settings } = state.options;
+    if (settings === null || state.running.kind === 'yes') return;
+    if (!window.isSecureContext) {
+      // Records are named by digests, which browsers compute for pages from https, localhost or a file alone.
+      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: 'Blocks need this page from https, from localhost, or opened as a file: elsewhere the browser computes no digests of the images.' } });
+      return;
+    }
+    const key = wantedKey(state);
+    const { files, truth } = state;
+    const started = performance.now();
+    this.store.dispatch({ type: 'started', key });
+    const channel = new MessageChannel();
+    this.listen(channel.port1);
+    try {
+      const input = { files, options: runOptions(state.options, settings), truth, workers: this.pool.size, kept: this.kept, port: channel.port2 };
+      const view = await this.block.call('blockRun', input, [channel.port2]);
+      this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
+    } catch (error) {
+      this.pool.cancel();
+      const stopped = this.port !== channel.port1;
+      this.store.dispatch({ type: 'ended', failure: stopped || error instanceof Cancelled ? null : reasonOf(error) });
+    } finally {
+      channel.port1.close();
+      if (this.port === channel.port1) this.port = null;
+    }
+  }
+
+  /** Ends the run, or whatever else the workers do. What was done is kept. */
+  cancel(): void {
+    const { port } = this;
+    this.port = null;
+    this.pool.cancel();
+    if (port === null) return;
+    port.postMessage({ kind: 'stop' } satisfies ToRun);
+    window.setTimeout(() => { if (this.store.state.running.kind === 'yes' && this.port === null) this.block.cancel(); }, PATIENCE_MS);
+  }
+
+  /** Forgets what was done. */
+  forget(): void {
+    this.kept.clear();
+  }
+
+  async open(bytes: Uint8Array): Promise<void> {
+    const view = await this.block.call('blockOpen', { bytes }, [bytes.buffer as ArrayBuffer]);
+    this.store.dispatch({ type: 'openedFile', view });
+  }
+
+  export(kind: ExportKind, name: string): Promise<MadeFile> {
+    return this.block.call('blockExport', { kind, name });
+  }
+
+  /** Takes the photos of the flight that is set, on all workers. */
+  async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<{ files: Omit<BlockFile, 'id'>[]; truth: BlockModel }> {
+    const truth = await this.pool.call('blockPlan', flight);
+    let count = 0;
+    const files = await Promise.all(truth.images.map(async ({ name }, index) => {
+      const bytes = await this.pool.call('blockPhoto', { flight, index });
+      count += 1;
+      done(count, truth.images.length);
+      return { name, file: new Blob([bytes], { type: 'image/png' }) };
+    }));
+    return { files, truth };
+  }
+
+  private listen(port: MessagePort): void {
+    this.port = port;
+    port.onmessage = (event: MessageEvent<FromRun>) => {
+      const message = event.data;
+      if (message.kind === 'keep') this.kept.set(message.key, message.record);
+      else if (message.kind === 'job') void this.perform(port, message.id, message.job);
+      else if (this.port === port) this.store.dispatch({ type: 'step', step: message.step });
+    };
+  }
+
+  private async perform(port: MessagePort, id: number, job: JobRequest): Promise<void> {
+    const say = (message: ToRun, transfer: Transferable[] = []) => { port.postMessage(message, transfer); };
+    try {
+      if (this.port !== port) return;
+      const answer = await this.pool.call('blockJob', job, buffersOf(job));
+      say({ kind: 'answer', id, answer }, madeBuffer(answer));
+    } catch (error) {
+      // A run that was stopped waits for nothing.
+      if (!(error instanceof Cancelled)) say({ kind: 'broke', id, message: reasonOf(error) });
+    }
+  }
+}
+
+function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunOptions {
+  return {
+    settings, gps,
+    ...(cameras === null ? {} : { cameras }),
+    ...(control === null || marks === null ? {} : { control: { points: control.text, marks: marks.text } }),
+  };
+}
+
+/** The memory of a job's records, which are copies that the run made for it. */
+function buffersOf({ input }: JobRequest): Transferable[] {
+  const arrays = 'bytes' in input ? [input.bytes] : 'own' in input ? [] : [input.left.record, input.right.record];
+  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
+}
+
+function madeBuffer(answer: JobAnswer): Transferable[] {
+  const made: Jobs[keyof Jobs]['output'] | null = 'made' in answer ? answer.made : null;
+  return made === null ? [] : [made.buffer as ArrayBuffer];
+}
+
+function reasonOf(error: unknown): string {
+  const text = error instanceof Error ? error.message : String(error);
+  return error instanceof CallError && error.ended ? `the worker ran out of memory or broke down (${text})` : text;
+}

@@ -1,0 +1,110 @@
+/** The block's part of the page: makes its parts and wires them together. */
+import '../style/block.css';
+import type { Engine } from '../engine/engine';
+import { button, byId, fill, h } from '../panel/dom';
+import { mountTabs, showTab } from '../panel/tabs';
+import { Holder } from '../state/store';
+import type { Store } from '../state/store';
+import { blockCatalogue } from './catalogue';
+import { mountBlockDrop } from './drop';
+import { BlockEngine } from './engine';
+import type { BlockStore } from './engine';
+import { mountExports } from './exports';
+import { BlockFiles } from './files';
+import { mountFlight } from './flight';
+import { mountBack, mountMode } from './mode';
+import { openPair } from './pair';
+import { mountProgress } from './progress';
+import { reduceBlock } from './reducer';
+import { mountResults } from './results';
+import { mountSettings } from './settings';
+import { mountStage } from './stage';
+import { BLOCK_INITIAL, isBusy } from './state';
+import { mountBlockStatus } from './status';
+import { mountImages, mountPoints } from './tables';
+
+export function mountBlock(pair: Store, pairEngine: Engine): void {
+  const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
+  const engine = new BlockEngine(store);
+  const files = new BlockFiles(store, engine);
+  const looking = {
+    choose: (choice: typeof store.state.choice) => { store.dispatch({ type: 'choose', choice }); },
+    open: (images: [number, number]) => { void openPair(store, pair, pairEngine, images); },
+  };
+  const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
+  const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
+  const status = mountBlockStatus(store, pair, engine);
+  const settings = tabbed('Settings', [['block-settings', 'Settings'], ['block-flight', 'Simulate']]);
+  const results = tabbed('Results', [['block-results', 'Results'], ['block-images', 'Images'], ['block-points', 'Points']]);
+  const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
+  const main = h('main', { class: 'block' }, settings.element, stage, results.element);
+
+  const heading = document.querySelector('.bar h1');
+  const bar = heading?.parentElement;
+  if (heading == null || bar == null) throw new Error('the page has no bar');
+  const pairParts = [...bar.querySelectorAll<HTMLElement>(':scope > .actions'), ...document.querySelectorAll<HTMLElement>('body > main, body > .status-bar')];
+  byId('theme').before(actions, exports);
+  document.querySelector('body > main')?.after(status, main);
+  const back = mountBack(store);
+  document.querySelector('body > main')?.before(back);
+  heading.after(mountMode(store, { pair: [...pairParts], block: [actions, exports, status, main] }));
+  store.watch((s) => [s.mode, s.opened] as const, ([mode, opened]) => { back.hidden = mode !== 'pair' || opened === null; });
+
+  mountActions(actions, store, files);
+  mountExports(exports, store, engine);
+  mountSettings(settings.panels[0], store);
+  mountFlight(settings.panels[1], store, files);
+  mountProgress(results.panels[0], store);
+  mountResults(results.panels[0], store);
+  mountStage(stage, store, looking, files);
+  mountImages(results.panels[1], store, { ...looking, point: () => undefined });
+  mountPoints(results.panels[2] ?? results.panels[0], store);
+  for (const list of main.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
+  mountBlockDrop(store, files);
+  store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
+  pair.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+    if (catalogue !== null) store.dispatch({ type: 'ready', catalogue: blockCatalogue(catalogue) });
+  });
+}
+
+/** A column of tabs with their panels. */
+function tabbed(label: string, tabs: readonly (readonly [string, string])[]): { element: HTMLElement; panels: [HTMLElement, HTMLElement, ...HTMLElement[]] } {
+  const buttons = tabs.map(([id, text], i) => {
+    const tab = h('button', { type: 'button', role: 'tab', id: `tab-${id}`, testid: `tab-${id}`, tabindex: i === 0 ? 0 : -1, aria: { controls: `panel-${id}`, selected: String(i === 0) } }, text);
+    return tab;
+  });
+  const panels = tabs.map(([id], i) => h('div', { class: 'panel', role: 'tabpanel', id: `panel-${id}`, tabindex: 0, hidden: i > 0, aria: { labelledby: `tab-${id}` } }));
+  const element = h('section', { class: 'side', aria: { label } }, h('div', { class: 'tabs', role: 'tablist', aria: { label } }, ...buttons), ...panels);
+  // At least two tabs are given.
+  return { element, panels: panels as unknown as [HTMLElement, HTMLElement, ...HTMLElement[]] };
+}
+
+/** The buttons that give images. */
+function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
+  const pick = (testid: string, label: string, folder: boolean) => {
+    const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid, aria: { label } });
+    input.multiple = true;
+    input.webkitdirectory = folder;
+    if (!folder) input.accept = 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint';
+    input.addEventListener('change', () => {
+      void files.take([...(input.files ?? [])].map((file) => ({ file, path: file.webkitRelativePath })));
+      input.value = '';
+    });
+    return input;
+  };
+  const images = pick('block-files-input', 'Images, cameras or project of a block', false);
+  const folder = pick('block-folder-input', 'Folder of images', true);
+  const buttons = [
+    button('Images …', 'block-files', () => { images.click(); }, 'Image files; a cameras file or a saved project too'),
+    button('Folder …', 'block-folder', () => { folder.click(); }, 'All images of a folder'),
+    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a made town, taken in this tab'),
+    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Takes all images out'),
+  ];
+  buttons[0]?.classList.add('primary');
+  fill(host, ...buttons, images, folder);
+  store.watch((s) => [s.running, s.notice, s.files, s.shown, s.catalogue] as const, ([, , given, shown, catalogue]) => {
+    for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
+    const last = buttons.at(-1);
+    if (last !== undefined) last.disabled ||= given.length === 0 && shown === null;
+  });
+}

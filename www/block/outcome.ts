@@ -1,0 +1,123 @@
+/** What of a run, or of a project that was opened, the page shows. */
+import type { BlockRun } from '../../pkg/block/index.js';
+import { explain_connections, export_formats } from '../../pkg/wasm/tiepoint.js';
+import type { BlockModel, Connection, Project } from '../../pkg/wasm/tiepoint.js';
+import { withAssembly } from './adjustment';
+import { layoutOf } from './layout';
+import type { BlockView, RayCount, ViewCamera, ViewConnection, ViewImage, ViewPoints } from './view';
+
+/** A block as its worker holds it. */
+export interface Held {
+  /** Null where the block was opened from its file. */
+  run: BlockRun | null;
+  project: Project;
+}
+
+export function viewOfRun(run: BlockRun): BlockView {
+  const { model, points, assembly } = run;
+  const shared = new Map<string, number>();
+  for (let i = 0; i < points.shared.length; i += 3) shared.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
+  const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
+  const cameras = view.cameras.map((camera, i) => ({ ...camera, label: run.cameras[i]?.label ?? camera.label, givenFocalPx: run.cameras[i]?.focal_px ?? null }));
+  const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null }));
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays } };
+  return withAssembly(whole, assembly, run.assemblyReason);
+}
+
+export function viewOfProject({ block, connections }: Project): BlockView {
+  return viewOf(block, connections, block.images.map(() => null), sharedOf(block), connections.map(() => ''));
+}
+
+function viewOf(
+  model: BlockModel, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],
+): BlockView {
+  const { reasons, groups } = explain_connections(model.images.length, [...connections]);
+  const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => ({
+    images, rule, outcome, reason: reasons[i] ?? '', geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0,
+  }));
+  const images = imagesOf(model);
+  return {
+    images,
+    leftOut: [],
+    cameras: camerasOf(model),
+    connections: links,
+    groups,
+    layout: layoutOf(model.images, exif, links),
+    points: pointsOf(model),
+    found: null,
+    byRays: byRays(model),
+    oriented: images.filter(({ oriented }) => oriented).length,
+    rmsePx: rmseOf(model),
+    sigma0Px: null,
+    score: null,
+    weaknesses: [],
+    formats: export_formats(),
+  };
+}
+
+function camerasOf({ cameras, images }: BlockModel): ViewCamera[] {
+  return cameras.map(({ width_px: width, height_px: height, focal_px: focal, pixel_mm: pixelMm = null }, i) => {
+    const own = images.filter(({ camera }) => camera === i);
+    const oriented = own.some(({ pose }) => pose != null);
+    return { label: `${String(width)} × ${String(height)} px`, images: own.length, givenFocalPx: null, focalPx: oriented ? focal : null, focalErrorPx: null, pixelMm };
+  });
+}
+
+function imagesOf(model: BlockModel): ViewImage[] {
+  const rays = model.images.map(() => 0);
+  for (const point of model.points) for (const { image } of point.rays) rays[image] = (rays[image] ?? 0) + 1;
+  return model.images.map(({ name, camera, pose }, i) => {
+    const { width_px: width = 0, height_px: height = 0 } = model.cameras[camera] ?? {};
+    return { name, camera, width, height, features: null, rays: rays[i] ?? 0, rmsePx: null, oriented: pose != null, why: pose == null ? 'not oriented' : '' };
+  });
+}
+
+function pointsOf({ points }: BlockModel): ViewPoints {
+  const none = [NaN, NaN, NaN];
+  return {
+    count: points.length,
+    rays: Uint16Array.from(points, ({ rays }) => rays.length),
+    rmsePx: Float64Array.from(points, ({ rmse_px }) => rmse_px ?? NaN),
+    positions: Float64Array.from(points.flatMap(({ position }) => position ?? none)),
+    errors: Float64Array.from(points.flatMap(() => none)),
+    confidence: Float64Array.from(points, ({ confidence }) => confidence ?? NaN),
+  };
+}
+
+/** Root mean square length of the residuals of all rays; null where points are not adjusted. */
+function rmseOf({ points }: BlockModel): number | null {
+  const known = points.filter(({ rmse_px }) => rmse_px != null);
+  const rays = known.reduce((sum, point) => sum + point.rays.length, 0);
+  const squares = known.reduce((sum, point) => sum + point.rays.length * (point.rmse_px ?? 0) ** 2, 0);
+  return rays === 0 ? null : Math.sqrt(squares / rays);
+}
+
+/** Points by their number of rays. */
+function byRays({ points }: BlockModel): RayCount[] {
+  const groups = new Map<number, BlockModel['points']>();
+  for (const point of points) groups.set(point.rays.length, [...(groups.get(point.rays.length) ?? []), point]);
+  return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ cameras: [], images: [], points: group }) }));
+}
+
+/** Points that both images of a pair see, from the points themselves. */
+function sharedOf({ points }: BlockModel): ReadonlyMap<string, number> {
+  const shared = new Map<string, number>();
+  for (const { rays } of points) {
+    const seen = rays.map(({ image }) => image).sort((a, b) => a - b);
+    seen.forEach((a, i) => {
+      for (const b of seen.slice(i + 1)) shared.set(`${String(a)},${String(b)}`, (shared.get(`${String(a)},${String(b)}`) ?? 0) + 1);
+    });
+  }
+  return shared;
+}
+
+const MODELS: Readonly<Record<string, string>> = {
+  calibrated: 'relative orientation', fundamental: 'fundamental matrix', homography: 'plane', rotation: 'rotation about one place',
+};
+
+function geometryName(geometry: BlockRun['geometries'][number]): string {
+  if (geometry === null) return '';
+  const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
+  const weak = degenerate === null ? '' : { plane: ', ground nearly plane', 'pure-rotation': ', no base' }[degenerate];
+  return `${MODELS[kind] ?? kind}${weak}, ± ${sigma.toFixed(2)} px`;
+}

@@ -1,0 +1,72 @@
+/** From a pair of the block to the pair's part of the page, and back. */
+import type { Engine } from '../engine/engine';
+import type { Camera } from '../engine/wasm';
+import { SIDES } from '../state/state';
+import type { GivenImage, Side } from '../state/state';
+import type { Store } from '../state/store';
+import type { BlockFile } from './calls';
+import type { BlockStore } from './engine';
+
+/** The pair's own images count up from 1: those of blocks count down. */
+let nextId = -1;
+
+/** Opens both images with the strategy that the block used; where one cannot be opened the block stays. */
+export async function openPair(block: BlockStore, store: Store, engine: Engine, [a, b]: [number, number]): Promise<void> {
+  const { shown } = block.state;
+  if (shown === null) return;
+  const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
+  const [left, right] = files;
+  if (left === undefined || right === undefined) {
+    say(block, 'The files of these images are not open: drop them, and try again.');
+    return;
+  }
+  const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
+  try {
+    await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
+  } catch (error) {
+    say(block, `The pair cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+    return;
+  }
+  readyFor(store, block, [a, b]);
+  store.dispatch({ type: 'images', images });
+  block.dispatch({ type: 'openedPair', images: [a, b] });
+  block.dispatch({ type: 'mode', mode: 'pair' });
+}
+
+/** The block's settings of features and its camera, in place of whatever the pair before had. */
+function readyFor(store: Store, block: BlockStore, [a, b]: readonly [number, number]): void {
+  const { settings } = store.state;
+  const features = block.state.options.settings?.features;
+  if (settings !== null && features !== undefined) {
+    const { points, matching } = settings;
+    store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: 'multiscale' }, matching: { ...matching, strategy: 'gradient' } } });
+  }
+  store.dispatch({ type: 'camera', camera: cameraOf(block, a, b) });
+  store.dispatch({ type: 'offset', offset: null });
+  for (const side of SIDES) {
+    store.dispatch({ type: 'photo', side, photo: { fiducials: [], origin: null } });
+    store.dispatch({ type: 'mask', side, mask: null });
+  }
+}
+
+/** The calibrated camera of both images, the given one before there is one; null where they have two, or it has no scale in mm. */
+function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
+  const { images = [], cameras = [] } = block.state.shown?.view ?? {};
+  const [left, right] = [images[a]?.camera, images[b]?.camera];
+  const camera = left !== undefined && left === right ? cameras[left] : undefined;
+  const focal = camera?.focalPx ?? camera?.givenFocalPx ?? null;
+  return camera?.pixelMm == null || focal === null ? null : { focal_mm: focal * camera.pixelMm, pixel_mm: camera.pixelMm };
+}
+
+function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {
+  const { shown, files } = block.state;
+  return [...(shown?.files ?? []), ...files].find((file) => file.name === name);
+}
+
+function given({ name, file }: BlockFile): GivenImage {
+  return { id: nextId--, name, source: { kind: 'file', file } };
+}
+
+function say(block: BlockStore, text: string): void {
+  block.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
+}

@@ -1,0 +1,56 @@
+/** How far a run is: a line and a bar for each stage, with the time that is left. */
+import type { StageName, Step } from '../../pkg/block/index.js';
+import { fill, h, section } from '../panel/dom';
+import { count } from '../panel/format';
+import type { BlockStore } from './engine';
+import type { Steps } from './state';
+
+const STAGES: Readonly<Record<StageName, string>> = {
+  photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', orientation: 'Orientation',
+};
+
+/** Stages in their order. */
+const NAMES = Object.keys(STAGES) as StageName[];
+
+export function mountProgress(host: HTMLElement, store: BlockStore): void {
+  const body = h('div', { class: 'stages' });
+  const whole = section('Run', 'block-progress', body);
+  host.append(whole);
+  store.watch((s) => [s.running, s.shown] as const, ([running, shown]) => {
+    const steps = running.kind === 'no' ? (shown?.steps ?? {}) : running.steps;
+    const begun = NAMES.flatMap((name) => (steps[name] === undefined ? [] : [stage(name, steps[name])]));
+    whole.hidden = begun.length === 0;
+    fill(body, ...begun);
+  });
+}
+
+function stage(name: StageName, step: Step): HTMLElement {
+  const bar = h('progress', { aria: { label: STAGES[name] } });
+  bar.max = Math.max(1, step.total);
+  bar.value = step.done;
+  return h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), bar, h('span', { class: 'note' }, stepText(step)));
+}
+
+/** "7 of 12, 3 of them from before; 8 s, about 5 s left; IMG_9428.jpg" */
+function stepText({ done, total, found, seconds, secondsLeft, name }: Step): string {
+  const parts = [
+    `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} of them from before` : ''}`,
+    `${duration(seconds)}${secondsLeft === undefined || done === total ? '' : `, about ${duration(secondsLeft)} left`}`,
+    name ?? '',
+  ];
+  return parts.filter((part) => part !== '').join('; ');
+}
+
+/** What the status line says of the stage that runs. */
+export function runText(steps: Steps): string {
+  const name = NAMES.findLast((stage) => steps[stage] !== undefined);
+  const step = name === undefined ? undefined : steps[name];
+  return name === undefined || step === undefined ? 'Starting …' : `${STAGES[name]}: ${stepText(step)}`;
+}
+
+export function duration(seconds: number): string {
+  if (seconds < 9.95) return `${seconds.toFixed(1)} s`;
+  if (seconds < 90) return `${String(Math.round(seconds))} s`;
+  const minutes = Math.round(seconds / 60);
+  return minutes < 90 ? `${String(minutes)} min` : `${(seconds / 3600).toFixed(1)} h`;
+}

@@ -1,0 +1,77 @@
+/** How the state of the block changes. Pure: the same state and action give the same state. */
+import type { Step } from '../../pkg/block/index.js';
+import type { BlockFlight, BlockModel } from '../../pkg/wasm/tiepoint.js';
+import type { Notice } from '../state/state';
+import type { BlockFile } from './calls';
+import { BLOCK_INITIAL } from './state';
+import type { BlockCatalogue, BlockOptions, BlockState, Choice, Mode } from './state';
+import type { BlockView } from './view';
+
+export type BlockAction =
+  | { type: 'ready'; catalogue: BlockCatalogue }
+  | { type: 'mode'; mode: Mode }
+  | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
+  | { type: 'options'; options: Partial<BlockOptions> }
+  | { type: 'flight'; flight: BlockFlight }
+  | { type: 'started'; key: string }
+  | { type: 'step'; step: Step }
+  | { type: 'done'; key: string; view: BlockView; files: readonly BlockFile[]; seconds: number }
+  /** `failure`: null where the user ended it. */
+  | { type: 'ended'; failure: string | null }
+  | { type: 'openedFile'; view: BlockView }
+  | { type: 'clear' }
+  | { type: 'choose'; choice: Choice | null }
+  | { type: 'openedPair'; images: [number, number] | null }
+  | { type: 'notice'; notice: Notice | null };
+
+export function reduceBlock(state: BlockState, action: BlockAction): BlockState {
+  switch (action.type) {
+    case 'ready':
+      return { ...state, catalogue: action.catalogue, options: { ...state.options, settings: action.catalogue.defaults }, flight: action.catalogue.flight };
+    case 'mode':
+      return { ...state, mode: action.mode };
+    case 'files':
+      // A run that goes on keeps the files it was given.
+      return { ...state, files: action.files, truth: action.truth, running: state.running.kind === 'yes' ? state.running : { kind: 'no' } };
+    case 'options':
+      return { ...state, options: { ...state.options, ...action.options }, notice: null };
+    case 'flight':
+      return { ...state, flight: action.flight };
+    case 'choose':
+      return { ...state, choice: action.choice };
+    case 'openedPair':
+      return { ...state, opened: action.images };
+    case 'notice':
+      return { ...state, notice: action.notice };
+    case 'openedFile':
+      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key: '', view: action.view, files: [], steps: {}, seconds: 0 } };
+    case 'clear':
+      return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, options: state.options, flight: state.flight };
+    default:
+      return withRun(state, action);
+  }
+}
+
+/** What refers to the images of a block that is no longer shown. */
+function blank(state: BlockState): Pick<BlockState, 'choice' | 'opened' | 'notice'> {
+  return { choice: null, opened: null, notice: state.notice?.kind === 'busy' ? null : state.notice };
+}
+
+type RunAction = Extract<BlockAction, { type: 'started' | 'step' | 'done' | 'ended' }>;
+
+/** What a run reports. */
+function withRun(state: BlockState, action: RunAction): BlockState {
+  const { running } = state;
+  switch (action.type) {
+    case 'started':
+      return { ...state, running: { kind: 'yes', key: action.key, steps: {} }, notice: null };
+    case 'step':
+      return running.kind === 'yes' ? { ...state, running: { ...running, steps: { ...running.steps, [action.step.stage]: action.step } } } : state;
+    case 'done': {
+      const { key, view, files, seconds } = action;
+      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} } };
+    }
+    case 'ended':
+      return running.kind === 'yes' ? { ...state, running: { kind: 'ended', steps: running.steps, failure: action.failure } } : state;
+  }
+}

@@ -1,0 +1,104 @@
+/** What the user chooses of a run: pairs, points, recorded positions, cameras. */
+import { makeControl } from '../panel/control';
+import type { Value } from '../panel/control';
+import { button, fill, h } from '../panel/dom';
+import type { BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
+import type { BlockStore } from './engine';
+import type { TextFile } from './state';
+
+type Groups = Record<string, Record<string, Value | undefined>>;
+
+/** Groups of parameters, by the first part of their keys. */
+const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['block', 'Multi-ray points']];
+
+/** Parameters that matter for one rule of pairs alone. */
+const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];
+
+export function mountSettings(host: HTMLElement, store: BlockStore): void {
+  store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+    if (catalogue === null) return;
+    const { defaults } = catalogue;
+    const controls = catalogue.parameters.map((parameter) => makeControl(parameter, {
+      set: (value) => {
+        const { settings } = store.state.options;
+        if (settings !== null) store.dispatch({ type: 'options', options: { settings: withValue(settings, parameter, value) } });
+      },
+      standard: () => readValue(defaults, parameter),
+      whenEmpty: () => 'by itself',
+    }));
+    const groups = GROUPS.map(([group, title]) => {
+      const own = controls.filter(({ parameter }) => parameter.key.startsWith(`${group}.`));
+      return h('fieldset', { class: 'group' }, h('legend', {}, title), ...own.map(({ element }) => element));
+    });
+    fill(host, positions(store), ...groups, textFiles(store));
+    store.watch((s) => [s.options.settings] as const, ([settings]) => {
+      if (settings === null) return;
+      for (const { parameter, element, show } of controls) {
+        show(readValue(settings, parameter));
+        const [, field = ''] = parameter.key.split('.');
+        const rule = settings.pairs?.rule ?? null;
+        element.hidden = OF_RULE.includes(field) && rule !== null && rule !== field;
+      }
+    });
+  });
+}
+
+/** The group of a parameter; those of features lie a step deeper. */
+function groupOf(settings: BlockSettings, { key }: Parameter): [Record<string, Value | undefined>, string, string] {
+  const [group = '', field = ''] = key.split('.');
+  const at = group === 'multiscale' ? settings.features : settings;
+  const found = (at as unknown as Groups)[group];
+  if (found === undefined) throw new Error(`there is no setting ${key}`);
+  return [found, group, field];
+}
+
+function readValue(settings: BlockSettings, parameter: Parameter): Value {
+  const [group, , field] = groupOf(settings, parameter);
+  return group[field] ?? null;
+}
+
+function withValue(settings: BlockSettings, parameter: Parameter, value: Value): BlockSettings {
+  const [before, group, field] = groupOf(settings, parameter);
+  const changed = { [group]: { ...before, [field]: value } };
+  const features = settings.features;
+  return group === 'multiscale' && features !== undefined ? { ...settings, features: { ...features, ...changed } } : { ...settings, ...changed };
+}
+
+/** Whether recorded positions are used. */
+function positions(store: BlockStore): HTMLElement {
+  const input = h('input', { id: 'block-gps', type: 'checkbox', testid: 'block-gps' });
+  input.addEventListener('change', () => { store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }); });
+  store.watch((s) => [s.options.gps] as const, ([gps]) => { input.checked = gps === 'use'; });
+  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use recorded positions (GPS)')),
+    h('p', { class: 'help' }, 'To choose near pairs, and to place the block on the earth.'));
+}
+
+const CAMERAS = 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
+const CONTROL = 'None. Two files place the block by surveyed points: lines of name, x, y, z and perhaps two standard errors, and lines of image, point, column, row.';
+
+/** Files of text that say more of the block than its images do. */
+function textFiles(store: BlockStore): HTMLElement {
+  return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
+    textFile(store, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
+    textFile(store, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
+    textFile(store, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'));
+}
+
+function textFile(store: BlockStore, option: 'cameras' | 'control' | 'marks', title: string, none: string, accept: string): HTMLElement {
+  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `block-${option}-input`, aria: { label: `File: ${title}` } });
+  input.accept = accept;
+  const give = (file: TextFile | null) => { store.dispatch({ type: 'options', options: { [option]: file } }); };
+  input.addEventListener('change', () => {
+    const file = input.files?.[0];
+    if (file !== undefined) void file.text().then((text) => { give({ name: file.name, text }); });
+    input.value = '';
+  });
+  const name = h('p', { class: 'note', testid: `block-${option}-name` });
+  const remove = button('Remove', `block-${option}-remove`, () => { give(null); });
+  remove.setAttribute('aria-label', `Remove: ${title}`);
+  store.watch((s) => [s.options[option]] as const, ([given]) => {
+    fill(name, given?.name ?? none);
+    remove.hidden = given === null;
+  });
+  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, input);
+}

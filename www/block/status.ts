@@ -1,0 +1,56 @@
+/** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
+import { button, fill, h } from '../panel/dom';
+import { count } from '../panel/format';
+import { readable } from '../state/names';
+import type { Store } from '../state/store';
+import type { BlockEngine, BlockStore } from './engine';
+import { duration, runText } from './progress';
+import { isBusy, isOutdated } from './state';
+import type { BlockState } from './state';
+
+export function mountBlockStatus(store: BlockStore, pair: Store, engine: BlockEngine): HTMLElement {
+  const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
+  const run = button('Run', 'block-run', () => { void engine.run(); });
+  run.className = 'primary';
+  const cancel = button('Cancel', 'block-cancel', () => { engine.cancel(); });
+  store.watch((s) => [s] as const, ([state]) => {
+    const { text, kind } = lineOf(state);
+    line.dataset['kind'] = kind;
+    // Each image and pair would be read out.
+    line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
+    fill(line, plain(state, pair, text));
+    run.disabled = isBusy(state) || state.files.length < 2;
+    run.textContent = state.running.kind === 'ended' ? 'Go on' : 'Run';
+    cancel.disabled = !isBusy(state);
+  });
+  return h('div', { class: 'status-bar' }, line, run, cancel);
+}
+
+/** Messages of the crate with the labels of parameters in place of their keys. */
+function plain({ catalogue }: BlockState, pair: Store, text: string): string {
+  const known = pair.state.catalogue;
+  return known === null ? text : readable({ ...known, parameters: [...known.parameters, ...(catalogue?.parameters ?? []), ...(catalogue?.flightParameters ?? [])] }, text);
+}
+
+function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'problem' } {
+  const { running, notice, shown, files } = state;
+  if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
+  if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
+  if (running.kind === 'ended') {
+    if (running.failure === null) return { text: 'Cancelled. What was done is kept: Go on takes it up where it ended.', kind: 'idle' };
+    return { text: `The block was not finished: ${running.failure.replace(/\.$/u, '')}. What was done is kept.`, kind: 'problem' };
+  }
+  if (shown !== null && !isOutdated(state)) return { text: doneText(state), kind: 'done' };
+  if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null ? 'Press Run.' : 'Other images or settings than those of the block on the screen: press Run.'}`, kind: 'idle' };
+  return { text: 'Give the images of a block: files, a folder, or the simulated block.', kind: 'idle' };
+}
+
+function doneText({ shown }: BlockState): string {
+  if (shown === null) return '';
+  const { view, seconds } = shown;
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
+  const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} left out`;
+  const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
+  const oriented = view.oriented === 0 ? '' : `, ${count(view.oriented)} oriented`;
+  return `Done: ${count(view.images.length)} images${oriented}${left}, ${count(connected)} pairs connected, ${count(view.points.count)} points.${time}`;
+}
