@@ -43,15 +43,15 @@ fn a_quarter_turn_of_one_photo_changes_little() {
     assert!(count(&plain) > 2000 && count(&other) > 4 * count(&plain) / 5, "{} and {} matches", count(&plain), count(&other));
     // Back in the first photo's axes the matches lie where they lay.
     let height = sample.right.height() as f64;
-    let mut same = 0;
+    let (mut found, mut same) = (0, 0);
     for m in &other.matching.matches {
         let [x, y] = [m.right_px[1], height - m.right_px[0]];
         let near = |n: &&tiepoint::Match| (n.left_px[0] - m.left_px[0]).abs() < 0.3 && (n.left_px[1] - m.left_px[1]).abs() < 0.3;
-        same += usize::from(
-            plain.matching.matches.iter().find(near).is_some_and(|n| (n.right_px[0] - x).abs() < 1.0 && (n.right_px[1] - y).abs() < 1.0),
-        );
+        let Some(n) = plain.matching.matches.iter().find(near) else { continue };
+        found += 1;
+        same += usize::from((n.right_px[0] - x).abs() < 1.0 && (n.right_px[1] - y).abs() < 1.0);
     }
-    assert!(10 * same > 8 * count(&other), "{same} of {}", count(&other));
+    assert!(10 * found > 7 * count(&other) && 100 * same > 97 * found, "{same} of {found} of {}", count(&other));
 }
 
 #[test]

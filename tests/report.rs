@@ -90,12 +90,12 @@ fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
     let flight = simulate(&small()).unwrap();
     let image = |grey: GreyImage| ReportImage { name: "<b>&\"x\"</b>.png".into(), grey, exif: None };
     let mut report = Report::new([image(flight.left), image(flight.right)], PairInput::default(), PairSettings::default(), None);
-    assert_eq!(report.steps(), ["this run", "moments", "invariants", "correlation", "least squares"]);
+    assert_eq!(report.steps(), ["this run", "moments", "invariants", "correlation", "least squares", "gradients"]);
     let mut steps = 0;
     while report.step().unwrap() {
         steps += 1;
     }
-    assert_eq!(steps, 5);
+    assert_eq!(steps, 6);
     let html = report.html().unwrap();
     assert!(html.contains("Not oriented: no camera") && !html.contains("against the truth"));
     assert!(html.contains("there are no photo coordinates") && !html.contains("follow from the pixel size"));
@@ -127,7 +127,7 @@ fn true_errors_do_not_depend_on_the_base_but_by_scale() {
     let ratios = |html: &str| -> Vec<String> {
         row_after(html, "true errors, and how many", "by").iter().map(|cell| cell[cell.find('(').unwrap()..].to_string()).collect()
     };
-    assert_eq!(ratios(&own).len(), 5);
+    assert_eq!(ratios(&own).len(), 6);
     assert_eq!(ratios(&own), ratios(&double));
     assert!(double.contains("at the scale of that base") && !own.contains("at the scale of that base"));
 }

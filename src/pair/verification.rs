@@ -8,8 +8,8 @@ use crate::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Candidates lie within this many thresholds of the geometry: the first one, of fewer matches, is less sure than the last.
-const REACH: f64 = 2.0;
+/// Candidates lie within this many thresholds of the geometry: those beyond one tell how many wrong ones are within.
+const REACH: f64 = 3.0;
 
 /// Options of [`match_features`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -87,7 +87,8 @@ pub(super) fn verify(
     let mut second = guided_matches(left, right, &guide(&start), &guided)?;
     second.retain(|m| !unwanted(m));
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
-    let (found, all) = match two_view(&positions(&second), options) {
+    let known = TwoViewOptions { threshold_px: Some(start.threshold_px), ..options.clone() };
+    let (found, all) = match two_view(&positions(&second), &known) {
         Ok(better) if better.inliers.len() >= start.inliers.len() => (better, &second[..]),
         _ => (start, &first[..]),
     };

@@ -121,7 +121,9 @@ pub fn multiscale_points(
     let cell = |x: f64, y: f64| (y.max(0.0) / side) as usize * across + (x.max(0.0) / side) as usize;
     // The tensor of each maximum would take longer than the pyramid: it is looked at where the response, which the weight is of, is large.
     let extrema = well_distributed(&extrema, CHANCES * options.number, |c| (cell(c.x, c.y), c.extremum.response));
-    let points = points_of(&extrema, &space, options);
+    let mut points = points_of(&extrema, &space, options);
+    // The final position may lie in the next pixel.
+    points.retain(|p| mask.allows(p.x, p.y));
     Ok((well_distributed(&points, options.number, |p| (cell(p.x, p.y), p.weight)), space))
 }
 

@@ -1,6 +1,6 @@
 /** A pair by our own features, matching and geometry, as an entry of a result file. */
 
-import { match_descriptors, match_guided_descriptors, two_view } from '../../../pkg/node.js';
+import { match_descriptors, match_features } from '../../../pkg/node.js';
 import { medianMs } from '../speed.mjs';
 import { photoOf } from '../data.mjs';
 import { ideal } from './pairs.mjs';
@@ -28,42 +28,25 @@ function joined(left, right, indices) {
 }
 
 /**
- * The nearest descriptors, the geometry they agree on, guided matches, and the geometry of these.
+ * Features matched and verified, as the strategy of a pair and of blocks does it.
  * @param {import('./pairs.mjs').Pair} pair @returns {Entry}
  */
 export function ours({ name, a, b, cameras }) {
   const [left, right] = [described(name, a), described(name, b)];
-  const nearest = () => match_descriptors(left.descriptors, right.descriptors, {}).indices;
-  const [first, matching] = [nearest(), medianMs(3, nearest)];
+  const matching = medianMs(3, () => match_descriptors(left.descriptors, right.descriptors, {}));
   const focal = cameras ? Math.sqrt(cameras[0].focal[0] * cameras[1].focal[0]) : 1;
   const [p, q] = cameras ? [ideal(left.positions, cameras[0], focal), ideal(right.positions, cameras[1], focal)] : [left.positions, right.positions];
   const camera = { focal_px: focal, principal_px: /** @type {[number, number]} */ ([0, 0]) };
-  const options = cameras ? { left: camera, right: camera } : {};
-  const entry = { case: name, a, b, points: [left.positions.length / 2, right.positions.length / 2] };
-  const verified = () => {
-    const start = two_view(joined(p, q, first), options);
-    // Candidates beyond the threshold tell how many wrong ones lie within it.
-    const near = { radius_px: 3 * start.threshold_px };
-    const indices = match_guided_descriptors(p, left.descriptors, q, right.descriptors, guideOf(start.model), near).indices;
-    const found = two_view(joined(p, q, indices), { ...options, threshold_px: start.threshold_px });
-    return { indices, found };
-  };
-  try {
-    const { indices, found } = verified();
-    const seconds = { features: (left.ms + right.ms) / 1000, matching: matching / 1000, geometry: medianMs(3, verified) / 1000 };
-    const all = joined(left.positions, right.positions, indices);
-    const matches = [...found.inliers].map((k) => [...all.subarray(4 * k, 4 * k + 4)]);
-    const note = [found.model.kind, found.degenerate ?? '', `sigma ${found.sigma_px.toFixed(3)} px`].filter(Boolean).join(', ');
-    return { ...entry, matches, ...poseOf(found.model), seconds, note };
-  } catch (error) {
-    const seconds = { features: (left.ms + right.ms) / 1000, matching: matching / 1000 };
-    return { ...entry, matches: [], R: null, t: null, seconds, note: String(/** @type {Error} */ (error).message) };
-  }
-}
-
-/** @param {import('../../../pkg/node.js').TwoViewModel} model */
-function guideOf(model) {
-  return 'fundamental' in model ? { fundamental: model.fundamental.flat() } : { homography: model.homography.flat() };
+  const geometry = cameras ? { left: camera, right: camera } : {};
+  const verified = () => match_features(p, left.descriptors, q, right.descriptors, { geometry });
+  const found = verified();
+  const seconds = { features: (left.ms + right.ms) / 1000, matching: matching / 1000, geometry: (medianMs(3, verified) - matching) / 1000 };
+  const entry = { case: name, a, b, points: [left.positions.length / 2, right.positions.length / 2], seconds };
+  if (!found.geometry) return { ...entry, matches: [], R: null, t: null, note: found.geometry_reason ?? '' };
+  const all = joined(left.positions, right.positions, found.indices);
+  const matches = Array.from({ length: found.indices.length / 2 }, (_, k) => [...all.subarray(4 * k, 4 * k + 4)]);
+  const note = [found.geometry.model.kind, found.geometry.degenerate ?? '', `sigma ${found.geometry.sigma_px.toFixed(3)} px`].filter(Boolean).join(', ');
+  return { ...entry, matches, ...poseOf(found.geometry.model), note };
 }
 
 /** The pose with x right, y down, z forward, X_b = R X_a + t.  @param {import('../../../pkg/node.js').TwoViewModel} model */
