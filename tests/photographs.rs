@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
     Camera, DecodeLimits, Decoded, Error, Fiducial, FiducialModel, MatchOptions, PairImage, PairInput, PairResult, PairSettings,
-    PointOptions, RelativeOrientation, Strategy, Weakness, decode, match_pair, orient_fiducials, rotation_from_angles,
+    PointOptions, RelativeOrientation, Strategy, Weakness, decode, match_pair, orient_fiducials,
 };
 
 fn folder(name: &str) -> Option<PathBuf> {
@@ -39,11 +39,9 @@ fn run(left: &Decoded, right: &Decoded, input: &PairInput, points: PointOptions)
 
 /// Angles in degrees between the found rotation and base direction and those of `X_right = R X_left + t` with x right, y down, z forward.
 fn errors_deg(found: &RelativeOrientation, rotation: &Value, translation: &Value) -> [f64; 2] {
-    let p = found.parameters;
-    let m = rotation_from_angles(p.omega_deg.to_radians(), p.phi_deg.to_radians(), p.kappa_deg.to_radians());
+    let (m, base) = found.pose();
     // From photo axes (x right, y up, z backward) to those of the truth.
     let flip = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
-    let base = Vector3::new(found.base_mm, p.by_mm, p.bz_mm);
     let (found_rotation, found_translation) = (flip * m * flip, -(flip * m * base).normalize());
     let rows: Vec<f64> = rotation.as_array().unwrap().iter().flat_map(numbers).collect();
     let wanted = Matrix3::from_row_slice(&rows);

@@ -26,7 +26,7 @@ const GEOMETRIES = {
 
 /** @type {Readonly<Record<import('../node.js').Degeneracy, string>>} */
 const DEGENERATE = {
-  plane: 'all points lie in a plane, or nearly so: the orientation is weak, and undetermined without known cameras',
+  plane: 'nearly all points lie in a plane: without known cameras the orientation is not determined',
   'pure-rotation': 'pure rotation: both photos were taken from one place, there is no base',
 };
 

@@ -1,6 +1,8 @@
 //! What relative orientation takes and gives.
 
 use super::OrientationMethod;
+use crate::camera::rotation_from_angles;
+use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// Photo coordinates of one point in both photos, in mm, x to the right, y up, origin at the principal point.
@@ -155,6 +157,20 @@ pub struct RelativeOrientation {
 }
 
 impl RelativeOrientation {
+    /// The rotation from the left photo's axes to the right photo's and the direction of the base in the left one's, of length 1: both in
+    /// the axes of the photo coordinates, whatever [`Self::turn_deg`] is.
+    pub fn pose(&self) -> (Matrix3<f64>, Vector3<f64>) {
+        let p = self.parameters;
+        let rotation = rotation_from_angles(p.omega_deg.to_radians(), p.phi_deg.to_radians(), p.kappa_deg.to_radians());
+        let base = Vector3::new(self.base_mm, p.by_mm, p.bz_mm).normalize();
+        if self.turn_deg == 0.0 {
+            return (rotation, base);
+        }
+        // From the photo's axes to those turned by 90°.
+        let turn = Matrix3::new(0.0, 1.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0);
+        (turn.transpose() * rotation * turn, turn.transpose() * base)
+    }
+
     /// The orientation in photo axes that were turned by 90° for it: corrections go back to the axes of the photo coordinates.
     pub(crate) fn turned_back(mut self) -> Self {
         self.turn_deg = 90.0;

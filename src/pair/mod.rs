@@ -110,12 +110,12 @@ pub fn match_pair(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput, 
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
     let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));
     let from_one_place = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
-    let orientation = match &interior {
-        Err(reason) => Err(reason.clone()),
-        Ok(_) if from_one_place => {
+    let orientation = match (&interior, &geometry) {
+        (Err(reason), _) | (Ok(_), Some(Err(reason))) => Err(reason.clone()),
+        _ if from_one_place => {
             Err("the photos were taken from one place: they differ by a rotation alone, so there is no base".to_string())
         }
-        Ok(interior) => match orient_matches(&matching.matches, interior, &settings.orientation) {
+        (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
             outcome => outcome.map_err(|error| error.to_string()),
         },

@@ -89,12 +89,22 @@ pub(super) fn verify(
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
     let known = TwoViewOptions { threshold_px: Some(start.threshold_px), ..options.clone() };
     let (found, all) = match two_view(&positions(&second), &known) {
-        Ok(better) if better.inliers.len() >= start.inliers.len() => (better, &second[..]),
+        Ok(better) if better.inliers.len() >= start.inliers.len() => (as_degenerate(better, &start), &second[..]),
         _ => (start, &first[..]),
     };
     let matches: Vec<DescriptorMatch> = found.inliers.iter().map(|k| all[*k]).collect();
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
     Ok(VerifiedMatches { matches, geometry })
+}
+
+/// Whether calibrated views see a plane is told by the first matches: those found along epipolar lines agree with any geometry of these lines.
+fn as_degenerate(found: TwoView, first: &TwoView) -> TwoView {
+    match (&found.model, &first.model) {
+        (TwoViewModel::Calibrated { .. }, TwoViewModel::Calibrated { .. }) => {
+            TwoView { degenerate: first.degenerate, homography: first.homography, ..found }
+        }
+        _ => found,
+    }
 }
 
 fn guide(found: &TwoView) -> Guide {

@@ -18,7 +18,7 @@ const KINDS: Readonly<Record<TwoViewModel['kind'], { name: string; help: string 
 };
 
 const DEGENERATE: Readonly<Record<Degeneracy, string>> = {
-  plane: 'All points lie in a plane, or nearly so: the orientation is weak, and undetermined without known cameras.',
+  plane: 'Nearly all points lie in a plane: without known cameras the orientation is not determined; with them, its weaknesses tell whether that matters.',
   'pure-rotation': 'Pure rotation: both photos were taken from one place. There is no base, so nothing can be oriented.',
 };
 
