@@ -182,6 +182,10 @@ impl Draft {
         match with(datum) {
             Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
             Err(Error::Degenerate { what: "the datum", reason }) => with(Datum::Free).map(|adjusted| (adjusted, false, Some(reason))),
+            // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end.
+            Err(error @ Error::NotConverged { .. }) if datum != Datum::Free => {
+                with(Datum::Free).map(|adjusted| (adjusted, false, Some(error.to_string())))
+            }
             Err(error) => Err(error),
         }
     }

@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
-import { copyFileSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { read_project } from '../../pkg/node.js';
+import { DATA } from '../../tools/lib/paths.mjs';
 import { contents, killed, photographed, records } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
 
@@ -235,6 +236,17 @@ test('calls that cannot be run are refused by name', () => {
     // Behind the lines of the stages that were done.
     assert.match(ended.stderr.trimEnd().split('\n').at(-1) ?? '', pattern);
   }
+});
+
+const STRIP = join(DATA, 'block_caliterra');
+
+test('one strip is oriented where its poor recorded positions do not settle', { skip: existsSync(STRIP) ? false : `${STRIP} is absent` }, () => {
+  const photos = readdirSync(STRIP).filter((name) => name.endsWith('.jpg')).sort().slice(0, 6).map((name) => join(STRIP, name));
+  const { orientation } = json('block', ...photos, '--out', folder(), '--workers', '2');
+  assert.equal(orientation.oriented, 6, JSON.stringify(orientation));
+  const [model] = orientation.models;
+  assert.ok(model.sigma0_px < 0.5, JSON.stringify(model));
+  assert.ok(model.in_system || model.weaknesses.some((/** @type {string} */ weakness) => /no observed positions determine them/.test(weakness)), JSON.stringify(model));
 });
 
 test('a damaged project is refused plainly', () => {
