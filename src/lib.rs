@@ -22,6 +22,7 @@ mod points;
 mod report;
 mod simulate;
 mod tables;
+mod text;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 

@@ -1,9 +1,10 @@
 //! Reading COLMAP's text model.
 
 use super::quaternion::pose_of_vision;
-use super::text::{Line, shorten};
+use super::text::Line;
 use super::{BlockModel, ModelCamera, ModelImage, ModelPoint, ModelRay};
 use crate::Error;
+use crate::text::shorten;
 use std::collections::BTreeMap;
 
 /// Numbers that stand in a file, and the indices they get here.

@@ -1,8 +1,8 @@
 //! Reading surveyed points: control and check points of a block.
 
-use super::text::shorten;
 use crate::Error;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::text::{records, shorten};
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -28,23 +28,8 @@ pub struct SurveyedPoint {
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
 pub fn parse_surveyed_points(text: &str) -> Result<Vec<SurveyedPoint>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#')).unwrap_or("");
-    let delimiter = [b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte)).unwrap_or(b',');
-    let mut reader = ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .flexible(true)
-        .has_headers(false)
-        .from_reader(text.as_bytes());
     let (mut points, mut names, mut columns) = (Vec::new(), BTreeSet::new(), None);
-    for record in reader.records() {
-        let record = record.map_err(|e| refused(e.to_string()))?;
-        if record.iter().all(str::is_empty) {
-            continue;
-        }
-        let line = record.position().map_or(0, csv::Position::line);
+    for (line, record) in records(WHAT, text)? {
         let Some(columns) = &columns else {
             let found = Columns::of(&record)?;
             columns = Some(found.unwrap_or_default());
@@ -88,7 +73,7 @@ impl Columns {
     }
 }
 
-fn read_point(record: &StringRecord, columns: &Columns, line: u64, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
+fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
     let field = |column: usize| record.get(column).unwrap_or("");
     let number = |column: usize, what: &str| {
         let value = field(column).parse().ok().filter(|value: &f64| value.is_finite());

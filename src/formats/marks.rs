@@ -1,8 +1,7 @@
 //! Reading where images show surveyed points.
 
-use super::text::shorten;
 use crate::Error;
-use csv::{ReaderBuilder, Trim};
+use crate::text::{records, shorten};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -21,7 +20,7 @@ pub struct ImageMark {
     pub y_px: f64,
 }
 
-/// Reads marks: lines of image, point, x, y in px, between commas or semicolons. A first line of column names is skipped, and so are blank
+/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs. A first line of column names is skipped, and so are blank
 /// lines and those that begin with `#`.
 ///
 /// # Errors
@@ -30,24 +29,12 @@ pub struct ImageMark {
 /// # Source
 /// The columns of the table of marks of Pix4D.
 pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
-    let delimiter = if first.contains(';') { b';' } else { b',' };
-    let mut reader = ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .flexible(true)
-        .has_headers(false)
-        .from_reader(text.as_bytes());
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
-    for (index, record) in reader.records().enumerate() {
-        let record = record.map_err(|e| refused(e.to_string()))?;
-        let line = record.position().map_or(0, csv::Position::line);
+    for (index, (line, record)) in records(WHAT, text)?.into_iter().enumerate() {
         let field = |column: usize| record.get(column).unwrap_or("");
         let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
-        if record.iter().all(str::is_empty) || (index == 0 && field(2).parse::<f64>().is_err() && field(3).parse::<f64>().is_err()) {
+        if index == 0 && field(2).parse::<f64>().is_err() && field(3).parse::<f64>().is_err() {
             continue;
         }
         let (image, point) = (field(0).to_string(), field(1).to_string());

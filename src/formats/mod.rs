@@ -26,6 +26,8 @@ mod patb;
 mod project;
 mod quaternion;
 mod sight;
+#[cfg(test)]
+mod tests;
 mod text;
 mod tie_points;
 
