@@ -20,8 +20,8 @@ pub struct ImageMark {
     pub y_px: f64,
 }
 
-/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs. A first line of column names is skipped, and so are blank
-/// lines and those that begin with `#`.
+/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs. A first line of column names, without figures where places
+/// stand, is skipped, and so are blank lines and those that begin with `#`.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image.
@@ -34,7 +34,7 @@ pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
     for (index, (line, record)) in records(WHAT, text)?.into_iter().enumerate() {
         let field = |column: usize| record.get(column).unwrap_or("");
         let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
-        if index == 0 && field(2).parse::<f64>().is_err() && field(3).parse::<f64>().is_err() {
+        if index == 0 && [2, 3].iter().all(|column| is_word(field(*column))) {
             continue;
         }
         let (image, point) = (field(0).to_string(), field(1).to_string());
@@ -50,6 +50,11 @@ pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
         marks.push(ImageMark { image, point, x_px, y_px });
     }
     Ok(marks)
+}
+
+/// Whether a field names a column; a number with a slip is no name.
+fn is_word(field: &str) -> bool {
+    !field.is_empty() && field.chars().all(|c| !c.is_ascii_digit())
 }
 
 fn refused(got: String) -> Error {
@@ -76,6 +81,7 @@ mod tests {
             ("a.jpg,P1,1,2\nb.jpg,P2,x,4", "line 2"),
             ("a.jpg,P1,1,2\nb.jpg,P2,3", "line 2"),
             (",P1,1,2", "line 1"),
+            ("a.jpg,P1,1O0.5,2O0.5\nb.jpg,P1,1,2", "'1O0.5', '2O0.5' as place in line 1"),
             ("a.jpg,P1,NaN,2", "line 1"),
         ] {
             let message = parse_image_marks(text).unwrap_err().to_string();
