@@ -16,7 +16,13 @@ parentPort?.on('message', async ({ name, input }) => {
     const output = await job(input);
     parentPort?.postMessage({ output }, ArrayBuffer.isView(output) ? [/** @type {ArrayBuffer} */ (output.buffer)] : []);
   } catch (error) {
-    const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
-    parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+    fail(error);
   }
 });
+parentPort?.on('messageerror', fail);
+
+/** @param {unknown} error */
+function fail(error) {
+  const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
+  parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+}
