@@ -41,11 +41,12 @@ export function hosted(prefix = '/') {
 
 /**
  * A fresh page. `complaints` collects what no page may have: console errors, uncaught errors, requests that leave its origin.
- * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions }} [how]
+ * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions, workers?: number }} [how] workers: as many as the processor seems to allow
  */
-export async function open({ url = server.url, options = {} } = {}) {
+export async function open({ url = server.url, options = {}, workers } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
+  if (workers !== undefined) await page.addInitScript((number) => { Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => number }); }, workers);
   /** @type {string[]} */
   const complaints = [];
   const origin = url.startsWith('file:') ? 'file:' : new URL(url).origin;
