@@ -62,9 +62,12 @@ export async function open({ url = server.url, options = {}, workers } = {}) {
 /** @param {import('playwright-core').Page} page @param {string} id */
 export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
 
-/** Waits for a run to end; gives the status line.  @param {import('playwright-core').Page} page */
+/** Whether a run has ended, oriented or not. It runs in the page. */
+const hasEnded = () => /^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? '');
+
+/** Waits for a run to end, oriented or not; gives the status line.  @param {import('playwright-core').Page} page */
 export async function done(page) {
-  await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 60_000 });
+  await page.waitForFunction(hasEnded, undefined, { timeout: 60_000 });
   return (await part(page, 'status').textContent()) ?? '';
 }
 
@@ -114,6 +117,6 @@ export async function choose(page, key, value) {
 
 /** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
 export async function again(page) {
-  await page.waitForFunction(() => !document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 10_000 }).catch(() => {});
+  await page.waitForFunction(() => !/^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? ''), undefined, { timeout: 10_000 }).catch(() => {});
   await done(page);
 }

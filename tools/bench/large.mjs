@@ -28,7 +28,7 @@ const PATIENCE_MS = 300_000;
 /** @param {string} url of the page @param {Launch} launch a browser of its own for each figure, so that memory is not what others left */
 export async function largeImages(url, launch) {
   console.log('  a pair of 12 MP by gradients, two workers: files to orientation, drawn');
-  await report(url, launch, await pairFiles(), (tab) => tab.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: PATIENCE_MS }));
+  await report(url, launch, await pairFiles(), (tab) => tab.waitForFunction(() => document.querySelector('[data-testid="status"][data-kind="done"]'), undefined, { timeout: PATIENCE_MS }));
   const png = await made('large.png', mosaic);
   for (const file of [png, await made('large.jpg', () => asJpeg(png, launch))]) {
     console.log(`  one image of 100 MP, ${file.slice(-3)} of ${(statSync(file).size / 1e6).toFixed(0)} MB, two workers: opened, points of many scales found, drawn`);
