@@ -161,7 +161,7 @@ fn what_masks_leave_out_is_told_and_drawn() {
     assert_eq!(masked.matches("class=\"left-out\"").count(), 1);
     assert!(!plain.contains("leaves out") && !plain.contains("left-out"));
     let points = |html: &str| -> usize {
-        let rest = &html[html.find("left: ").unwrap() + 6..];
+        let rest = &html[html.find("<figcaption>left: ").unwrap() + 18..];
         rest[..rest.find(" points").unwrap()].chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap()
     };
     assert!(points(&masked) > 0 && points(&masked) < points(&plain));

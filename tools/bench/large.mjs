@@ -89,8 +89,8 @@ async function made(name, make) {
   return path;
 }
 
-/** @returns {Promise<string[]>} */
-async function pairFiles() {
+/** The two photos of a pair of 12 MP.  @returns {Promise<string[]>} */
+export async function pairFiles() {
   if (PHOTOGRAPHS.every((file) => existsSync(file))) return PHOTOGRAPHS;
   console.log('    simulated: no photographs are there (TIEPOINT_DATA names their place)');
   return [await made('pair-12mp-0.png', () => photoFile(FLIGHT, 0, deflateSync)), await made('pair-12mp-1.png', () => photoFile(FLIGHT, 1, deflateSync))];
