@@ -42,7 +42,9 @@ export interface MaskImage {
   width: number;
   height: number;
   grey: Uint8Array;
-  /** The pixels that are left out, in colour, reduced for display. */
+  /** Share of the pixels that are left out. */
+  leftOut: number;
+  /** These pixels in colour, reduced for display. */
   overlay: ImageBitmap;
 }
 

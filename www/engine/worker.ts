@@ -5,7 +5,7 @@ import {
 } from '../../pkg/wasm/tiepoint.js';
 import { BLOCK_HANDLERS } from '../block/handlers';
 import type { CallName, Calls, ImageSource, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
-import { overlayOf } from './mask';
+import { overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
 import { bitmapOf, tileOf } from './tiles';
 
@@ -56,7 +56,7 @@ async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'
   const { width, height } = decoded;
   const grey = decoded.grey();
   decoded.free();
-  return { width, height, grey, overlay: await overlayOf(grey, width, height, overlaySide) };
+  return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
 }
 
 /** The pair whose grey values this worker compares. */
