@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes workers page`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -11,6 +11,7 @@ const PARTS = {
   geometry: async () => (await import('./bench/geometry.mjs')).geometry(),
   rivals: async () => (await import('./bench/rivals.mjs')).rivals(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
+  workers: async () => (await import('./bench/workers.mjs')).workers(),
   page: async () => (await import('./bench/page.mjs')).page(),
 };
 

@@ -4,10 +4,11 @@
 import { parentPort } from 'node:worker_threads';
 import '../node.js';
 import { jobs } from '../block/jobs.js';
+import * as pairJobs from './pair-jobs.js';
 import { photo } from './photo-job.js';
 
 /** @type {Record<string, (input: any) => Promise<any>>} */
-const ALL = { ...jobs, photo };
+const ALL = { ...jobs, ...pairJobs, photo };
 
 parentPort?.on('message', async ({ name, input }) => {
   try {

@@ -23,6 +23,7 @@ mod model;
 mod nvm;
 mod opensfm;
 mod patb;
+mod photo_camera;
 mod project;
 mod quaternion;
 mod sight;

@@ -7,6 +7,7 @@ mod block;
 mod block_assembly;
 mod block_files;
 mod block_scene;
+mod camera;
 mod convert;
 mod descriptors;
 mod draw;
