@@ -12,7 +12,7 @@ mod quadratic;
 mod response;
 mod tensor;
 
-pub use options::{MultiscaleOptions, Position};
+pub use options::{MultiscaleOptions, PointPosition};
 
 pub(crate) use level::Level;
 
@@ -167,12 +167,12 @@ fn points_of(candidates: &[Candidate], space: &ScaleSpace, options: &MultiscaleO
             return None;
         }
         let centre = match options.position {
-            Position::Quadratic => {
+            PointPosition::Quadratic => {
                 let pixel = [extremum.col as f64, extremum.row as f64];
                 let start = [pixel[0] + extremum.offset[0], pixel[1] + extremum.offset[1]];
                 fine::maximum(&space.octaves[octave][kept], start).map(|[x, y]| [x - pixel[0], y - pixel[1]])
             }
-            Position::Forstner => tensor.least_squares().filter(|d| d.iter().all(|d| d.abs() <= FARTHEST)),
+            PointPosition::Forstner => tensor.least_squares().filter(|d| d.iter().all(|d| d.abs() <= FARTHEST)),
         };
         let [x, y] = centre.map_or([candidate.x, candidate.y], |offset| place_of(octave, &extremum, offset));
         Some(ScalePoint { x, y, scale_px, weight: libm::sqrt(extremum.response * tensor.weight()) })
@@ -221,7 +221,7 @@ mod tests {
     #[test]
     fn the_position_by_least_squares_is_that_of_the_spot_as_well() {
         let (image, places) = spots(2.5, 80.0);
-        let options = MultiscaleOptions { position: Position::Forstner, ..MultiscaleOptions::default() };
+        let options = MultiscaleOptions { position: PointPosition::Forstner, ..MultiscaleOptions::default() };
         let (centres, _) = multiscale_points(image.view(), None, &options).unwrap();
         let (tops, _) = multiscale_points(image.view(), None, &MultiscaleOptions::default()).unwrap();
         assert_ne!(centres, tops);
