@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes page blocks memory kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -12,6 +12,9 @@ const PARTS = {
   rivals: async () => (await import('./bench/rivals.mjs')).rivals(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   page: async () => (await import('./bench/page.mjs')).page(),
+  blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
+  memory: async () => (await import('./bench/memory.mjs')).memory(),
+  kills: async () => (await import('./bench/kills.mjs')).kills(),
 };
 
 const named = process.argv.slice(2).filter((part) => !part.startsWith('--'));

@@ -15,7 +15,7 @@ const GUESSED_FOCAL = 1.2;
 
 /**
  * Images of one make, model, focal length and size are of one camera, and so are those of one rule and size.
- * @param {{ name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
+ * @param {readonly { name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
  * @returns {{ cameras: GroupedCamera[], of: number[] }} the camera of each image
  */
 export function groupCameras(images, rulesText) {

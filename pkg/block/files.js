@@ -11,18 +11,39 @@ import { explain_connections, export_block, write_project } from '../wasm/tiepoi
 
 export const PROJECT_FILE = 'project.tiepoint';
 
+export const FIXED_FILES = [PROJECT_FILE, 'images.csv', 'points.csv', 'rays.csv', 'pairs.csv', 'summary.json'];
+
 /**
  * Writes everything. A format that this block cannot be written in is told, and the others are written.
  * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write @param {object} [beside] what the summary holds beside the run
  * @returns {object} the summary
  */
 export function writeBlock(run, formats, write, beside = {}) {
+  const steps = writing(run, formats, write, beside);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
+}
+
+/**
+ * As `writeBlock`, in steps of about one file, between which the caller may do otherwise or break off.
+ * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write @param {object} [beside]
+ * @returns {Generator<void, object, void>}
+ */
+export function* writing(run, formats, write, beside = {}) {
   write(PROJECT_FILE, write_project(run.project));
+  yield;
   const graph = explain_connections(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
   if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
-  const exports = formats.map((format) => ({ format, refused: writeFormat(run, format, write) }));
+  /** @type {{ format: ExportFormat, refused: string | null }[]} */
+  const exports = [];
+  for (const format of formats) {
+    yield;
+    exports.push({ format, refused: writeFormat(run, format, write) });
+  }
   const summary = { ...summaryOf(run, graph.groups, exports), ...beside };
   write('summary.json', `${JSON.stringify(summary, null, 2)}\n`);
   return summary;
@@ -72,10 +93,10 @@ const quoted = (text) => (/[,"]/.test(text) ? `"${text.replaceAll('"', '""')}"` 
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
  */
 function summaryOf(run, groups, exports) {
-  const { images, leftOut, cameras, connections, points, selection } = run;
+  const { images, leftOut, strayMasks, cameras, connections, points, selection } = run;
   const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
   return {
-    images: { read: images.length, left_out: leftOut, features: images.reduce((sum, { features }) => sum + features, 0) },
+    images: { read: images.length, left_out: leftOut, masked: images.filter(({ masked }) => masked).length, stray_masks: strayMasks, features: images.reduce((sum, { features }) => sum + features, 0) },
     cameras: cameras.map((camera, index) => ({ ...camera, images: images.filter((image) => image.camera === index).length })),
     pairs: {
       tried: connections.length,

@@ -9,6 +9,7 @@ mod block_files;
 mod block_scene;
 mod convert;
 mod descriptors;
+mod digest;
 mod draw;
 mod features;
 mod geometry;

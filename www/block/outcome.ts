@@ -1,5 +1,6 @@
 /** What of a run, or of a project that was opened, the page shows. */
-import type { BlockRun } from '../../pkg/block/index.js';
+import { modelCamera } from '../../pkg/block/index.js';
+import type { BlockRun, GroupedCamera, ReadImage } from '../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Connection, Project } from '../../pkg/wasm/tiepoint.js';
 import { withAssembly } from './adjustment';
@@ -18,10 +19,29 @@ export function viewOfRun(run: BlockRun): BlockView {
   const shared = new Map<string, number>();
   for (let i = 0; i < points.shared.length; i += 3) shared.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
-  const cameras = view.cameras.map((camera, i) => ({ ...camera, label: run.cameras[i]?.label ?? camera.label, givenFocalPx: run.cameras[i]?.focal_px ?? null }));
+  const cameras = withLabels(view.cameras, run.cameras);
   const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null }));
-  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays } };
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, found: { points: points.count, rays: points.rays } };
   return withAssembly(whole, assembly, run.assemblyReason);
+}
+
+/** A block whose points are not made yet. */
+export function viewOfParts(
+  read: readonly ReadImage[], cameras: readonly GroupedCamera[], of: readonly number[], connections: readonly Connection[], geometries: BlockRun['geometries'],
+): BlockView {
+  const images = read.map(({ name }, i) => ({ name, camera: of[i] ?? 0, pose: null }));
+  const view = viewOf({ cameras: cameras.map(modelCamera), images, points: [] }, connections, read.map(({ head }) => head.exif), new Map(), geometries.map(geometryName));
+  return {
+    ...view,
+    partial: true,
+    images: view.images.map((image, i) => ({ ...image, features: read[i]?.count ?? null, why: 'not oriented yet' })),
+    cameras: withLabels(view.cameras, cameras),
+  };
+}
+
+/** What is known of cameras beside the block's model. */
+function withLabels(cameras: readonly ViewCamera[], grouped: readonly GroupedCamera[]): ViewCamera[] {
+  return cameras.map((camera, i) => ({ ...camera, label: grouped[i]?.label ?? camera.label, givenFocalPx: grouped[i]?.focal_px ?? null }));
 }
 
 export function viewOfProject({ block, connections }: Project): BlockView {
@@ -37,8 +57,10 @@ function viewOf(
   }));
   const images = imagesOf(model);
   return {
+    partial: false,
     images,
     leftOut: [],
+    strayMasks: [],
     cameras: camerasOf(model),
     connections: links,
     groups,

@@ -42,7 +42,9 @@ export class Picture {
       if (this.key(event.key)) event.preventDefault();
     });
     store.watch((s) => [s.shown, s.choice] as const, ([shown]) => {
-      if (shown?.view !== this.of) this.plan = null;
+      // What the user looks at stays while more of the same comes in.
+      const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
+      if (shown?.view !== this.of && !same) this.plan = null;
       this.of = shown?.view ?? null;
       this.surface.redraw();
     });

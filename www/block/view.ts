@@ -71,8 +71,12 @@ export interface RayCount {
 }
 
 export interface BlockView {
+  /** Of a run that goes on or was ended: images and pairs as far as they were done. */
+  partial: boolean;
   images: ViewImage[];
   leftOut: LeftOut[];
+  /** Masks that belong to no image. */
+  strayMasks: string[];
   cameras: ViewCamera[];
   connections: ViewConnection[];
   /** Images that are connected with each other, the largest group first. */
