@@ -40,7 +40,8 @@ export function groupCameras(images, rulesText) {
 function ofExif({ width, height, exif }) {
   const { make, model, camera } = exif;
   const known = camera !== null && camera.pixel_mm !== null;
-  const words = [make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
+  // Models of some makers begin with the make.
+  const words = [model?.startsWith(make ?? '') ? null : make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
   return {
     label: words.filter(Boolean).join(' '),
     ...plain(width, height),

@@ -224,7 +224,8 @@ function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: 
     const on = marked.some((choice) => (choice.kind === 'image' ? choice.image === i : choice.images.includes(i)));
     const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
     // Filled: oriented, or at least connected with most; hollow: neither.
-    const sound = view.layout.kind === 'oriented' ? oriented : largest.has(i);
+    // While a run goes on nothing is said against an image.
+    const sound = view.partial || (view.layout.kind === 'oriented' ? oriented : largest.has(i));
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     context.fillStyle = sound ? (on ? colours.accent : colours.bars) : colours.surface;
