@@ -72,18 +72,32 @@ function withFacts(run, table) {
 }
 
 /** @param {BlockRun} run @param {string[]} reasons */
-function pairTable({ images, connections, geometries, points }, reasons) {
+function pairTable({ images, connections, geometries, points, model }, reasons) {
   /** @type {Map<string, number>} */
   const common = new Map();
   for (let i = 0; i < points.shared.length; i += 3) common.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
+  const chosen = chosenOf(model);
   const rows = connections.map(({ images: [a, b], rule, outcome }, index) => {
     const geometry = geometries[index];
     const matches = 'matches' in outcome ? outcome.matches : '';
     const names = [a, b].map((image) => quoted(images[image]?.name ?? ''));
-    const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0];
+    const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0, chosen.get([a, b].join()) ?? 0];
     return [a, b, ...names, rule, outcome.kind, matches, ...facts, quoted(reasons[index] ?? '')].join(',');
   });
-  return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,reason', ...rows, ''].join('\n');
+  return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,chosen_points,reason', ...rows, ''].join('\n');
+}
+
+/** How many points of a block both images of a pair see, by both their numbers.  @param {import('../wasm/tiepoint.js').BlockModel} model */
+export function chosenOf({ points }) {
+  /** @type {Map<string, number>} */
+  const seen = new Map();
+  for (const { rays } of points) {
+    const images = rays.map(({ image }) => image).sort((a, b) => a - b);
+    images.forEach((a, i) => {
+      for (const b of images.slice(i + 1)) seen.set([a, b].join(), (seen.get([a, b].join()) ?? 0) + 1);
+    });
+  }
+  return seen;
 }
 
 /** A field as RFC 4180 has it.  @param {string} text */

@@ -1,4 +1,4 @@
-import type { ExportFormat, ModelCamera } from '../wasm/tiepoint.js';
+import type { BlockModel, ExportFormat, ModelCamera } from '../wasm/tiepoint.js';
 import type { BlockRun, GroupedCamera, ReadImage, RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
@@ -20,6 +20,9 @@ export function writing(run: BlockRun, formats: readonly ExportFormat[], write: 
 
 /** The cameras of images, by EXIF or by the text of a file of cameras, and which is whose. */
 export function groupCameras(images: readonly Pick<ReadImage, 'name' | 'head'>[], rulesText?: string): { cameras: GroupedCamera[]; of: number[] };
+
+/** How many points of a block both images of a pair see, by both their numbers with a comma between, the smaller one first. */
+export function chosenOf(model: BlockModel): Map<string, number>;
 
 /** A camera as a block holds it, with a guess where nothing is known. */
 export function modelCamera(camera: GroupedCamera): ModelCamera;

@@ -3,5 +3,5 @@
 
 export { groupCameras, modelCamera } from './cameras.js';
 export { BlockError } from './errors.js';
-export { FIXED_FILES, PROJECT_FILE, writeBlock, writing } from './files.js';
+export { chosenOf, FIXED_FILES, PROJECT_FILE, writeBlock, writing } from './files.js';
 export { runBlock } from './run.js';

@@ -50,8 +50,10 @@ function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
   // A block that was opened may never have been oriented.
   if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: 'done' };
   const why = view.weaknesses[0] ?? 'No image could be oriented.';
+  const group = view.groups[0]?.length ?? 0;
+  const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : '';
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
-  return { text: `${why} Kept: ${count(view.images.length)} images with their features, ${count(connected)} connected pairs, ${count(view.points.count)} points.`, kind: 'problem' };
+  return { text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, 'connected pair')}, ${counted(view.points.count, 'point')}.`, kind: 'problem' };
 }
 
 function doneText({ view, seconds }: Shown): string {
@@ -59,5 +61,10 @@ function doneText({ view, seconds }: Shown): string {
   const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} left out`;
   const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
   const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
-  return `Done: ${count(view.images.length)} images${oriented}${left}, ${count(connected)} pairs connected, ${count(view.points.count)} points.${time}`;
+  const weak = view.weaknesses.length === 0 ? '' : ` ${counted(view.weaknesses.length, 'weakness', 'weaknesses')}, see Results.`;
+  return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${counted(view.points.count, 'point')}.${time}${weak}`;
+}
+
+function counted(number: number, one: string, many = `${one}s`): string {
+  return `${count(number)} ${number === 1 ? one : many}`;
 }
