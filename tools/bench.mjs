@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes workers page`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes workers page blocks memory kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -13,6 +13,9 @@ const PARTS = {
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
   workers: async () => (await import('./bench/workers.mjs')).workers(),
   page: async () => (await import('./bench/page.mjs')).page(),
+  blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
+  memory: async () => (await import('./bench/memory.mjs')).memory(),
+  kills: async () => (await import('./bench/kills.mjs')).kills(),
 };
 
 const named = process.argv.slice(2).filter((part) => !part.startsWith('--'));

@@ -15,7 +15,7 @@ const GUESSED_FOCAL = 1.2;
 
 /**
  * Images of one make, model, focal length and size are of one camera, and so are those of one rule and size.
- * @param {{ name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
+ * @param {readonly { name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
  * @returns {{ cameras: GroupedCamera[], of: number[] }} the camera of each image
  */
 export function groupCameras(images, rulesText) {
@@ -40,7 +40,8 @@ export function groupCameras(images, rulesText) {
 function ofExif({ width, height, exif }) {
   const { make, model, camera } = exif;
   const known = camera !== null && camera.pixel_mm !== null;
-  const words = [make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
+  // Models of some makers begin with the make.
+  const words = [model?.startsWith(make ?? '') ? null : make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
   return {
     label: words.filter(Boolean).join(' '),
     ...plain(width, height),

@@ -10,17 +10,9 @@ import { BlockError } from './errors.js';
  * @typedef {import('./types.js').ControlText} ControlText
  * @typedef {import('../wasm/tiepoint.js').BlockDescription} BlockDescription
  * @typedef {import('../wasm/tiepoint.js').AssemblyControl} AssemblyControl
+ * @typedef {import('../wasm/tiepoint.js').PlacingOptions} PlacingOptions
  * @typedef {import('../wasm/tiepoint.js').ObservedPosition} ObservedPosition
  */
-
-/** Standard errors in m of a position whose receiver states none: across and up. */
-const RECEIVER_M = { across: 3, up: 6 };
-
-/** Heights of receivers are less sure than places by this factor. */
-const UP_TO_ACROSS = 2;
-
-/** Standard errors in m of surveyed points that state none: across and up. */
-const SURVEY_M = /** @type {[number, number]} */ ([0.02, 0.03]);
 
 /** Nothing of a camera is estimated. */
 const FIXED = { focal: false, principal_point: false, radial: 0, tangential: false };
@@ -28,32 +20,37 @@ const FIXED = { focal: false, principal_point: false, radial: 0, tangential: fal
 /**
  * What is known before the orientation. Recorded positions and surveyed points are of different systems: where there are surveyed points,
  * they alone place the block.
- * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {ControlText} [control] @returns {BlockDescription}
+ * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {PlacingOptions} placing @param {ControlText} [control]
+ * @returns {BlockDescription}
  */
-export function describeBlock(images, cameras, useGps, control) {
-  const surveyed = control ? controlOf(control, images) : [];
+export function describeBlock(images, cameras, useGps, placing, control) {
+  const surveyed = control ? controlOf(control, images, placing) : [];
   const placed = useGps && surveyed.length === 0;
   return {
     cameras: cameras.map(({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed }) => (
       { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, ...(fixed && { free: FIXED }) }
     )),
-    images: images.map(({ name, camera, exif }) => ({ name, camera, position: placed && exif.position ? observed(exif.position) : null })),
+    images: images.map(({ name, camera, exif }) => ({ name, camera, position: placed && exif.position ? observed(exif.position, placing) : null })),
     control: surveyed,
   };
 }
 
-/** @param {import('../wasm/tiepoint.js').ExifPosition} position @returns {ObservedPosition} */
-function observed({ longitude_deg, latitude_deg, height_m, error_m }) {
-  const { across, up } = error_m ? { across: error_m, up: UP_TO_ACROSS * error_m } : RECEIVER_M;
+/**
+ * A receiver that states its error states that of the place: the height is less sure by the same factor as without it.
+ * @param {import('../wasm/tiepoint.js').ExifPosition} position @param {PlacingOptions} placing @returns {ObservedPosition}
+ */
+function observed({ longitude_deg, latitude_deg, height_m, error_m }, { receiver_across_m, receiver_up_m }) {
+  const across = error_m || receiver_across_m;
+  const up = receiver_up_m * (across / receiver_across_m);
   // A height that is not known holds nothing.
   return { system: 'geographic', longitude_deg, latitude_deg, height_m: height_m ?? 0, sigma_m: [across, across, height_m === null ? 1e6 : up] };
 }
 
-/** @param {ControlText} control @param {BlockImage[]} images @returns {AssemblyControl[]} */
-function controlOf({ points, marks }, images) {
+/** @param {ControlText} control @param {BlockImage[]} images @param {PlacingOptions} placing @returns {AssemblyControl[]} */
+function controlOf({ points, marks }, images, { surveyed_across_m, surveyed_up_m }) {
   const places = new Map(images.map(({ name }, index) => [name, index]));
   const control = parse_surveyed_points(points).map(({ name, position, standard_errors }) => {
-    const [across, up] = standard_errors ?? SURVEY_M;
+    const [across, up] = standard_errors ?? [surveyed_across_m, surveyed_up_m];
     return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), rays: /** @type {AssemblyControl['rays']} */ ([]) };
   });
   const byName = new Map(control.map((point) => [point.name, point]));

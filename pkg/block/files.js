@@ -11,18 +11,39 @@ import { explain_connections, export_block, write_project } from '../wasm/tiepoi
 
 export const PROJECT_FILE = 'project.tiepoint';
 
+export const FIXED_FILES = [PROJECT_FILE, 'images.csv', 'points.csv', 'rays.csv', 'pairs.csv', 'summary.json'];
+
 /**
  * Writes everything. A format that this block cannot be written in is told, and the others are written.
  * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write @param {object} [beside] what the summary holds beside the run
  * @returns {object} the summary
  */
 export function writeBlock(run, formats, write, beside = {}) {
+  const steps = writing(run, formats, write, beside);
+  for (;;) {
+    const { done, value } = steps.next();
+    if (done) return value;
+  }
+}
+
+/**
+ * As `writeBlock`, in steps of about one file, between which the caller may do otherwise or break off.
+ * @param {BlockRun} run @param {readonly ExportFormat[]} formats @param {Write} write @param {object} [beside]
+ * @returns {Generator<void, object, void>}
+ */
+export function* writing(run, formats, write, beside = {}) {
   write(PROJECT_FILE, write_project(run.project));
+  yield;
   const graph = explain_connections(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
   if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
-  const exports = formats.map((format) => ({ format, refused: writeFormat(run, format, write) }));
+  /** @type {{ format: ExportFormat, refused: string | null }[]} */
+  const exports = [];
+  for (const format of formats) {
+    yield;
+    exports.push({ format, refused: writeFormat(run, format, write) });
+  }
   const summary = { ...summaryOf(run, graph.groups, exports), ...beside };
   write('summary.json', `${JSON.stringify(summary, null, 2)}\n`);
   return summary;
@@ -51,18 +72,32 @@ function withFacts(run, table) {
 }
 
 /** @param {BlockRun} run @param {string[]} reasons */
-function pairTable({ images, connections, geometries, points }, reasons) {
+function pairTable({ images, connections, geometries, points, model }, reasons) {
   /** @type {Map<string, number>} */
   const common = new Map();
   for (let i = 0; i < points.shared.length; i += 3) common.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
+  const chosen = chosenOf(model);
   const rows = connections.map(({ images: [a, b], rule, outcome }, index) => {
     const geometry = geometries[index];
     const matches = 'matches' in outcome ? outcome.matches : '';
     const names = [a, b].map((image) => quoted(images[image]?.name ?? ''));
-    const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0];
+    const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0, chosen.get([a, b].join()) ?? 0];
     return [a, b, ...names, rule, outcome.kind, matches, ...facts, quoted(reasons[index] ?? '')].join(',');
   });
-  return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,reason', ...rows, ''].join('\n');
+  return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,chosen_points,reason', ...rows, ''].join('\n');
+}
+
+/** How many points of a block both images of a pair see, by both their numbers.  @param {import('../wasm/tiepoint.js').BlockModel} model */
+export function chosenOf({ points }) {
+  /** @type {Map<string, number>} */
+  const seen = new Map();
+  for (const { rays } of points) {
+    const images = rays.map(({ image }) => image).sort((a, b) => a - b);
+    images.forEach((a, i) => {
+      for (const b of images.slice(i + 1)) seen.set([a, b].join(), (seen.get([a, b].join()) ?? 0) + 1);
+    });
+  }
+  return seen;
 }
 
 /** A field as RFC 4180 has it.  @param {string} text */
@@ -72,10 +107,10 @@ const quoted = (text) => (/[,"]/.test(text) ? `"${text.replaceAll('"', '""')}"` 
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
  */
 function summaryOf(run, groups, exports) {
-  const { images, leftOut, cameras, connections, points, selection } = run;
+  const { images, leftOut, strayMasks, cameras, connections, points, selection } = run;
   const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
   return {
-    images: { read: images.length, left_out: leftOut, features: images.reduce((sum, { features }) => sum + features, 0) },
+    images: { read: images.length, left_out: leftOut, masked: images.filter(({ masked }) => masked).length, stray_masks: strayMasks, features: images.reduce((sum, { features }) => sum + features, 0) },
     cameras: cameras.map((camera, index) => ({ ...camera, images: images.filter((image) => image.camera === index).length })),
     pairs: {
       tried: connections.length,

@@ -1,5 +1,5 @@
-import type { ExportFormat } from '../wasm/tiepoint.js';
-import type { BlockRun, RunOptions, Source, Surroundings } from './types.js';
+import type { BlockModel, ExportFormat, ModelCamera } from '../wasm/tiepoint.js';
+import type { BlockRun, GroupedCamera, ReadImage, RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
 
@@ -9,8 +9,23 @@ export class BlockError extends Error {}
 /** The name of a block's own file. */
 export const PROJECT_FILE: string;
 
+/** The files that a block is always written as, whatever else is. */
+export const FIXED_FILES: readonly string[];
+
 /** Writes the files of a block; gives the summary that is among them, with what it is to hold beside the run. */
 export function writeBlock(run: BlockRun, formats: readonly ExportFormat[], write: (path: string, text: string) => void, beside?: object): object;
+
+/** As `writeBlock`, in steps of about one file, between which the caller may do otherwise or break off. */
+export function writing(run: BlockRun, formats: readonly ExportFormat[], write: (path: string, text: string) => void, beside?: object): Generator<void, object, void>;
+
+/** The cameras of images, by EXIF or by the text of a file of cameras, and which is whose. */
+export function groupCameras(images: readonly Pick<ReadImage, 'name' | 'head'>[], rulesText?: string): { cameras: GroupedCamera[]; of: number[] };
+
+/** How many points of a block both images of a pair see, by both their numbers with a comma between, the smaller one first. */
+export function chosenOf(model: BlockModel): Map<string, number>;
+
+/** A camera as a block holds it, with a guess where nothing is known. */
+export function modelCamera(camera: GroupedCamera): ModelCamera;
 
 /**
  * Runs a block from its image files to its tie points and orientation. What the store holds from an earlier run with the same images and

@@ -15,11 +15,11 @@ import { readFeatures, writeFeatures, writePair } from './records.js';
 export const jobs = { features, pair, likeness };
 
 /** The image is decoded once, and let go with the job.  @param {Jobs['features']['input']} job */
-async function features({ bytes, key, options }) {
+async function features({ bytes, key, options, mask }) {
   const photo = Photo.decode(bytes);
   try {
     const { width, height, format, bits_per_sample } = photo.info();
-    const found = photo.features(options);
+    const found = mask ? photo.features(options, maskOf(mask, width, height)) : photo.features(options);
     const count = found.points.length / 5;
     const positions = new Float32Array(2 * count);
     const shapes = new Float32Array(3 * count);
@@ -33,6 +33,32 @@ async function features({ bytes, key, options }) {
     photo.free();
   }
 }
+
+/**
+ * The grey values of a mask.
+ * @param {NonNullable<Jobs['features']['input']['mask']>} mask @param {number} width @param {number} height of its image
+ */
+function maskOf({ name, bytes }, width, height) {
+  const photo = decodedMask(name, bytes);
+  try {
+    if (photo.width === width && photo.height === height) return photo.grey();
+    throw refusal(`its mask ${name} is ${photo.width} x ${photo.height} px; allowed: the image's ${width} x ${height} px`);
+  } finally {
+    photo.free();
+  }
+}
+
+/** @param {string} name @param {Uint8Array} bytes */
+function decodedMask(name, bytes) {
+  try {
+    return Photo.decode(bytes);
+  } catch (error) {
+    throw error instanceof Error && error.name === 'TiepointError' ? refusal(`its mask ${name}: ${error.message}`) : error;
+  }
+}
+
+/** What is said against an image, as the crate says it.  @param {string} message */
+const refusal = (message) => Object.assign(new Error(message), { name: 'TiepointError', code: 'invalid-input', usage: false });
 
 /** @param {PairJob} job */
 async function pair(job) {

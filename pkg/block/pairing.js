@@ -57,7 +57,7 @@ async function likenesses(images, { pool, store, progress, signal }) {
 
 /** The descriptors of an image's features of the largest scales.  @param {Surroundings['store']} store @param {string} key */
 async function coarseOf(store, key) {
-  const { count, shapes, descriptors } = (await keptFeatures(store, key)).features;
+  const { count, shapes, descriptors } = await keptFeatures(store, key);
   const scale = (/** @type {number} */ i) => shapes[3 * i] ?? 0;
   const order = Array.from({ length: count }, (_, i) => i).sort((a, b) => scale(b) - scale(a) || a - b).slice(0, COARSE);
   const bytes = new Uint8Array(DESCRIPTOR_BYTES * order.length);

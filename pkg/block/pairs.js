@@ -4,7 +4,7 @@
 import { version } from '../wasm/tiepoint.js';
 import { pairCameras } from './cameras.js';
 import { ownFault } from './errors.js';
-import { keptFeatures, transferable } from './images.js';
+import { keptRecord, transferable } from './images.js';
 import { digest, readPair, RECORD_VERSION } from './records.js';
 import { runStage } from './stage.js';
 
@@ -33,23 +33,23 @@ export async function keptMatches(store, key) {
  * @param {ChosenPair[]} chosen @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {BlockSettings} settings
  * @param {Surroundings} surroundings @returns {Promise<MatchedPair[]>} in the order of the chosen ones
  */
-export async function matchPairs(chosen, images, cameras, settings, { pool, store, progress, signal }) {
+export async function matchPairs(chosen, images, cameras, settings, { pool, store, progress, news, signal }) {
   const { nearest, geometry, pairs: { least_matches: leastMatches } } = settings;
   /** @param {ChosenPair} pair @returns {[BlockImage, BlockImage]} */
   const both = ({ images: [a, b] }) => [/** @type {BlockImage} */ (images[a]), /** @type {BlockImage} */ (images[b])];
   const camera = (/** @type {BlockImage} */ image) => /** @type {GroupedCamera} */ (cameras[image.camera]);
   /** @param {ChosenPair} pair @returns {Promise<{ result: MatchedPair, found: boolean }>} */
-  const act = async (pair) => {
+  const match = async (pair) => {
     const [left, right] = both(pair);
     const known = pairCameras(camera(left), camera(right));
     const key = await digest(JSON.stringify(['pair', RECORD_VERSION, version(), left.key, right.key, known, nearest, geometry, leastMatches]));
     const result = { ...pair, key };
     const kept = await keptMatches(store, key);
     if (kept) return { result: { ...result, outcome: kept.head.outcome, geometry: kept.head.geometry }, found: true };
-    const [a, b] = await Promise.all([keptFeatures(store, left.key), keptFeatures(store, right.key)]);
+    const [a, b] = await Promise.all([keptRecord(store, left.key), keptRecord(store, right.key)]);
     try {
-      const job = { key, left: { record: a.record, key: left.key }, right: { record: b.record, key: right.key }, cameras: known, nearest, geometry, leastMatches };
-      const record = await pool.run('pair', job, [...transferable(a.record), ...transferable(b.record)]);
+      const job = { key, left: { record: a, key: left.key }, right: { record: b, key: right.key }, cameras: known, nearest, geometry, leastMatches };
+      const record = await pool.run('pair', job, [...transferable(a), ...transferable(b)]);
       await store.put(place(key), record);
       const made = await readPair(record, key);
       if (!made) throw new Error('a record of a pair does not read as it was written');
@@ -57,6 +57,13 @@ export async function matchPairs(chosen, images, cameras, settings, { pool, stor
     } catch (error) {
       return { result: { ...result, outcome: { kind: 'failed', reason: ownFault(error) }, geometry: null }, found: false };
     }
+  };
+  /** @param {ChosenPair} pair */
+  const act = async (pair) => {
+    const outcome = await match(pair);
+    const { images: of, rule, outcome: kind, geometry: views } = outcome.result;
+    news?.({ kind: 'pair', connection: { images: of, rule, outcome: kind }, geometry: views });
+    return outcome;
   };
   return runStage({
     name: 'pairs', items: chosen, width: pool.size + 1, label: (pair) => both(pair).map(({ name }) => name).join(' – '), act,

@@ -24,8 +24,8 @@ export async function joinPoints(images, pairs, settings, { store, progress, sig
     /** @type {(() => Promise<void>)[]} */
     const items = [
       ...images.map((image, index) => async () => {
-        const { features } = await keptFeatures(store, image.key);
-        block.set_image(index, image.width, image.height, features.positions);
+        const { positions } = await keptFeatures(store, image.key);
+        block.set_image(index, image.width, image.height, positions);
       }),
       ...connected.map(({ images: [a, b], key }) => async () => {
         const matches = await keptMatches(store, key);

@@ -6,6 +6,7 @@ import { groupCameras, modelCamera } from './cameras.js';
 import { describeBlock } from './description.js';
 import { BlockError, ownFault } from './errors.js';
 import { readImages } from './images.js';
+import { masksOf } from './masks.js';
 import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
@@ -26,11 +27,13 @@ import { runStage } from './stage.js';
 export async function runBlock(sources, options, surroundings) {
   const settings = block_settings(options.settings ?? {});
   const useGps = options.gps !== 'ignore';
-  const { images: read, leftOut } = await readImages(checked(sources), settings.features, surroundings);
+  const given = checked(sources);
+  const { masks, strays } = masksOf(given, options.masks ?? []);
+  const { images: read, leftOut } = await readImages(given, masks, settings.features, surroundings);
   if (read.length < 2) throw new BlockError(`a block needs two images or more; ${read.length} of ${sources.length} could be read${firstReason(leftOut)}`);
   const { cameras, of } = groupCameras(read, options.cameras?.text);
-  const images = read.map(({ name, head, count }, index) => (
-    { name, key: head.key, width: head.width, height: head.height, features: count, exif: head.exif, camera: of[index] ?? 0 }
+  const images = read.map(({ name, head, count, masked }, index) => (
+    { name, key: head.key, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
@@ -38,14 +41,14 @@ export async function runBlock(sources, options, surroundings) {
   try {
     const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
       name: 'orientation', items: [null], width: 1, label: () => '',
-      act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, options.control), settings.selection) }, found: false }),
+      act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, settings.placing, options.control), settings.selection) }, found: false }),
       ...(surroundings.progress && { progress: surroundings.progress }), ...(surroundings.signal && { signal: surroundings.signal }),
     }));
     const model = oriented.model ?? block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
     const project = { block: model, connections, joining: settings.block, selection: settings.selection };
     return {
-      settings, images, leftOut, cameras, connections,
+      settings, images, leftOut, strayMasks: strays, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: block.count, rays: block.ray_count, histogram: Array.from(block.ray_histogram()), shared: Array.from(block.shared()) },
       selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },

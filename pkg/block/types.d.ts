@@ -18,8 +18,13 @@ export interface Jobs {
   likeness: { input: LikenessJob; output: Uint32Array };
 }
 
-/** Finds and describes the features of an image: a record of features. */
-export interface FeatureJob { bytes: Uint8Array; key: string; options: BlockSettings['features'] }
+/** Finds and describes the features of an image, where its mask lets them be: a record of features. */
+export interface FeatureJob {
+  bytes: Uint8Array;
+  key: string;
+  options: BlockSettings['features'];
+  mask: { name: string; bytes: Uint8Array } | null;
+}
 
 /** Matches two records of features: a record of a pair. */
 export interface PairJob {
@@ -116,6 +121,8 @@ export interface BlockImage {
   width: number;
   height: number;
   features: number;
+  /** Whether a mask belongs to it. */
+  masked: boolean;
   exif: ExifImage;
   camera: number;
 }
@@ -130,6 +137,8 @@ export interface RunOptions {
   /** Whether recorded positions are used, to choose pairs and, where there are no surveyed points, to place the block. */
   gps?: 'use' | 'ignore';
   control?: ControlText;
+  /** Image files, 0 (black) where no features are wanted, each as large as the image whose name it has. */
+  masks?: readonly Source[];
 }
 
 /** Surveyed points and where the images show them, as the texts of two files. */
@@ -139,14 +148,27 @@ export interface Surroundings {
   pool: Pool;
   store: Store;
   progress?: (step: Step) => void;
+  /** Takes what is found, as soon as it is. */
+  news?: (news: News) => void;
   signal?: AbortSignal;
 }
+
+/** What a run finds on its way; `index`: of the source. Images of a pair count without those that were left out. */
+export type News =
+  | { kind: 'image'; index: number; image: ReadImage }
+  | { kind: 'left-out'; leftOut: LeftOut }
+  | { kind: 'pair'; connection: Connection; geometry: PairHead['geometry'] };
+
+/** What is known of an image once it was read. */
+export interface ReadImage { name: string; head: FeatureHead; count: number; masked: boolean }
 
 /** Everything that a run found. */
 export interface BlockRun {
   settings: BlockSettings;
   images: BlockImage[];
   leftOut: LeftOut[];
+  /** Masks that belong to no image. */
+  strayMasks: string[];
   cameras: GroupedCamera[];
   connections: Connection[];
   /** In the order of `connections`. */

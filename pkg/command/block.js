@@ -1,16 +1,17 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { runBlock, writeBlock } from '../block/index.js';
+import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
 import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points, score_block } from '../node.js';
 import { about, DataError, UsageError } from './errors.js';
-import { filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished, replaceInto } from './files.js';
+import { filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
 import { fixed, table } from './text.js';
+import { Written } from './written.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
@@ -33,6 +34,8 @@ const SETTINGS = [
   ['least-matches', 'pairs.least_matches', DEFAULTS.pairs.least_matches],
   ['per-image', 'selection.per_image', DEFAULTS.selection.per_image],
   ['per-connection', 'selection.per_connection', DEFAULTS.selection.per_connection],
+  ['receiver-across-m', 'placing.receiver_across_m', DEFAULTS.placing.receiver_across_m],
+  ['receiver-up-m', 'placing.receiver_up_m', DEFAULTS.placing.receiver_up_m],
 ];
 
 /** @param {string} name @param {string} key @param {number | undefined} fallback @returns {Option} */
@@ -58,13 +61,14 @@ export const block = {
     { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
+    path('masks', 'DIR', 'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.'),
     path('truth', 'truth.json', 'Scores the block by the truth of a simulated flight.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     workersOption('the result is'),
     JSON_FLAG,
   ],
   details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
-    + 'camera. An image that cannot be read is told and left out. JSON: what summary.json holds.',
+    + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. JSON: what summary.json holds.',
   run,
 };
 
@@ -77,19 +81,23 @@ async function run(call) {
   const settings = settingsOf(values);
   const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
   const cameras = values.get('cameras');
-  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values) };
+  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values), ...masksOf(values) };
   const truth = values.get('truth');
   const known = typeof truth === 'string' ? truthOf(truth) : null;
   makeFolder(out);
   removeUnfinished(out);
+  const written = new Written(out);
+  written.refuseStrangers(FIXED_FILES);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new StageProgress(values.has('json'));
   try {
     const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.show(step) });
     shown.end();
     const score = known && about(String(truth), () => score_block(found.model, known));
-    const summary = writeBlock(found, formats, (name, text) => replaceInto(out, name, text), score ? { score } : {});
+    const summary = writeBlock(found, formats, (name, text) => written.put(name, text), score ? { score } : {});
+    written.finish();
     for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
+    for (const name of found.strayMasks) note(`the mask ${name} belongs to none of the images`);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
     const refused = /** @type {{ exports: { format: string, refused: string | null }[] }} */ (summary).exports.filter((e) => e.refused !== null);
@@ -130,11 +138,19 @@ function controlOf(values) {
   return { control: texts };
 }
 
+/** @param {Call['values']} values */
+function masksOf(values) {
+  const folder = values.get('masks');
+  if (typeof folder !== 'string') return {};
+  if (!isFolder(folder)) throw new UsageError(`--masks is ${folder}, which is no folder; name a folder of masks`);
+  return { masks: imagesIn(folder).map(sourceOf) };
+}
+
 /** The settings that were given, and no others.  @param {Call['values']} values */
 function settingsOf(values) {
   /** @type {Record<string, any>} */
-  const given = { features: { multiscale: {} }, pairs: {}, selection: {} };
-  const groups = { multiscale: given.features.multiscale, pairs: given.pairs, selection: given.selection };
+  const given = { features: { multiscale: {} }, pairs: {}, placing: {}, selection: {} };
+  const groups = { multiscale: given.features.multiscale, pairs: given.pairs, placing: given.placing, selection: given.selection };
   for (const [name, key] of SETTINGS) {
     const [group = '', field = ''] = key.split('.');
     if (values.has(name)) groups[/** @type {keyof typeof groups} */ (group)][field] = values.get(name);
@@ -154,9 +170,12 @@ function sourcesOf(given) {
     const other = seen.get(name);
     if (other !== undefined) throw new UsageError(`${other} and ${file} have the same name; allowed: each name once`);
     seen.set(name, file);
-    return { name, bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) };
+    return sourceOf(file);
   });
 }
+
+/** @param {string} file @returns {Source} */
+const sourceOf = (file) => ({ name: basename(file), bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) });
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {
@@ -169,7 +188,7 @@ function imagesIn(folder) {
 function describe(out, { images, cameras, pairs, groups, points, selection, orientation, score }) {
   return [
     table([
-      ['images', images.read], ['left out', images.left_out.length], ['cameras', cameras.length], ['features', images.features],
+      ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features],
       ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
       ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
       ['fewest rays of an image', selection.least_rays_of_an_image], ['images oriented', orientation.oriented],
@@ -178,6 +197,7 @@ function describe(out, { images, cameras, pairs, groups, points, selection, orie
       ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),
     ]),
     ...(orientation.reason ? ['', `not oriented: ${orientation.reason}`] : []),
+    ...(orientation.models ?? []).flatMap((/** @type {any} */ model) => model.weaknesses.map((/** @type {string} */ text) => `weak: ${text}`)),
     ...(orientation.unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`),
     '', `written to ${out}`,
   ];

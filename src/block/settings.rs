@@ -1,6 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
-use super::{BlockOptions, ChosenPair, PairRule, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
+use super::{
+    BlockOptions, ChosenPair, PairRule, PlacingOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs,
+};
 use crate::parameters::check;
 use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
 use serde::{Deserialize, Serialize};
@@ -84,6 +86,7 @@ pub struct BlockSettings {
     pub nearest: NearestOptions,
     /// Its cameras are those of the block.
     pub geometry: TwoViewOptions,
+    pub placing: PlacingOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
 }
@@ -97,6 +100,7 @@ impl Default for BlockSettings {
             pairs: PairChoice::default(),
             nearest: NearestOptions::default(),
             geometry: TwoViewOptions::default(),
+            placing: PlacingOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
         }
@@ -110,6 +114,7 @@ impl BlockSettings {
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
         self.pairs.check()?;
+        self.placing.check()?;
         self.block.check()?;
         self.selection.check()
     }

@@ -22,6 +22,22 @@ pub const BLOCK_PARAMETERS: &[Parameter] = &[
         "A pair is connected by so many matches that agree with one geometry.",
     ),
     parameter(
+        "placing.receiver_across_m",
+        "Recorded positions, across",
+        "m",
+        real(0.001, 1000.0),
+        "Standard error of east and of north of positions that images record without one: some metres, or centimetres where the receiver was corrected.",
+    ),
+    parameter("placing.receiver_up_m", "Recorded positions, up", "m", real(0.001, 1000.0), "Standard error of their heights."),
+    parameter(
+        "placing.surveyed_across_m",
+        "Surveyed points, across",
+        "m",
+        real(0.0001, 100.0),
+        "Standard error of x and of y of surveyed points whose file states none.",
+    ),
+    parameter("placing.surveyed_up_m", "Surveyed points, up", "m", real(0.0001, 100.0), "Standard error of their heights."),
+    parameter(
         "block.conflicts",
         "Conflicts",
         "",

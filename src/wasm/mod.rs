@@ -10,6 +10,7 @@ mod block_scene;
 mod camera;
 mod convert;
 mod descriptors;
+mod digest;
 mod draw;
 mod features;
 mod geometry;

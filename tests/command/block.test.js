@@ -49,7 +49,7 @@ test('orientations and points are right by the truth', () => {
 
 test('each pair says why it is or is not connected', () => {
   const [header, ...lines] = readFileSync(join(WHOLE.out, 'pairs.csv'), 'utf8').trimEnd().split('\n');
-  assert.equal(header, 'first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,reason');
+  assert.equal(header, 'first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,chosen_points,reason');
   assert.equal(lines.length, PAIRS);
   for (const line of lines) assert.match(line, /(connected by \d+ matches|not connected: .+); all pairs are tried"?$/);
   assert.equal(lines.filter((line) => line.includes(',connected,')).length, WHOLE.summary.pairs.connected);

@@ -5,9 +5,12 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { unzipSync } from 'fflate';
+import { chromium } from 'playwright-core';
 import { BlockScene } from '../../pkg/node.js';
 import { greyPng } from '../../pkg/command/png.js';
-import { DIST, done, hosted, number, open, part, saved, SHOTS, SKIP } from './page.js';
+import { findChromium } from '../../tools/lib/setup.mjs';
+import { serve } from '../../tools/lib/static-server.mjs';
+import { DIST, done, hosted, number, open, part, saved, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -139,6 +142,10 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, { polling: 10 });
   await part(page, 'block-cancel').click();
   await status(page, /^Cancelled/);
+  // What was found until then stays on the screen.
+  assert.ok(await number(page, 'block-read') >= 1);
+  assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
+  assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 left out/);
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] of them from before/);
@@ -150,6 +157,93 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();
+});
+
+test('pairs are drawn as they come, and what is chosen stays chosen', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photograph(page);
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => /^[1-9]\d* of [1-9]/.test(document.querySelector('[data-testid="block-connected"]')?.textContent ?? '') && document.querySelector('[data-testid="block-read"]'), undefined, { polling: 10, timeout: 30_000 });
+  await part(page, 'block-picture').focus();
+  await page.keyboard.press('n');
+  await page.keyboard.press('n');
+  const chosen = (await part(page, 'block-chosen').textContent()) ?? '';
+  assert.match(chosen, /photo_00001\.png: .*not oriented yet/);
+  await status(page, /^Done: 6 images/);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*rays in \d of 9 places.*; oriented/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('Cancel breaks off an export, and the block is still there', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photograph(page);
+  await part(page, 'block-run').click();
+  await status(page, /^Done/);
+  await part(page, 'block-export-kind').selectOption('everything');
+  await page.evaluate(() => {
+    for (const id of ['block-export', 'block-cancel']) (/** @type {HTMLButtonElement | null} */ (document.querySelector(`[data-testid="${id}"]`)))?.click();
+  });
+  await status(page, /^Cancelled: nothing was saved/);
+  const archive = unzipSync(new Uint8Array(await saved(page, 'block-export')));
+  for (const name of ['project.tiepoint', 'summary.json', 'colmap/sparse/images.txt', 'pairs.csv']) assert.ok(name in archive, Object.keys(archive).join());
+  assert.ok(new TextDecoder().decode(archive['summary.json']).includes('"read": 6'));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** Photos of nothing in common.  @param {number} count */
+function strangers(count) {
+  let state = 1;
+  const noise = () => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return state >>> 24;
+  };
+  return Array.from({ length: count }, (_, i) => upload(`stranger_${i}.png`, greyPng(160, 120, Uint8Array.from({ length: 160 * 120 }, noise)), 'image/png'));
+}
+
+test('a block of which nothing could be oriented is no success', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await part(page, 'block-files-input').setInputFiles(strangers(3));
+  await part(page, 'block-run').click();
+  const line = await status(page, /Kept: 3 images/);
+  assert.match(line, /^No image could be oriented.*The largest group of connected images has 1 of 3: do they overlap\?/);
+  assert.equal(await part(page, 'block-status').getAttribute('data-kind'), 'problem');
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('masks of the block leave features out, and one of no image is told', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const folder = photoFolder(2);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  const half = greyPng(480, 360, Uint8Array.from({ length: 480 * 360 }, (_, i) => (i % 480 < 240 ? 255 : 0)));
+  await part(page, 'block-masks-input').setInputFiles([upload('photo_0_mask.png', half, 'image/png'), upload('other.png', half, 'image/png')]);
+  assert.match((await part(page, 'block-masks-name').textContent()) ?? '', /2 masks: photo_0_mask\.png, other\.png/);
+  await part(page, 'block-run').click();
+  await status(page, /^(Done|No image)/);
+  assert.match((await part(page, 'block-stray-masks').textContent()) ?? '', /other\.png: no image has their name/);
+  await part(page, 'tab-block-images').click();
+  const features = (await page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:nth-child(3)').allTextContents()).map((text) => Number(text.replaceAll(/\D/g, '')));
+  assert.ok((features[0] ?? 0) < 0.75 * (features[1] ?? 0), features.join());
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a page from plain http runs a block as a secure one does', { skip: SKIP }, async () => {
+  const server = await serve(DIST, { prefix: '/plain/' });
+  const browser = await chromium.launch({ executablePath: findChromium() ?? '', args: ['--no-sandbox', '--host-resolver-rules=MAP lecture.hall 127.0.0.1'] });
+  const page = await browser.newPage();
+  await page.goto(server.url.replace(/\/\/[^:/]+/, '//lecture.hall'));
+  assert.equal(await page.evaluate(() => window.isSecureContext), false);
+  await part(page, 'mode-block').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await photograph(page, { ...FLIGHT, strips: 1 });
+  await part(page, 'block-run').click();
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 3 images/);
+  await browser.close();
+  await server.close();
 });
 
 test('the page in one file runs a block offline', { skip: SKIP }, async () => {

@@ -1,15 +1,16 @@
 """A block of photographs beside COLMAP, as pycolmap has it: the same images, two threads each, from the files to the adjusted block.
 
     python3 -m venv venv && venv/bin/pip install pycolmap
-    venv/bin/python tools/bench/block.py [FOLDER] [--threads N] [--runs N]
+    venv/bin/python tools/bench/block.py [FOLDER] [--threads N] [--runs N] [--json]
 
 FOLDER holds the photographs; by default the block among the test images. Ours is the `tiepoint block` command: its start, the reading and writing
 of all files are within its time. COLMAP runs with its own defaults. Where FOLDER has a truth.json with a reference solution, the camera
-centres of both are compared with it after a similarity.
+centres of both are compared with it after a similarity. With --json the last line is one object: seconds, stages and results of both.
 """
 
 import argparse
 import json
+import re
 import statistics
 import subprocess
 import tempfile
@@ -23,14 +24,15 @@ ROOT = Path(__file__).resolve().parents[2]
 IMAGES = {'.jpg', '.jpeg', '.png', '.tif', '.tiff'}
 
 
-def ours(photos: list[Path], out: Path, threads: int) -> tuple[float, dict, dict[str, np.ndarray]]:
-    """Seconds, summary and camera centres of our command."""
+def ours(photos: list[Path], out: Path, threads: int) -> tuple[float, dict[str, float], dict, dict[str, np.ndarray]]:
+    """Seconds, those of each stage, summary and camera centres of our command."""
     started = time.perf_counter()
     command = ['node', str(ROOT / 'pkg/bin/tiepoint.js'), 'block', *map(str, photos), '--out', str(out), '--workers', str(threads)]
-    ended = subprocess.run([*command, '--export', 'colmap', '--json'], capture_output=True, text=True, check=True)
+    ended = subprocess.run([*command, '--export', 'colmap'], capture_output=True, text=True, check=True)
     seconds = time.perf_counter() - started
     model = pycolmap.Reconstruction(str(next(out.rglob('cameras.txt')).parent))
-    return seconds, json.loads(ended.stdout), centres_of(model)
+    stages = {stage: float(took) for stage, took in re.findall(r'^(\w+): \d+.* in ([\d.]+) s$', ended.stderr, re.M)}
+    return seconds, stages, json.loads((out / 'summary.json').read_text()), centres_of(model)
 
 
 def theirs(photos: list[Path], folder: Path, threads: int) -> tuple[float, pycolmap.Reconstruction]:
@@ -91,6 +93,7 @@ def main() -> None:
     parser.add_argument('folder', nargs='?', type=Path, default=ROOT / '../shared/data/block_caliterra')
     parser.add_argument('--threads', type=int, default=2)
     parser.add_argument('--runs', type=int, default=3)
+    parser.add_argument('--json', action='store_true')
     given = parser.parse_args()
     folder = given.folder.resolve()
     if not folder.is_dir():
@@ -101,16 +104,22 @@ def main() -> None:
     ratios = []
     for _ in range(given.runs):
         with tempfile.TemporaryDirectory() as temporary:
-            own_seconds, summary, own = ours(photos, Path(temporary) / 'ours', given.threads)
+            own_seconds, stages, summary, own = ours(photos, Path(temporary) / 'ours', given.threads)
             their_seconds, model = theirs(photos, Path(temporary), given.threads)
         ratios.append(own_seconds / their_seconds)
-        print(f'tiepoint {own_seconds:.1f} s, COLMAP {their_seconds:.1f} s, ratio {ratios[-1]:.3f}')
+        print(f'tiepoint {own_seconds:.1f} s {stages}, COLMAP {their_seconds:.1f} s, ratio {ratios[-1]:.3f}')
     print(f'median ratio {statistics.median(ratios):.3f} of {given.runs} runs, {len(photos)} images, {given.threads} threads')
     print('tiepoint:', json.dumps(summary.get('orientation', summary)))
     print(f'  centres beside the reference: {deviation(own, reference)}')
     error, rays = model.compute_mean_reprojection_error(), model.compute_num_observations()
     print(f'COLMAP: {model.num_reg_images()} images, {model.num_points3D()} points, {rays} rays, mean residual {error:.3f} px')
     print(f'  centres beside the reference: {deviation(centres_of(model), reference)}')
+    if given.json:
+        orientation = summary['orientation']
+        rmse = orientation['models'][0]['rmse_px'] if orientation.get('models') else float('nan')
+        command = {'seconds': own_seconds, 'stages': stages, 'oriented': orientation['oriented'], 'rmsePx': rmse, 'centres': deviation(own, reference)}
+        colmap = {'seconds': their_seconds, 'version': pycolmap.__version__, 'oriented': model.num_reg_images(), 'residual_px': error, 'centres': deviation(centres_of(model), reference)}
+        print(json.dumps({'command': command, 'colmap': colmap}))
 
 
 if __name__ == '__main__':

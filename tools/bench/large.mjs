@@ -7,7 +7,7 @@ import { photoFile } from '../../pkg/block/photo.js';
 import { greyPng } from '../../pkg/command/png.js';
 import { block_flight_defaults, BlockScene } from '../../pkg/node.js';
 import { DATA, TARGET } from '../lib/paths.mjs';
-import { peakOfProcess, watchMemory } from './memory.mjs';
+import { peakOfProcess, watchMemory } from './page-memory.mjs';
 
 /**
  * @typedef {import('playwright-core').Page} Page

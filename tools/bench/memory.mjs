@@ -1,68 +1,86 @@
-/** How much memory a page takes: of its wasm modules and heaps, as its own debugger sees them, and of its process, as the system does. */
+/** How much memory the command takes for a block of many photos: all of its threads, as the system counts it. */
 
-import { existsSync, readFileSync } from 'node:fs';
+import { spawn } from 'node:child_process';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { ROOT } from '../lib/paths.mjs';
+import { must } from '../lib/process.mjs';
+import { numberOption } from './options.mjs';
 
-/** @typedef {import('playwright-core').Page} Page @typedef {import('playwright-core').Browser} Browser */
+const PROGRAM = join(ROOT, 'pkg/bin/tiepoint.js');
 
-const MEBIBYTE = 2 ** 20;
+/** Photos of 4 million pixels that show the ground of the photos of the usual size. */
+const PHOTO = ['--width-px', '2304', '--height-px', '1728', '--pixel-mm', '0.03125'];
 
-/** Wasm memory never shrinks, so that what it takes at the end is its peak. */
-const WASM_BYTES = 'function () { return this.reduce((sum, memory) => sum + memory.buffer.byteLength, 0); }';
+/** After so many images every thread has had several, and memory has grown to what an image takes. */
+const FIRST = 10;
 
-/**
- * Watches a page and its workers from now on.
- * @param {Page} page
- * @returns {Promise<() => Promise<{ wasm: number, heaps: number }>>} tells the MiB of all wasm memories, and of all heaps with the buffers they hold
- */
-export async function watchMemory(page) {
-  const session = await page.context().newCDPSession(page);
-  /** @type {Set<string>} */
-  const workers = new Set();
-  /** @type {Map<number, (message: any) => void>} */
-  const waiting = new Map();
-  let last = 0;
-  session.on('Target.attachedToTarget', ({ sessionId }) => workers.add(sessionId));
-  session.on('Target.detachedFromTarget', ({ sessionId }) => workers.delete(sessionId));
-  session.on('Target.receivedMessageFromTarget', ({ message }) => {
-    const answer = JSON.parse(message);
-    waiting.get(answer.id)?.(answer);
-  });
-  await session.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: false });
-  /** @type {(sessionId: string) => (method: string, params?: object) => Promise<any>} */
-  const worker = (sessionId) => (method, params = {}) => new Promise((resolve, reject) => {
-    const id = ++last;
-    waiting.set(id, ({ result, error }) => {
-      waiting.delete(id);
-      if (error) reject(new Error(`${method}: ${error.message}`));
-      else resolve(result);
+const STEP_MS = 20;
+
+export async function memory() {
+  if (!existsSync('/proc/self/status')) return console.log('Memory: skipped: it is read from /proc, which this system has not');
+  const photos = numberOption('photos', 200);
+  const workers = String(numberOption('workers', 2));
+  const strips = Math.max(1, Math.round(Math.sqrt(photos / 2)));
+  const exposures = Math.ceil(photos / strips);
+  const folder = mkdtempSync(join(tmpdir(), 'tiepoint-memory-'));
+  try {
+    await must(process.execPath, [PROGRAM, 'simulate', '--block', '--out', folder, '--strips', String(strips), '--exposures', String(exposures), ...PHOTO], { quiet: true });
+    const { code, marks, peaks, output } = await watched(join(folder, 'photos'), join(folder, 'block'), workers);
+    if (code !== 0) throw new Error(`the block of ${strips * exposures} photos ended with ${code}\n${output.slice(-1500)}`);
+    const mb = (/** @type {number} */ kb) => `${(kb / 1000).toFixed(0)} MB`;
+    console.log(`Memory of the command, ${strips * exposures} simulated photos of 4 MP, ${workers} workers (resident, all threads; peaks)`);
+    console.log(`  until ${FIRST} images were done: ${mb(peaks.first)}; during the other images: ${mb(peaks.images)}, ratio ${(peaks.images / peaks.first).toFixed(2)}`);
+    console.log(`  by shares of the other images: ${tenths(marks).map((kb) => mb(kb)).join(', ')}`);
+    console.log(`  during the pairs: ${mb(peaks.pairs)}; points and orientation: ${mb(peaks.end)}`);
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
+}
+
+/** @typedef {'first' | 'images' | 'pairs' | 'end'} Phase */
+
+/** Runs the command and looks at its memory.  @param {string} photos @param {string} out @param {string} workers */
+function watched(photos, out, workers) {
+  /** @type {Record<Phase, number>} */
+  const peaks = { first: 0, images: 0, pairs: 0, end: 0 };
+  /** Of each look during the images after the first ones, in kB.  @type {number[]} */
+  const marks = [];
+  let output = '';
+  return /** @type {Promise<{ code: number, marks: number[], peaks: Record<Phase, number>, output: string }>} */ (new Promise((resolve) => {
+    const child = spawn(process.execPath, [PROGRAM, 'block', photos, '--out', out, '--workers', workers], { stdio: ['ignore', 'pipe', 'pipe'] });
+    for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => { output += chunk; });
+    const timer = setInterval(() => {
+      const kb = residentKb(child.pid ?? 0);
+      const phase = phaseOf(output, join(out, 'work', 'features'));
+      peaks[phase] = Math.max(peaks[phase], kb);
+      if (phase === 'images') marks.push(kb);
+    }, STEP_MS);
+    child.on('close', (code) => {
+      clearInterval(timer);
+      resolve({ code: code ?? 1, marks, peaks, output });
     });
-    session.send('Target.sendMessageToTarget', { sessionId, message: JSON.stringify({ id, method, params }) }).catch(reject);
-  });
-  const own = (/** @type {string} */ method, params = {}) => session.send(/** @type {any} */ (method), params);
-  return async () => {
-    /** @type {{ wasm: number, heaps: number }[]} */
-    const parts = [];
-    for (const send of [own, ...[...workers].map(worker)]) parts.push(await memoryOf(send));
-    const sum = (/** @type {'wasm' | 'heaps'} */ key) => parts.reduce((total, part) => total + part[key], 0) / MEBIBYTE;
-    return { wasm: sum('wasm'), heaps: sum('heaps') };
-  };
+  }));
 }
 
-/** @param {(method: string, params?: object) => Promise<any>} send */
-async function memoryOf(send) {
-  const { result: prototype } = await send('Runtime.evaluate', { expression: 'WebAssembly.Memory.prototype' });
-  const { objects } = await send('Runtime.queryObjects', { prototypeObjectId: prototype.objectId });
-  const { result: bytes } = await send('Runtime.callFunctionOn', { objectId: objects.objectId, functionDeclaration: WASM_BYTES, returnByValue: true });
-  const { usedSize, backingStorageSize = 0 } = await send('Runtime.getHeapUsage');
-  return { wasm: Number(bytes.value), heaps: usedSize + backingStorageSize };
+/** @param {string} output what the command has said @param {string} features the folder of the images' records @returns {Phase} */
+function phaseOf(output, features) {
+  if (/^pairs: /m.test(output)) return 'end';
+  if (/^images: /m.test(output)) return 'pairs';
+  return existsSync(features) && readdirSync(features).length > FIRST ? 'images' : 'first';
 }
 
-/** The most MiB that the process of the page has ever held; null where the system does not tell.  @param {Browser} browser */
-export async function peakOfProcess(browser) {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send('SystemInfo.getProcessInfo');
-  const peaks = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => `/proc/${id}/status`).filter((file) => existsSync(file))
-    .map((file) => Number(/VmHWM:\s+(\d+) kB/.exec(readFileSync(file, 'utf8'))?.[1] ?? NaN) / 1024);
-  // The browser keeps a spare one or two, which hold little.
-  return peaks.length > 0 ? Math.max(...peaks) : null;
+/** @param {number} pid @returns {number} 0 once the process has ended */
+function residentKb(pid) {
+  try {
+    return Number(/VmRSS:\s+(\d+) kB/.exec(readFileSync(`/proc/${pid}/status`, 'utf8'))?.[1] ?? 0);
+  } catch {
+    return 0;
+  }
+}
+
+/** The peaks of ten equal parts of a list.  @param {number[]} list */
+function tenths(list) {
+  return Array.from({ length: Math.min(10, list.length) }, (_, k) => Math.max(...list.slice(Math.floor((k * list.length) / 10), Math.max(Math.floor(((k + 1) * list.length) / 10), 1 + Math.floor((k * list.length) / 10)))));
 }

@@ -28,6 +28,8 @@ export type JobAnswer = { made: Jobs[keyof Jobs]['output'] } | { refusal: Refusa
 /** What a run tells the page. */
 export type FromRun =
   | { kind: 'step'; step: Step }
+  /** What has been found so far. */
+  | { kind: 'part'; view: BlockView }
   | { kind: 'keep'; key: string; record: Blob }
   | { kind: 'job'; id: number; job: JobRequest };
 
@@ -40,7 +42,8 @@ export type ToRun =
 
 export interface RunInput {
   files: readonly BlockFile[];
-  options: RunOptions;
+  options: Omit<RunOptions, 'masks'>;
+  masks: readonly BlockFile[];
   /** Of a simulated block. */
   truth: BlockModel | null;
   /** How many jobs run at the same time. */
@@ -69,5 +72,6 @@ export interface BlockCalls {
   // The worker of the block: it holds the block that was run or opened last.
   blockRun: { input: RunInput; output: BlockView };
   blockOpen: { input: { bytes: Uint8Array }; output: BlockView };
-  blockExport: { input: { kind: ExportKind; name: string }; output: MadeFile };
+  /** A message through `stop` breaks it off. */
+  blockExport: { input: { kind: ExportKind; name: string; stop: MessagePort }; output: MadeFile };
 }

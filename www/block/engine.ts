@@ -1,12 +1,12 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
-import type { Jobs, RunOptions } from '../../pkg/block/index.js';
+import type { Jobs } from '../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../engine/client';
 import type { Holder } from '../state/store';
-import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, ToRun } from './calls';
+import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
 import { WorkerPool } from './pool';
 import type { BlockAction } from './reducer';
-import { wantedKey } from './state';
+import { isBusy, wantedKey } from './state';
 import type { BlockOptions, BlockState } from './state';
 
 export type BlockStore = Holder<BlockState, BlockAction>;
@@ -21,6 +21,8 @@ export class BlockEngine {
   /** Records of images and pairs that were done, by key: what is done once is not done again. */
   private readonly kept = new Map<string, Blob>();
   private port: MessagePort | null = null;
+  /** Of the export that is written. */
+  private writing: MessagePort | null = null;
 
   constructor(private readonly store: BlockStore) {}
 
@@ -28,19 +30,14 @@ export class BlockEngine {
     const { state } = this.store;
     const { settings } = state.options;
     if (settings === null || state.running.kind === 'yes') return;
-    if (!window.isSecureContext) {
-      // Records are named by digests, which browsers compute for pages from https, localhost or a file alone.
-      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: 'Blocks need this page from https, from localhost, or opened as a file: elsewhere the browser computes no digests of the images.' } });
-      return;
-    }
     const key = wantedKey(state);
     const { files, truth } = state;
     const started = performance.now();
     this.store.dispatch({ type: 'started', key });
     const channel = new MessageChannel();
-    this.listen(channel.port1);
+    this.listen(channel.port1, files);
     try {
-      const input = { files, options: runOptions(state.options, settings), truth, workers: this.pool.size, kept: this.kept, port: channel.port2 };
+      const input = { files, options: runOptions(state.options, settings), masks: state.options.masks, truth, workers: this.pool.size, kept: this.kept, port: channel.port2 };
       const view = await this.block.call('blockRun', input, [channel.port2]);
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
@@ -53,14 +50,16 @@ export class BlockEngine {
     }
   }
 
-  /** Ends the run, or whatever else the workers do. What was done is kept. */
+  /** Ends the run, the export, or whatever else the workers do. What was done is kept. */
   cancel(): void {
-    const { port } = this;
+    const { port, writing } = this;
     this.port = null;
+    this.writing = null;
     this.pool.cancel();
-    if (port === null) return;
-    port.postMessage({ kind: 'stop' } satisfies ToRun);
-    window.setTimeout(() => { if (this.store.state.running.kind === 'yes' && this.port === null) this.block.cancel(); }, PATIENCE_MS);
+    port?.postMessage({ kind: 'stop' } satisfies ToRun);
+    writing?.postMessage('stop');
+    if (port === null && writing === null) return;
+    window.setTimeout(() => { if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel(); }, PATIENCE_MS);
   }
 
   /** Forgets what was done. */
@@ -73,8 +72,18 @@ export class BlockEngine {
     this.store.dispatch({ type: 'openedFile', view });
   }
 
-  export(kind: ExportKind, name: string): Promise<MadeFile> {
-    return this.block.call('blockExport', { kind, name });
+  /** Rejects with `Cancelled` where the user ends it. */
+  async export(kind: ExportKind, name: string): Promise<MadeFile> {
+    const { port1, port2 } = new MessageChannel();
+    this.writing = port1;
+    try {
+      return await this.block.call('blockExport', { kind, name, stop: port2 }, [port2]);
+    } catch (error) {
+      throw this.writing === port1 ? error : new Cancelled('cancelled');
+    } finally {
+      if (this.writing === port1) this.writing = null;
+      port1.close();
+    }
   }
 
   /** Takes the photos of the flight that is set, on all workers. */
@@ -90,12 +99,13 @@ export class BlockEngine {
     return { files, truth };
   }
 
-  private listen(port: MessagePort): void {
+  private listen(port: MessagePort, files: readonly BlockFile[]): void {
     this.port = port;
     port.onmessage = (event: MessageEvent<FromRun>) => {
       const message = event.data;
       if (message.kind === 'keep') this.kept.set(message.key, message.record);
       else if (message.kind === 'job') void this.perform(port, message.id, message.job);
+      else if (message.kind === 'part') this.store.dispatch({ type: 'part', view: message.view, files });
       else if (this.port === port) this.store.dispatch({ type: 'step', step: message.step });
     };
   }
@@ -113,7 +123,7 @@ export class BlockEngine {
   }
 }
 
-function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunOptions {
+function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunInput['options'] {
   return {
     settings, gps,
     ...(cameras === null ? {} : { cameras }),

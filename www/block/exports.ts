@@ -1,5 +1,6 @@
 /** Saving a block: its own file, everything, or what another program reads. */
 import { button, fill, h } from '../panel/dom';
+import { Cancelled } from '../engine/client';
 import { save } from '../files/export';
 import type { ExportKind } from './calls';
 import type { BlockEngine, BlockStore } from './engine';
@@ -15,8 +16,10 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   const press = button('Save', 'block-export', () => { void saveAs(store, engine, select.value as ExportKind); });
   host.append(h('span', { class: 'group-label' }, 'Export'), select, press);
   store.watch((s) => [s.shown, s.running, s.notice] as const, ([shown]) => {
-    press.disabled = shown === null || isBusy(store.state);
-    select.disabled = shown === null;
+    // A part of a block has no points yet.
+    const whole = shown !== null && !shown.view.partial;
+    press.disabled = !whole || isBusy(store.state);
+    select.disabled = !whole;
   });
   store.watch((s) => [s.shown] as const, ([shown]) => {
     const formats = shown?.view.formats ?? [];
@@ -35,6 +38,10 @@ async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind):
     save(new Blob([bytes], { type }), name);
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${name} was saved.` } });
   } catch (error) {
+    if (error instanceof Cancelled) {
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is still there.' } });
+      return;
+    }
     const reason = error instanceof Error ? error.message : String(error);
     store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${NAMES[kind]} was not written: ${reason}.` } });
   }

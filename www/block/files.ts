@@ -15,6 +15,11 @@ const CAMERAS = /\.json$/iu;
 
 let nextId = 1;
 
+/** Files as masks of images, which their names tell. */
+export function maskFiles(files: readonly File[]): BlockFile[] {
+  return files.map((file) => ({ id: nextId++, name: file.name, file }));
+}
+
 export class BlockFiles {
   constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
 

@@ -1,5 +1,6 @@
 /** What of a run, or of a project that was opened, the page shows. */
-import type { BlockRun } from '../../pkg/block/index.js';
+import { chosenOf, modelCamera } from '../../pkg/block/index.js';
+import type { BlockRun, GroupedCamera, ReadImage } from '../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Connection, Project } from '../../pkg/wasm/tiepoint.js';
 import { withAssembly } from './adjustment';
@@ -18,27 +19,49 @@ export function viewOfRun(run: BlockRun): BlockView {
   const shared = new Map<string, number>();
   for (let i = 0; i < points.shared.length; i += 3) shared.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
-  const cameras = view.cameras.map((camera, i) => ({ ...camera, label: run.cameras[i]?.label ?? camera.label, givenFocalPx: run.cameras[i]?.focal_px ?? null }));
-  const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null }));
-  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays } };
+  const cameras = withLabels(view.cameras, run.cameras);
+  const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null, places: run.selection.placesOfImages[i] ?? null }));
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, found: { points: points.count, rays: points.rays } };
   return withAssembly(whole, assembly, run.assemblyReason);
 }
 
+/** A block whose points are not made yet. */
+export function viewOfParts(
+  read: readonly ReadImage[], cameras: readonly GroupedCamera[], of: readonly number[], connections: readonly Connection[], geometries: BlockRun['geometries'],
+): BlockView {
+  const images = read.map(({ name }, i) => ({ name, camera: of[i] ?? 0, pose: null }));
+  const view = viewOf({ cameras: cameras.map(modelCamera), images, points: [] }, connections, read.map(({ head }) => head.exif), new Map(), geometries.map(geometryName));
+  return {
+    ...view,
+    partial: true,
+    images: view.images.map((image, i) => ({ ...image, features: read[i]?.count ?? null, why: 'not oriented yet' })),
+    cameras: withLabels(view.cameras, cameras),
+  };
+}
+
+/** What is known of cameras beside the block's model. */
+function withLabels(cameras: readonly ViewCamera[], grouped: readonly GroupedCamera[]): ViewCamera[] {
+  return cameras.map((camera, i) => ({ ...camera, label: grouped[i]?.label ?? camera.label, givenFocalPx: grouped[i]?.focal_px ?? null }));
+}
+
 export function viewOfProject({ block, connections }: Project): BlockView {
-  return viewOf(block, connections, block.images.map(() => null), sharedOf(block), connections.map(() => ''));
+  return viewOf(block, connections, block.images.map(() => null), chosenOf(block), connections.map(() => ''));
 }
 
 function viewOf(
   model: BlockModel, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],
 ): BlockView {
   const { reasons, groups } = explain_connections(model.images.length, [...connections]);
+  const chosen = chosenOf(model);
   const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => ({
-    images, rule, outcome, reason: reasons[i] ?? '', geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0,
+    images, rule, outcome, reason: reasons[i] ?? '', geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0, chosen: chosen.get(images.join()) ?? 0,
   }));
   const images = imagesOf(model);
   return {
+    partial: false,
     images,
     leftOut: [],
+    strayMasks: [],
     cameras: camerasOf(model),
     connections: links,
     groups,
@@ -68,7 +91,7 @@ function imagesOf(model: BlockModel): ViewImage[] {
   for (const point of model.points) for (const { image } of point.rays) rays[image] = (rays[image] ?? 0) + 1;
   return model.images.map(({ name, camera, pose }, i) => {
     const { width_px: width = 0, height_px: height = 0 } = model.cameras[camera] ?? {};
-    return { name, camera, width, height, features: null, rays: rays[i] ?? 0, rmsePx: null, oriented: pose != null, why: pose == null ? 'not oriented' : '' };
+    return { name, camera, width, height, features: null, places: null, rays: rays[i] ?? 0, rmsePx: null, oriented: pose != null, why: pose == null ? 'not oriented' : '' };
   });
 }
 
@@ -97,18 +120,6 @@ function byRays({ points }: BlockModel): RayCount[] {
   const groups = new Map<number, BlockModel['points']>();
   for (const point of points) groups.set(point.rays.length, [...(groups.get(point.rays.length) ?? []), point]);
   return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ cameras: [], images: [], points: group }) }));
-}
-
-/** Points that both images of a pair see, from the points themselves. */
-function sharedOf({ points }: BlockModel): ReadonlyMap<string, number> {
-  const shared = new Map<string, number>();
-  for (const { rays } of points) {
-    const seen = rays.map(({ image }) => image).sort((a, b) => a - b);
-    seen.forEach((a, i) => {
-      for (const b of seen.slice(i + 1)) shared.set(`${String(a)},${String(b)}`, (shared.get(`${String(a)},${String(b)}`) ?? 0) + 1);
-    });
-  }
-  return shared;
 }
 
 const MODELS: Readonly<Record<string, string>> = {

@@ -42,7 +42,9 @@ export class Picture {
       if (this.key(event.key)) event.preventDefault();
     });
     store.watch((s) => [s.shown, s.choice] as const, ([shown]) => {
-      if (shown?.view !== this.of) this.plan = null;
+      // What the user looks at stays while more of the same comes in.
+      const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
+      if (shown?.view !== this.of && !same) this.plan = null;
       this.of = shown?.view ?? null;
       this.surface.redraw();
     });
@@ -222,7 +224,8 @@ function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: 
     const on = marked.some((choice) => (choice.kind === 'image' ? choice.image === i : choice.images.includes(i)));
     const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
     // Filled: oriented, or at least connected with most; hollow: neither.
-    const sound = view.layout.kind === 'oriented' ? oriented : largest.has(i);
+    // While a run goes on nothing is said against an image.
+    const sound = view.partial || (view.layout.kind === 'oriented' ? oriented : largest.has(i));
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     context.fillStyle = sound ? (on ? colours.accent : colours.bars) : colours.surface;

@@ -15,6 +15,8 @@ export type BlockAction =
   | { type: 'flight'; flight: BlockFlight }
   | { type: 'started'; key: string }
   | { type: 'step'; step: Step }
+  /** What the run has found so far. */
+  | { type: 'part'; view: BlockView; files: readonly BlockFile[] }
   | { type: 'done'; key: string; view: BlockView; files: readonly BlockFile[]; seconds: number }
   /** `failure`: null where the user ended it. */
   | { type: 'ended'; failure: string | null }
@@ -57,7 +59,16 @@ function blank(state: BlockState): Pick<BlockState, 'choice' | 'opened' | 'notic
   return { choice: null, opened: null, notice: state.notice?.kind === 'busy' ? null : state.notice };
 }
 
-type RunAction = Extract<BlockAction, { type: 'started' | 'step' | 'done' | 'ended' }>;
+/** What was chosen, by the names of its images in another view of them; null where they are not in it. */
+function sameChoice({ shown, choice }: BlockState, view: BlockView): Choice | null {
+  if (shown === null || choice === null) return null;
+  const place = (image: number) => view.images.findIndex(({ name }) => name === shown.view.images[image]?.name);
+  if (choice.kind === 'image') return place(choice.image) < 0 ? null : { kind: 'image', image: place(choice.image) };
+  const images: [number, number] = [place(choice.images[0]), place(choice.images[1])];
+  return images.includes(-1) ? null : { kind: 'pair', images };
+}
+
+type RunAction = Extract<BlockAction, { type: 'started' | 'step' | 'part' | 'done' | 'ended' }>;
 
 /** What a run reports. */
 function withRun(state: BlockState, action: RunAction): BlockState {
@@ -67,9 +78,15 @@ function withRun(state: BlockState, action: RunAction): BlockState {
       return { ...state, running: { kind: 'yes', key: action.key, steps: {} }, notice: null };
     case 'step':
       return running.kind === 'yes' ? { ...state, running: { ...running, steps: { ...running.steps, [action.step.stage]: action.step } } } : state;
+    case 'part': {
+      if (running.kind !== 'yes') return state;
+      const { view, files } = action;
+      const shown = { key: running.key, view, files, seconds: 0, steps: {} };
+      return { ...state, shown, opened: null, choice: sameChoice(state, view) };
+    }
     case 'done': {
       const { key, view, files, seconds } = action;
-      return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} } };
+      return { ...state, ...blank(state), choice: sameChoice(state, view), running: { kind: 'no' }, shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} } };
     }
     case 'ended':
       return running.kind === 'yes' ? { ...state, running: { kind: 'ended', steps: running.steps, failure: action.failure } } : state;

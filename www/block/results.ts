@@ -23,8 +23,10 @@ export function mountResults(host: HTMLElement, store: BlockStore): void {
 }
 
 function sectionsOf(view: BlockView): (HTMLElement | null)[] {
+  if (view.partial) return [leftOut(view), section('So far', 'block-facts', facts(partialFacts(view))), section('Cameras', 'block-cameras', cameraTable(view))];
   return [
     leftOut(view),
+    strayMasks(view),
     section('Block', 'block-facts', facts(factsOf(view))),
     view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
     view.weaknesses.length === 0 ? null : section('Weaknesses', 'block-weaknesses', h('ul', {}, ...view.weaknesses.map((text) => h('li', {}, text)))),
@@ -32,6 +34,21 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
     section('Points by rays', 'block-by-rays', rayTable(view)),
     section('Cameras', 'block-cameras', cameraTable(view)),
   ];
+}
+
+/** What is known before there are points. */
+function partialFacts(view: BlockView): Fact[] {
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
+  return [
+    { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are found.' },
+    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry.' },
+    { name: 'Matches', testid: 'block-matches', value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)), help: 'Verified matches of all connected pairs.' },
+  ];
+}
+
+function strayMasks({ strayMasks: names }: BlockView): HTMLElement | null {
+  if (names.length === 0) return null;
+  return section('Masks of no image', 'block-stray-masks', h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: no image has their name.`));
 }
 
 function factsOf(view: BlockView): Fact[] {

@@ -3,6 +3,7 @@ import { runBlock } from '../../pkg/block/index.js';
 import type { BlockRun, Jobs, Pool, Store as RecordStore } from '../../pkg/block/index.js';
 import { read_project, score_block } from '../../pkg/wasm/tiepoint.js';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import { Coming } from './coming';
 import { made } from './made';
 import { viewOfProject, viewOfRun } from './outcome';
 import type { Held } from './outcome';
@@ -16,17 +17,22 @@ export function heldBlock(): Held {
   return held;
 }
 
-export async function blockRun({ files, options, truth, workers, kept, port }: RunInput): Promise<BlockView> {
+export async function blockRun({ files, options, masks, truth, workers, kept, port }: RunInput): Promise<BlockView> {
   const link = new Link(port);
+  const coming = new Coming(options.cameras?.text, (view) => { link.send({ kind: 'part', view }); });
   try {
-    const run: BlockRun = await runBlock(files.map(sourceOf), options, {
+    const run: BlockRun = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
       pool: link.pool(workers),
       store: storeOf(kept, link),
       progress: (step) => { link.send({ kind: 'step', step }); },
+      news: (news) => { coming.take(news); },
       signal: link.stopped.signal,
     });
     held = { run, project: run.project };
     return { ...viewOfRun(run), score: truth === null ? null : score_block(run.model, truth) };
+  } catch (error) {
+    coming.tell();
+    throw error;
   } finally {
     port.close();
   }
@@ -38,8 +44,14 @@ export function blockOpen({ bytes }: { bytes: Uint8Array }): BlockView {
   return viewOfProject(project);
 }
 
-export function blockExport({ kind, name }: { kind: ExportKind; name: string }): MadeFile {
-  return made(heldBlock(), kind, name);
+export async function blockExport({ kind, name, stop }: { kind: ExportKind; name: string; stop: MessagePort }): Promise<MadeFile> {
+  const stopped = new AbortController();
+  stop.onmessage = () => { stopped.abort(); };
+  try {
+    return await made(heldBlock(), kind, name, stopped.signal);
+  } finally {
+    stop.close();
+  }
 }
 
 function sourceOf({ name, file }: BlockFile) {

@@ -4,12 +4,13 @@ import type { Value } from '../panel/control';
 import { button, fill, h } from '../panel/dom';
 import type { BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
 import type { BlockStore } from './engine';
+import { maskFiles } from './files';
 import type { TextFile } from './state';
 
 type Groups = Record<string, Record<string, Value | undefined>>;
 
 /** Groups of parameters, by the first part of their keys. */
-const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['block', 'Multi-ray points']];
+const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['block', 'Multi-ray points'], ['placing', 'Exactness of positions']];
 
 /** Parameters that matter for one rule of pairs alone. */
 const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];
@@ -81,7 +82,29 @@ function textFiles(store: BlockStore): HTMLElement {
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
     textFile(store, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
     textFile(store, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
-    textFile(store, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'));
+    textFile(store, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'),
+    masks(store));
+}
+
+const MASKS = 'None. Images of the same size, black where no features are wanted; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
+
+function masks(store: BlockStore): HTMLElement {
+  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: 'block-masks-input', aria: { label: 'Files: Masks' } });
+  input.accept = 'image/*,.tif,.tiff,.pgm,.pnm';
+  input.multiple = true;
+  input.addEventListener('change', () => {
+    const given = maskFiles([...(input.files ?? [])]);
+    if (given.length > 0) store.dispatch({ type: 'options', options: { masks: given } });
+    input.value = '';
+  });
+  const name = h('p', { class: 'note', testid: 'block-masks-name' });
+  const remove = button('Remove', 'block-masks-remove', () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
+  remove.setAttribute('aria-label', 'Remove: Masks');
+  store.watch((s) => [s.options.masks] as const, ([given]) => {
+    fill(name, given.length === 0 ? MASKS : given.length === 1 ? (given[0]?.name ?? '') : `${String(given.length)} masks: ${given.slice(0, 3).map((mask) => mask.name).join(', ')}${given.length > 3 ? ' …' : ''}`);
+    remove.hidden = given.length === 0;
+  });
+  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button('Masks …', 'block-masks', () => { input.click(); }), remove), name, input);
 }
 
 function textFile(store: BlockStore, option: 'cameras' | 'control' | 'marks', title: string, none: string, accept: string): HTMLElement {

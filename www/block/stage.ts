@@ -9,7 +9,7 @@ import { Picture } from './picture';
 import { isBusy } from './state';
 import type { Choice } from './state';
 import type { BlockView, Layout } from './view';
-import { describe } from './words';
+import { describe, matchesOf } from './words';
 
 const ZOOM = 1.5;
 
@@ -65,7 +65,9 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
 /** What places and lines mean. */
 function legend(view: BlockView): string {
   const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
-  return `${LAYOUTS[view.layout.kind]}. ${most > 0 ? `Widest line: ${count(most)} points in common.` : ''}`;
+  const matches = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+  const widest = most > 0 ? `${count(most)} points in common` : `${count(matches)} matches`;
+  return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
 }
 
 function say(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {

@@ -28,6 +28,7 @@ export interface BlockOptions {
   /** Surveyed points, and where the images show them: of use together. */
   control: TextFile | null;
   marks: TextFile | null;
+  masks: readonly BlockFile[];
 }
 
 export type Mode = 'pair' | 'block';
@@ -76,7 +77,7 @@ export const BLOCK_INITIAL: BlockState = {
   catalogue: null,
   files: [],
   truth: null,
-  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null },
+  options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [] },
   flight: null,
   running: { kind: 'no' },
   shown: null,

@@ -6,7 +6,7 @@ import type { Store } from '../state/store';
 import type { BlockEngine, BlockStore } from './engine';
 import { duration, runText } from './progress';
 import { isBusy, isOutdated } from './state';
-import type { BlockState } from './state';
+import type { BlockState, Shown } from './state';
 
 export function mountBlockStatus(store: BlockStore, pair: Store, engine: BlockEngine): HTMLElement {
   const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
@@ -37,20 +37,34 @@ function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'don
   if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
   if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
   if (running.kind === 'ended') {
-    if (running.failure === null) return { text: 'Cancelled. What was done is kept: Go on takes it up where it ended.', kind: 'idle' };
+    if (running.failure === null) return { text: 'Cancelled. What was done is shown and kept: Go on takes it up where it ended.', kind: 'idle' };
     return { text: `The block was not finished: ${running.failure.replace(/\.$/u, '')}. What was done is kept.`, kind: 'problem' };
   }
-  if (shown !== null && !isOutdated(state)) return { text: doneText(state), kind: 'done' };
+  if (shown !== null && !isOutdated(state)) return doneLine(shown);
   if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null ? 'Press Run.' : 'Other images or settings than those of the block on the screen: press Run.'}`, kind: 'idle' };
   return { text: 'Give the images of a block: files, a folder, or the simulated block.', kind: 'idle' };
 }
 
-function doneText({ shown }: BlockState): string {
-  if (shown === null) return '';
-  const { view, seconds } = shown;
+function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
+  const { view, files } = shown;
+  // A block that was opened may never have been oriented.
+  if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: 'done' };
+  const why = view.weaknesses[0] ?? 'No image could be oriented.';
+  const group = view.groups[0]?.length ?? 0;
+  const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : '';
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
+  return { text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, 'connected pair')}, ${counted(view.points.count, 'point')}.`, kind: 'problem' };
+}
+
+function doneText({ view, seconds }: Shown): string {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
   const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} left out`;
   const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
-  const oriented = view.oriented === 0 ? '' : `, ${count(view.oriented)} oriented`;
-  return `Done: ${count(view.images.length)} images${oriented}${left}, ${count(connected)} pairs connected, ${count(view.points.count)} points.${time}`;
+  const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
+  const weak = view.weaknesses.length === 0 ? '' : ` ${counted(view.weaknesses.length, 'weakness', 'weaknesses')}, see Results.`;
+  return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${counted(view.points.count, 'point')}.${time}${weak}`;
+}
+
+function counted(number: number, one: string, many = `${one}s`): string {
+  return `${count(number)} ${number === 1 ? one : many}`;
 }

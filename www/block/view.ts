@@ -9,6 +9,8 @@ export interface ViewImage {
   camera: number;
   /** Null in a block that was opened from its file. */
   features: number | null;
+  /** Of the nine von Gruber places, those that hold a chosen point; null in a block that was opened from its file. */
+  places: number | null;
   /** Of chosen points; of accepted ones after the adjustment. */
   rays: number;
   rmsePx: number | null;
@@ -39,6 +41,8 @@ export interface ViewConnection {
   geometry: string;
   /** Multi-ray points that both see. */
   shared: number;
+  /** Of them, the points that were chosen and kept. */
+  chosen: number;
 }
 
 /** Where the images are drawn: x to the right, y up, in m or without unit. */
@@ -71,8 +75,12 @@ export interface RayCount {
 }
 
 export interface BlockView {
+  /** Of a run that goes on or was ended: images and pairs as far as they were done. */
+  partial: boolean;
   images: ViewImage[];
   leftOut: LeftOut[];
+  /** Masks that belong to no image. */
+  strayMasks: string[];
   cameras: ViewCamera[];
   connections: ViewConnection[];
   /** Images that are connected with each other, the largest group first. */

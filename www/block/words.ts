@@ -36,7 +36,7 @@ function describeImage(view: BlockView, index: number): string {
   if (image === undefined) return '';
   const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === 'connected').length;
   const parts = [
-    `${image.name}: ${image.features === null ? '' : `${count(image.features)} features, `}${count(image.rays)} rays`,
+    `${image.name}: ${image.features === null ? '' : `${count(image.features)} features, `}${count(image.rays)} rays${image.places === null ? '' : ` in ${String(image.places)} of 9 places`}`,
     `connected with ${count(partners)} of ${count(view.images.length - 1)} images`,
     image.rmsePx === null ? '' : `RMSE ${fixed(image.rmsePx, 2)} px`,
     image.oriented ? 'oriented' : image.why,
@@ -48,7 +48,7 @@ function describePair(view: BlockView, images: readonly [number, number]): strin
   const names = images.map((image) => view.images[image]?.name ?? '').join(' – ');
   const connection = connectionOf(view, images);
   if (connection === undefined) return `${names}: this pair was not tried (the choice of pairs left it out).`;
-  const { reason, geometry, shared } = connection;
-  const parts = [reason.replace(/\.$/u, ''), geometry, shared > 0 ? `${count(shared)} points in common` : ''];
+  const { reason, geometry, shared, chosen } = connection;
+  const parts = [reason.replace(/\.$/u, ''), geometry, shared > 0 ? `${count(shared)} points in common, ${count(chosen)} of them chosen` : ''];
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
 }

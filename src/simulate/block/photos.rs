@@ -237,6 +237,37 @@ mod tests {
     }
 
     #[test]
+    fn the_town_does_not_repeat_itself() {
+        // Nearest descriptors of photos that show no common ground: were the town the same at a distance, many of them would lie at that one.
+        let flight = BlockFlight {
+            forward_overlap: 0.0,
+            side_overlap: 0.0,
+            relief_m: 0.0,
+            width_px: 400,
+            height_px: 300,
+            receiver_m: 0.0,
+            ..small(BlockView::Nadir)
+        };
+        let scene = BlockScene::new(&flight).unwrap();
+        let options = FeatureOptions::default();
+        let seen: Vec<_> = (0..scene.photos()).map(|k| crate::features(scene.photo(k).unwrap().view(), None, &options).unwrap()).collect();
+        let bytes: Vec<Vec<u8>> = seen.iter().map(|list| list.iter().flat_map(|f| f.descriptor).collect()).collect();
+        let ground = |k: usize, point: &crate::ScalePoint| scene.exposures[k].on_level_ground([point.x, point.y], 400, 300).unwrap();
+        for (a, b) in (0..seen.len()).flat_map(|a| (a + 1..seen.len()).map(move |b| (a, b))) {
+            let matches = crate::nearest_matches(&bytes[a], &bytes[b], &crate::NearestOptions::default()).unwrap();
+            let ways: Vec<[f64; 2]> = matches
+                .iter()
+                .map(|m| (ground(a, &seen[a][m.left].point), ground(b, &seen[b][m.right].point)))
+                .map(|(from, to)| [to[0] - from[0], to[1] - from[1]])
+                .filter(|way| way[0] * way[0] + way[1] * way[1] > 100.0 * 100.0)
+                .collect();
+            let alike = |way: &[f64; 2]| ways.iter().filter(|other| (other[0] - way[0]).abs().max((other[1] - way[1]).abs()) < 6.0).count();
+            let most = ways.iter().map(alike).max().unwrap_or(0);
+            assert!(most <= 6, "{most} of {} matches of photos {a} and {b} lie at one distance", matches.len());
+        }
+    }
+
+    #[test]
     fn each_photo_is_the_same_whenever_it_is_taken() {
         let scene = BlockScene::new(&small(BlockView::TwoHeights)).unwrap();
         let again = BlockScene::new(&small(BlockView::TwoHeights)).unwrap();

@@ -1,0 +1,126 @@
+/** What a block is given beside its images, and what its folder holds after runs: masks, files of earlier runs, the user's own files. */
+
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { read_project, sha256 } from '../../pkg/node.js';
+import { readFeatures } from '../../pkg/block/records.js';
+import { contents, killed, photographed, records } from './blocks.js';
+import { file, folder, image, json, tiepoint } from './command.js';
+
+const BLOCK = photographed();
+const NAMES = readdirSync(BLOCK.photos).sort();
+const [WIDTH, HEIGHT] = [480, 360];
+
+/** A folder with a mask that leaves the left half of each of the first photos free.  @param {string[]} names of the masks */
+function masks(...names) {
+  const at = folder();
+  for (const name of names) image(at, name, WIDTH, HEIGHT, (col) => (col < WIDTH / 2 ? 255 : 0));
+  return at;
+}
+
+test('no features are found where a mask is black', async () => {
+  const [first = '', second = '', third = ''] = NAMES.map((name) => name.replace('.png', ''));
+  const out = folder();
+  const given = masks(`${first}.png`, `${second}_mask.png`, `${third}.png.png`, 'stranger.png');
+  const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', out, '--masks', given, '--json');
+  assert.equal(code, 0, stderr);
+  const summary = JSON.parse(stdout);
+  assert.deepEqual([summary.images.read, summary.images.masked], [6, 3]);
+  assert.deepEqual(summary.images.stray_masks, ['stranger.png']);
+  assert.match(stderr, /the mask stranger\.png belongs to none of the images/);
+  let halves = 0;
+  for (const name of readdirSync(join(out, 'work', 'features'))) {
+    const features = await readFeatures(readFileSync(join(out, 'work', 'features', name)), name.replace('.record', ''));
+    assert.ok(features && features.count > 100, name);
+    halves += features.positions.filter((_, i) => i % 2 === 0).every((x) => x < WIDTH / 2 + 1) ? 1 : 0;
+  }
+  assert.equal(halves, 3);
+  // Another mask makes another record; without masks none of these is taken.
+  json(...BLOCK.call, '--out', out);
+  assert.equal(records(out, 'features'), 9);
+});
+
+test('an image whose mask cannot be used is left out, and masks that mean one image are refused', () => {
+  const [first = '', second = ''] = NAMES;
+  const given = folder();
+  image(given, first, 40, 30, () => 255);
+  file(given, second, 'no image');
+  const { images } = JSON.parse(tiepoint(...BLOCK.call, '--out', folder(), '--masks', given, '--json').stdout);
+  assert.equal(images.read, 4);
+  assert.match(images.left_out[0].reason, new RegExp(`its mask ${first} is 40 x 30 px; allowed: the image's 480 x 360 px`));
+  assert.match(images.left_out[1].reason, new RegExp(`its mask ${second}: `));
+  const twice = masks(first, first.replace('.png', '_mask.png'));
+  const refused = tiepoint(...BLOCK.call, '--out', folder(), '--masks', twice);
+  assert.deepEqual([refused.code, /belong to the same image/.test(refused.stderr)], [1, true]);
+  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--masks', join(twice, 'none')).stderr, /--masks is .*none, which is no folder/);
+});
+
+test('a folder holds what the last run wrote and what the user put there', () => {
+  const out = folder();
+  json(...BLOCK.call, '--out', out, '--export', 'colmap,bingo,csv');
+  const before = contents(out);
+  assert.ok(before.has('bingo/bingo.dat') && before.has('csv/points.csv'));
+  mkdirSync(join(out, 'bingo', 'mine'));
+  writeFileSync(join(out, 'bingo', 'mine', 'notes.txt'), 'mine');
+  appendFileSync(join(out, 'csv', 'points.csv'), 'changed\n');
+  json(...BLOCK.call, '--out', out, '--export', 'colmap');
+  const after = [...contents(out).keys()];
+  assert.ok(after.includes('colmap/sparse/images.txt'));
+  // Gone but for the user's file, and for the one that was changed.
+  assert.deepEqual(after.filter((name) => /^(bingo|csv)\//.test(name)), ['bingo/mine/notes.txt', 'csv/points.csv']);
+  json(...BLOCK.call, '--out', out);
+  assert.ok(!existsSync(join(out, 'colmap')));
+});
+
+test('a file that no run has written is not written over', () => {
+  const out = folder();
+  writeFileSync(join(out, 'points.csv'), 'mine');
+  const { code, stderr } = tiepoint(...BLOCK.call, '--out', out);
+  assert.equal(code, 1);
+  assert.match(stderr, /points\.csv is in the way: no run has written it; move it, or name another folder with --out/);
+  assert.equal(readFileSync(join(out, 'points.csv'), 'utf8'), 'mine');
+  // Found before anything is computed.
+  assert.equal(records(out, 'features'), 0);
+});
+
+test('killed while it writes, the next run knows its files', async () => {
+  const out = folder();
+  const args = [...BLOCK.call, '--out', out, '--export', 'bingo'];
+  assert.ok(await killed(args, () => existsSync(join(out, 'project.tiepoint'))));
+  json(...BLOCK.call, '--out', out);
+  assert.ok(!existsSync(join(out, 'bingo')));
+  assert.ok(contents(out).has('summary.json'));
+});
+
+test('the exactness of recorded positions is an option', () => {
+  const sigma = (/** @type {string[]} */ ...options) => json(...BLOCK.call, '--out', folder(), ...options).settings.placing;
+  assert.deepEqual(sigma('--receiver-across-m', '0.02', '--receiver-up-m', '0.04'), { receiver_across_m: 0.02, receiver_up_m: 0.04, surveyed_across_m: 0.02, surveyed_up_m: 0.03 });
+  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--receiver-up-m', '0').stderr, /--receiver-up-m is 0; allowed: 0\.001 to 1000/);
+});
+
+test('digests of the module are those of the system', () => {
+  for (const length of [0, 1, 55, 56, 63, 64, 65, 1000, 123457]) {
+    const bytes = Uint8Array.from({ length }, (_, i) => (i * 7919) % 251);
+    assert.equal(Buffer.from(sha256(bytes)).toString('hex'), createHash('sha256').update(bytes).digest('hex'), `${length}`);
+  }
+});
+
+test('a project that is damaged anywhere is refused', () => {
+  const out = folder();
+  json(...BLOCK.call, '--out', out);
+  const bytes = readFileSync(join(out, 'project.tiepoint'));
+  let state = 1;
+  const below = (/** @type {number} */ n) => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return Math.floor((state / 2 ** 32) * n);
+  };
+  for (let i = 0; i < 200; i++) {
+    const damaged = i % 2 === 0 ? bytes.subarray(0, below(bytes.length)) : Buffer.from(bytes);
+    const at = below(bytes.length);
+    if (i % 2 === 1) damaged[at] = (damaged[at] ?? 0) ^ (1 << below(8));
+    assert.throws(() => read_project(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.message.length > 10, `damage ${i} at ${at}`);
+  }
+});
