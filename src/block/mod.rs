@@ -1,7 +1,7 @@
 //! From pairs to a block: which images are tried and connected, multi-ray points, and the choice among them.
 //!
 //! Data flow: [`ChosenPair`] → matches of a pair ([`BlockMatches`], [`ConnectionGraph`]) → `evidence` (how probable a match is by the
-//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`].
+//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`] → `refinement` of the rays of chosen points ([`PointRefiner`]).
 
 mod belonging;
 mod choice;
@@ -14,6 +14,7 @@ mod options;
 mod pairs;
 mod places;
 mod points;
+mod refinement;
 mod selection;
 mod sets;
 mod settings;
@@ -28,6 +29,10 @@ pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
 pub(crate) use places::check as check_features;
 pub use points::{MultiRayPoints, PointRay};
+pub use refinement::{
+    PointRefiner, RayOutcome, RayPlace, RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, WindowedRay,
+    ray_windows,
+};
 pub use selection::{SelectedPoints, select_points};
 pub use settings::{BlockSettings, PairChoice, choose_pairs};
 pub use shared::{SharedPoints, shared_points};

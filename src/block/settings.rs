@@ -1,6 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
-use super::{BlockOptions, ChosenPair, PairRule, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
+use super::{
+    BlockOptions, ChosenPair, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs,
+};
 use crate::parameters::check;
 use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
 use serde::{Deserialize, Serialize};
@@ -86,6 +88,7 @@ pub struct BlockSettings {
     pub geometry: TwoViewOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
+    pub refinement: RefinementOptions,
 }
 
 impl Default for BlockSettings {
@@ -99,19 +102,21 @@ impl Default for BlockSettings {
             geometry: TwoViewOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
+            refinement: RefinementOptions::default(),
         }
     }
 }
 
 impl BlockSettings {
-    /// Refuses values of pairs, points and selection outside their ranges; those of features and matches are refused where these are made.
+    /// Refuses values of pairs, points, selection and refinement outside their ranges; those of features and matches are refused where these are made.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
         self.pairs.check()?;
         self.block.check()?;
-        self.selection.check()
+        self.selection.check()?;
+        self.refinement.check()
     }
 }
 

@@ -38,6 +38,7 @@ pub use search::{Candidate, Described, candidates_of, match_points};
 pub use strategy::{Descriptors, MatchImage, match_images};
 
 pub(crate) use gradients::verified_set;
+pub(crate) use least_squares::{Fit as WindowFit, LeastSquares, LeastSquaresOptions, Refusal};
 pub(crate) use refine::refine;
 
 use serde::{Deserialize, Serialize};
