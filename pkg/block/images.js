@@ -18,6 +18,12 @@ import { runStage } from './stage.js';
 const place = (key) => `features/${key}`;
 
 /**
+ * An image belongs to its content: renamed, it is the same; changed, it is another.
+ * @param {Uint8Array} bytes @param {import('../wasm/tiepoint.js').FeatureOptions} options @returns {Promise<string>}
+ */
+export const imageKey = async (bytes, options) => digest(JSON.stringify(['features', RECORD_VERSION, version(), await digest(bytes), options]));
+
+/**
  * Features that the first stage has kept.
  * @param {Surroundings['store']} store @param {string} key @returns {Promise<{ record: Uint8Array, features: Features }>}
  */
@@ -43,8 +49,7 @@ export async function readImages(sources, options, { pool, store, progress, sign
     } catch (error) {
       return { result: { name, reason: error instanceof Error ? error.message : String(error) }, found: false };
     }
-    // An image belongs to its content: renamed, it is the same; changed, it is another.
-    const key = await digest(JSON.stringify(['features', RECORD_VERSION, version(), await digest(bytes), options]));
+    const key = await imageKey(bytes, options);
     const kept = await readFeatures(await store.get(place(key)), key);
     if (kept) return { result: { name, head: kept.head, count: kept.count }, found: true };
     try {

@@ -9,6 +9,7 @@ import { readImages } from './images.js';
 import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
+import { refineRays } from './refinement.js';
 import { runStage } from './stage.js';
 
 /**
@@ -34,8 +35,13 @@ export async function runBlock(sources, options, surroundings) {
   ));
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
-  const { block, join, selected } = await joinPoints(images, pairs, settings, surroundings);
+  const { block: joined, join, selected: first } = await joinPoints(images, pairs, settings, surroundings);
+  /** What is oriented: all points, or those whose rays were refined.  @type {import('../wasm/tiepoint.js').BlockPoints} */
+  let block = joined;
   try {
+    const refined = await refineRays(joined, images, checked(sources), settings, surroundings);
+    if (refined) block = refined.block;
+    const selected = refined ? block.select(settings.selection) : first;
     const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
       name: 'orientation', items: [null], width: 1, label: () => '',
       act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, options.control), settings.selection) }, found: false }),
@@ -47,13 +53,15 @@ export async function runBlock(sources, options, surroundings) {
     return {
       settings, images, leftOut, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
-      points: { join, count: block.count, rays: block.ray_count, histogram: Array.from(block.ray_histogram()), shared: Array.from(block.shared()) },
+      points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
       selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      refinement: refined?.refinement ?? null,
       assembly: oriented.assembly, assemblyReason: oriented.reason,
       model, project,
     };
   } finally {
-    block.free();
+    if (block !== joined) block.free();
+    joined.free();
   }
 }
 

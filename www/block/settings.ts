@@ -9,7 +9,7 @@ import type { TextFile } from './state';
 type Groups = Record<string, Record<string, Value | undefined>>;
 
 /** Groups of parameters, by the first part of their keys. */
-const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['block', 'Multi-ray points']];
+const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['refinement', 'Refinement of rays'], ['block', 'Multi-ray points']];
 
 /** Parameters that matter for one rule of pairs alone. */
 const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];

@@ -112,6 +112,32 @@ pub fn ray_windows(image: GreyView<'_>, rays: &[RayPlace], options: &RefinementO
 }
 
 impl RayWindows {
+    /// Windows that were cut by the same options, perhaps of several images.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where places are not ordered by ray and halvings, or there are more or fewer grey
+    /// values than they have.
+    pub fn new(places: Vec<[u32; 4]>, grey: Vec<u8>, options: &RefinementOptions) -> Result<Self, Error> {
+        options.check()?;
+        let what = "windows of rays";
+        let side = cut_side(options);
+        if grey.len() != places.len() * side * side {
+            let got = format!("{} grey values for {} windows", grey.len(), places.len());
+            return Err(Error::InvalidInput { what, got, allowed: format!("{side} x {side} values each") });
+        }
+        let ordered = places.windows(2).all(|pair| pair[0][..2] < pair[1][..2]);
+        match places.iter().find(|place| place[1] > MOST_HALVINGS) {
+            Some(place) => {
+                Err(Error::InvalidInput { what, got: format!("{} halvings", place[1]), allowed: format!("0 to {MOST_HALVINGS}") })
+            }
+            None if !ordered => {
+                let got = "another order".to_string();
+                Err(Error::InvalidInput { what, got, allowed: "windows ordered by ray and halvings, each once".into() })
+            }
+            None => Ok(Self { side, places, grey }),
+        }
+    }
+
     fn add(&mut self, level: GreyView<'_>, ray: u32, halvings: u32, position: [f64; 2]) {
         let side = self.side;
         if level.width() < side || level.height() < side {
