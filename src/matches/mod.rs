@@ -24,7 +24,7 @@ mod spline;
 mod strategy;
 mod surface;
 #[cfg(test)]
-mod texture;
+pub(crate) mod texture;
 mod window_model;
 
 pub use blocks::DESCRIPTOR_BYTES;

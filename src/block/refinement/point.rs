@@ -225,3 +225,168 @@ fn scaled(affine: &Affine, by: f64) -> Affine {
 fn standard_error(fit: &WindowFit) -> f64 {
     crate::Fit { correlation: fit.correlation, covariance: fit.covariance, iterations: fit.iterations }.standard_error_px()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{RayWindows, ray_windows};
+    use super::*;
+    use crate::GreyImage;
+    use crate::matches::texture::Texture;
+
+    const SIZE: usize = 200;
+    const MIDDLE: f64 = 100.0;
+    /// Off the pixels, as features are.
+    const SHOWN: [f64; 2] = [101.37, 98.81];
+
+    /// An image of the texture deformed about the middle and shifted, and the ray that shows the place of [`SHOWN`], found off by `error`.
+    struct Shot {
+        image: GreyImage,
+        place: RayPlace,
+        orientation_rad: f64,
+        truth: [f64; 2],
+        matrix: Affine,
+    }
+
+    fn turned(m: &Affine, [x, y]: [f64; 2]) -> [f64; 2] {
+        [m[0][0] * x + m[0][1] * y, m[1][0] * x + m[1][1] * y]
+    }
+
+    fn shot(texture: &Texture, matrix: Affine, shift: [f64; 2], error: [f64; 2], scale_px: f64, seed: u32) -> Shot {
+        let back = inverse(&matrix).unwrap();
+        let image = texture.image(
+            SIZE,
+            |p| turned(&back, [0, 1].map(|axis| p[axis] - MIDDLE - shift[axis])).map(|v| v + MIDDLE),
+            [1.0, 0.0, 0.0],
+            seed,
+        );
+        let moved = turned(&matrix, SHOWN.map(|v| v - MIDDLE));
+        let truth = [0, 1].map(|axis| MIDDLE + shift[axis] + moved[axis]);
+        let zoom = determinant(&matrix).sqrt();
+        let place = RayPlace { position: [0, 1].map(|axis| truth[axis] + error[axis]), scale_px: scale_px * zoom };
+        Shot { image, place, orientation_rad: libm::atan2(matrix[1][0] - matrix[0][1], matrix[0][0] + matrix[1][1]), truth, matrix }
+    }
+
+    fn windows(shots: &[Shot]) -> Vec<RayWindows> {
+        shots.iter().map(|shot| ray_windows(shot.image.view(), &[shot.place], &RefinementOptions::default()).unwrap()).collect()
+    }
+
+    fn rays<'a>(shots: &[Shot], windows: &'a [RayWindows]) -> Vec<WindowedRay<'a>> {
+        let ray = |(shot, own): (&Shot, &'a RayWindows)| WindowedRay {
+            place: shot.place,
+            orientation_rad: shot.orientation_rad,
+            windows: own.of_ray(0).unwrap(),
+        };
+        shots.iter().zip(windows).map(ray).collect()
+    }
+
+    fn refined(shots: &[Shot]) -> RefinedPoint {
+        let windows = windows(shots);
+        PointRefiner::new(&RefinementOptions::default()).unwrap().refine(&rays(shots, &windows)).unwrap()
+    }
+
+    fn turn(angle: f64, zoom: f64) -> Affine {
+        let (sin, cos) = (zoom * libm::sin(angle), zoom * libm::cos(angle));
+        [[cos, -sin], [sin, cos]]
+    }
+
+    const UNIT: Affine = [[1.0, 0.0], [0.0, 1.0]];
+
+    #[test]
+    fn rays_are_moved_to_a_fiftieth_of_a_pixel_of_the_reference() {
+        for (seed, scale_px) in [(3, 2.0), (4, 2.9), (5, 3.4), (6, 6.0)] {
+            let texture = Texture::new(seed, 4.0, 40.0);
+            let sheared = [[1.06, -0.05], [0.07, 0.95]];
+            let shots = [
+                shot(&texture, UNIT, [0.0; 2], [0.0; 2], scale_px, 1),
+                shot(&texture, sheared, [3.3, -2.4], [0.5, -0.4], scale_px, 2),
+                shot(&texture, turn(2.2, 1.0), [-4.7, 1.2], [-0.3, 0.6], scale_px, 3),
+                shot(&texture, turn(-1.1, 1.25), [0.4, 0.6], [0.6, 0.2], scale_px, 4),
+            ];
+            let point = refined(&shots);
+            // The reference keeps its error: what counts is where the others are relative to it.
+            let error = |k: usize| [0, 1].map(|axis| point.rays[k].position[axis] - shots[k].truth[axis]);
+            let reference = error(point.reference);
+            let on_ground = turned(&inverse(&shots[point.reference].matrix).unwrap(), reference);
+            for k in (0..4).filter(|k| *k != point.reference) {
+                let ray = &point.rays[k];
+                assert_eq!(ray.outcome, RayOutcome::Refined, "{scale_px} {k}");
+                let (own, expected) = (error(k), turned(&shots[k].matrix, on_ground));
+                let off = [0, 1].map(|axis| (own[axis] - expected[axis]).abs());
+                assert!(off[0] < 0.02 && off[1] < 0.02, "scale {scale_px}, ray {k}: {off:?}");
+                assert!(ray.standard_error_px.unwrap() < 0.03 && ray.correlation.unwrap() > 0.98, "{ray:?}");
+            }
+            assert_eq!(point.rays[point.reference].position, shots[point.reference].place.position);
+        }
+    }
+
+    #[test]
+    fn a_ray_on_other_ground_keeps_its_place_and_says_why() {
+        let (texture, other) = (Texture::new(3, 4.0, 40.0), Texture::new(11, 4.0, 40.0));
+        let shots = [
+            shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1),
+            shot(&other, UNIT, [0.0; 2], [0.0; 2], 2.0, 2),
+            shot(&texture, UNIT, [1.5, 0.5], [0.3, 0.3], 2.0, 3),
+        ];
+        let point = refined(&shots);
+        assert_eq!(point.rays[1].position, shots[1].place.position);
+        let refusals = [RayOutcome::NotConverged, RayOutcome::MovedTooFar, RayOutcome::LowCorrelation, RayOutcome::Inconsistent];
+        assert!(refusals.contains(&point.rays[1].outcome) && point.rays[1].correlation.is_none(), "{:?}", point.rays[1]);
+        // Whichever of the other two is the reference, the other one is matched to it.
+        let outcomes = [point.rays[0].outcome, point.rays[2].outcome];
+        assert!(outcomes.contains(&RayOutcome::Reference) && outcomes.contains(&RayOutcome::Refined), "{outcomes:?}");
+    }
+
+    #[test]
+    fn what_is_too_far_or_at_the_border_keeps_its_place() {
+        let texture = Texture::new(3, 8.0, 40.0);
+        let far = [shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1), shot(&texture, UNIT, [0.0; 2], [2.2, 0.0], 2.0, 2)];
+        let point = refined(&far);
+        let moved = &point.rays[1 - point.reference];
+        assert!(matches!(moved.outcome, RayOutcome::MovedTooFar | RayOutcome::Inconsistent), "{moved:?}");
+        let border = [shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1), shot(&texture, UNIT, [95.0, 0.0], [0.0; 2], 2.0, 2)];
+        let point = refined(&border);
+        assert_eq!(point.rays[1 - point.reference].outcome, RayOutcome::LeftImage);
+        let flat = GreyImage::from_fn(SIZE, SIZE, |_, _| 90).unwrap();
+        let even =
+            |shot: &Shot| Shot { image: flat.clone(), place: shot.place, orientation_rad: 0.0, truth: shot.truth, matrix: shot.matrix };
+        let point = refined(&[even(&border[0]), even(&border[0])]);
+        assert_eq!(point.rays[1].outcome, RayOutcome::NoTexture);
+    }
+
+    #[test]
+    fn too_few_rays_and_numbers_that_are_none_are_refused() {
+        let texture = Texture::new(3, 4.0, 40.0);
+        let shots = [shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1), shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 2)];
+        let cut = windows(&shots);
+        let good = rays(&shots, &cut);
+        let mut refiner = PointRefiner::new(&RefinementOptions::default()).unwrap();
+        assert_eq!(refiner.refine(&[]).unwrap_err().code(), "too-few");
+        assert_eq!(refiner.refine(&good[..1]).unwrap_err().code(), "too-few");
+        let changed = |change: &dyn Fn(&mut WindowedRay<'_>)| {
+            let mut wrong = good.clone();
+            change(&mut wrong[1]);
+            PointRefiner::new(&RefinementOptions::default()).unwrap().refine(&wrong).unwrap_err().code()
+        };
+        assert_eq!(changed(&|ray| ray.orientation_rad = f64::NAN), "invalid-input");
+        assert_eq!(changed(&|ray| ray.place.scale_px = f64::NAN), "invalid-input");
+        assert_eq!(changed(&|ray| ray.place.position[1] = f64::INFINITY), "invalid-input");
+        let wrong = RefinementOptions { least_correlation: f64::NAN, ..RefinementOptions::default() };
+        assert!(matches!(PointRefiner::new(&wrong), Err(Error::InvalidOption { field: "refinement.least_correlation", .. })));
+    }
+
+    #[test]
+    fn the_order_of_points_does_not_matter() {
+        let texture = Texture::new(3, 4.0, 40.0);
+        let points: Vec<[Shot; 2]> = [2.0, 3.4]
+            .map(|scale| {
+                [shot(&texture, UNIT, [0.0; 2], [0.0; 2], scale, 1), shot(&texture, turn(0.4, 1.1), [1.2, 0.3], [0.4, 0.1], scale, 2)]
+            })
+            .into();
+        let cut: Vec<Vec<RayWindows>> = points.iter().map(|shots| windows(shots)).collect();
+        let mut one = PointRefiner::new(&RefinementOptions::default()).unwrap();
+        let forward: Vec<RefinedPoint> = (0..2).map(|k| one.refine(&rays(&points[k], &cut[k])).unwrap()).collect();
+        let mut other = PointRefiner::new(&RefinementOptions::default()).unwrap();
+        let backward: Vec<RefinedPoint> = (0..2).rev().map(|k| other.refine(&rays(&points[k], &cut[k])).unwrap()).collect();
+        assert_eq!((&forward[0], &forward[1]), (&backward[1], &backward[0]));
+    }
+}
