@@ -20,7 +20,7 @@ export function viewOfRun(run: BlockRun): BlockView {
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
   const cameras = view.cameras.map((camera, i) => ({ ...camera, label: run.cameras[i]?.label ?? camera.label, givenFocalPx: run.cameras[i]?.focal_px ?? null }));
   const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null }));
-  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays } };
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, found: { points: points.count, rays: points.rays }, refinement: run.refinement?.counts ?? null };
   return withAssembly(whole, assembly, run.assemblyReason);
 }
 
@@ -45,6 +45,7 @@ function viewOf(
     layout: layoutOf(model.images, exif, links),
     points: pointsOf(model),
     found: null,
+    refinement: null,
     byRays: byRays(model),
     oriented: images.filter(({ oriented }) => oriented).length,
     rmsePx: rmseOf(model),
