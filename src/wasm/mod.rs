@@ -6,6 +6,7 @@ mod about;
 mod block;
 mod block_assembly;
 mod block_files;
+mod block_refinement;
 mod block_scene;
 mod camera;
 mod convert;
