@@ -32,10 +32,10 @@ pub use assembly::{
 };
 pub use block::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
-    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace, RayWindow,
-    RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints, WindowedRay,
-    alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points, sequence_pairs,
-    shared_points,
+    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace,
+    RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints,
+    WindowedRay, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points,
+    sequence_pairs, shared_points,
 };
 pub use bundle::{
     Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
