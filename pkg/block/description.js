@@ -14,6 +14,9 @@ import { BlockError } from './errors.js';
  * @typedef {import('../wasm/tiepoint.js').ObservedPosition} ObservedPosition
  */
 
+/** Surveyed points that two images each show, without which they do not place a block. */
+const LEAST_SURVEYED = 3;
+
 /** Nothing of a camera is estimated. */
 const FIXED = { focal: false, principal_point: false, radial: 0, tangential: false };
 
@@ -21,18 +24,19 @@ const FIXED = { focal: false, principal_point: false, radial: 0, tangential: fal
  * What is known before the orientation. Recorded positions and surveyed points are of different systems: where there are surveyed points,
  * they alone place the block.
  * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {PlacingOptions} placing @param {ControlText} [control]
- * @returns {BlockDescription}
+ * @returns {{ description: BlockDescription, strayMarks: string[] }} `strayMarks`: images that marks name and that are not in the block
  */
 export function describeBlock(images, cameras, useGps, placing, control) {
-  const surveyed = control ? controlOf(control, images, placing) : [];
+  const { surveyed, strayMarks } = control ? controlOf(control, images, placing) : { surveyed: [], strayMarks: [] };
   const placed = useGps && surveyed.length === 0;
-  return {
+  const description = {
     cameras: cameras.map(({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed }) => (
       { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, ...(fixed && { free: FIXED }) }
     )),
     images: images.map(({ name, camera, exif }) => ({ name, camera, position: placed && exif.position ? observed(exif.position, placing) : null })),
     control: surveyed,
   };
+  return { description, strayMarks };
 }
 
 /**
@@ -46,20 +50,32 @@ function observed({ longitude_deg, latitude_deg, height_m, error_m }, { receiver
   return { system: 'geographic', longitude_deg, latitude_deg, height_m: height_m ?? 0, sigma_m: [across, across, height_m === null ? 1e6 : up] };
 }
 
-/** @param {ControlText} control @param {BlockImage[]} images @param {PlacingOptions} placing @returns {AssemblyControl[]} */
+/**
+ * @param {ControlText} control @param {BlockImage[]} images @param {PlacingOptions} placing
+ * @returns {{ surveyed: AssemblyControl[], strayMarks: string[] }}
+ */
 function controlOf({ points, marks }, images, { surveyed_across_m, surveyed_up_m }) {
   const places = new Map(images.map(({ name }, index) => [name, index]));
-  const control = parse_surveyed_points(points).map(({ name, position, standard_errors }) => {
+  const surveyed = parse_surveyed_points(points).map(({ name, position, standard_errors }) => {
     const [across, up] = standard_errors ?? [surveyed_across_m, surveyed_up_m];
     return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), rays: /** @type {AssemblyControl['rays']} */ ([]) };
   });
-  const byName = new Map(control.map((point) => [point.name, point]));
+  const byName = new Map(surveyed.map((point) => [point.name, point]));
+  /** @type {Set<string>} */
+  const strays = new Set();
   for (const { image, point, x_px, y_px } of parse_image_marks(marks)) {
     const of = byName.get(point);
     if (!of) throw new BlockError(`the marks name the point ${point}, which is not among the surveyed points`);
     const place = places.get(image);
     // An image that was left out, or is of another block.
-    if (place !== undefined) of.rays.push({ image: place, x_px, y_px });
+    if (place === undefined) strays.add(image);
+    else of.rays.push({ image: place, x_px, y_px });
   }
-  return control;
+  const strayMarks = [...strays].sort();
+  const seen = surveyed.filter(({ rays }) => rays.length >= 2).length;
+  if (seen < LEAST_SURVEYED) {
+    const unknown = strayMarks.length > 0 ? `; the marks name ${strayMarks.slice(0, 3).join(', ')}${strayMarks.length > 3 ? ' …' : ''}, which the block has not` : '';
+    throw new BlockError(`${seen} of ${surveyed.length} surveyed points are marked in two images or more${unknown}; allowed: ${LEAST_SURVEYED} or more, or none at all`);
+  }
+  return { surveyed, strayMarks };
 }

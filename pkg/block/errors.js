@@ -5,14 +5,20 @@
 export class BlockError extends Error {}
 
 /**
- * Why an image or a pair failed, in words; what is no fault of its own is thrown on: bad options, and errors nobody foresaw.
+ * What the crate says against its input; other errors are thrown on, bad options among them.
+ * @param {unknown} error @returns {string}
+ */
+export function refusal(error) {
+  if (error instanceof Error && error.name === 'TiepointError' && !(/** @type {{ usage?: boolean }} */ (error).usage)) return error.message;
+  throw error;
+}
+
+/**
+ * Why the job of an image or a pair failed, in words; what is no fault of its own is thrown on, as of `refusal`.
  * @param {unknown} error @returns {string}
  */
 export function ownFault(error) {
-  if (!(error instanceof Error)) throw error;
-  const refused = error.name === 'TiepointError' && !(/** @type {{ usage?: boolean }} */ (error).usage);
-  if (refused) return error.message;
   // A trap of the module, or memory that is not there: the worker was replaced.
-  if (error.name === 'RuntimeError' || error.name === 'RangeError' || error.name === 'WorkerError') return `the computation broke off (${error.message})`;
-  throw error;
+  const broke = error instanceof Error && ['RuntimeError', 'RangeError', 'WorkerError'].includes(error.name);
+  return broke ? `the computation broke off (${error.message})` : refusal(error);
 }

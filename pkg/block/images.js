@@ -18,7 +18,6 @@ import { runStage } from './stage.js';
 const place = (key) => `features/${key}`;
 
 /**
-/**
  * A record that the first stage has kept, unread.
  * @param {Surroundings['store']} store @param {string} key @returns {Promise<Uint8Array>}
  */
@@ -66,7 +65,7 @@ export async function readImages(sources, masks, options, { pool, store, progres
     const kept = await readFeatures(await store.get(place(key)), key);
     if (kept) return { result: { name, head: kept.head, count: kept.count, content, masked }, found: true };
     try {
-      const record = await pool.run('features', { bytes, key, options, mask }, transferable(bytes));
+      const record = await pool.run('features', { bytes, key, options, mask });
       await store.put(place(key), record);
       const made = await readFeatures(record, key);
       if (!made) throw new Error('a record of features does not read as it was written');
@@ -87,6 +86,3 @@ export async function readImages(sources, masks, options, { pool, store, progres
   });
   return { images: results.filter((r) => 'head' in r), leftOut: results.filter((r) => 'reason' in r) };
 }
-
-/** The memory of an array that has it for itself.  @param {Uint8Array} bytes @returns {ArrayBufferLike[]} */
-export const transferable = (bytes) => (bytes.byteLength === bytes.buffer.byteLength ? [bytes.buffer] : []);

@@ -2,7 +2,7 @@
 /** What a worker does, of whatever kind it is: jobs by name, on the module that its host has initialised. */
 
 import { ideal_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
-import { readFeatures, writeFeatures, writePair } from './records.js';
+import { descriptorsOf, readFeatures, writeFeatures, writePair } from './records.js';
 import { refine, windows } from './refinement-jobs.js';
 
 /**
@@ -80,7 +80,9 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
   const [ofLeft, ofRight] = cameras;
   const sizeOf = (/** @type {Features} */ { head }) => /** @type {[number, number]} */ ([head.width, head.height]);
   const options = { nearest, sizes: /** @type {[[number, number], [number, number]]} */ ([sizeOf(left), sizeOf(right)]), geometry: { ...geometry, left: ofLeft.pinhole, right: ofRight.pinhole } };
-  const found = match_features(ideal(left, ofLeft), left.descriptors, ideal(right, ofRight), right.descriptors, options);
+  const [a, b] = [usable(left, ofLeft), usable(right, ofRight)];
+  const found = match_features(a.positions, a.descriptors, b.positions, b.descriptors, options);
+  found.indices.forEach((index, i) => { found.indices[i] = (i % 2 === 0 ? a : b).numbers[index] ?? 0; });
   const matches = found.indices.length / 2;
   const { geometry: views, geometry_reason: reason } = found;
   if (!views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', matches, reason: reason ?? '' } };
@@ -88,10 +90,18 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
   return { ...found, geometry: views, outcome: { kind: 'connected', matches } };
 }
 
-/** Positions freed of what is known of the camera's distortion.  @param {Features} features @param {import('./types.js').PairCamera} camera */
-function ideal({ positions }, { lens }) {
+/**
+ * Features by positions freed of what is known of the camera's distortion, with their numbers; without those where it folds the image.
+ * @param {Features} features @param {import('./types.js').PairCamera} camera
+ */
+function usable({ count, positions, descriptors }, { lens }) {
   const measured = Float64Array.from(positions);
-  return lens ? ideal_positions(lens, measured) : measured;
+  const ideal = lens ? ideal_positions(lens, measured) : measured;
+  const numbers = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => Number.isFinite(ideal[2 * i]));
+  if (numbers.length === count) return { numbers, positions: ideal, descriptors };
+  const places = new Float64Array(2 * numbers.length);
+  numbers.forEach((i, k) => { places.set(ideal.subarray(2 * i, 2 * i + 2), 2 * k); });
+  return { numbers, positions: places, descriptors: descriptorsOf(descriptors, numbers) };
 }
 
 /** @param {Jobs['likeness']['input']} job */

@@ -2,9 +2,10 @@
 /** Which pairs of images are tried: by their positions, their order, or how alike they are. */
 
 import { choose_pairs, local_positions, pair_rule, version } from '../wasm/tiepoint.js';
+import { ownFault } from './errors.js';
 import { keptFeatures } from './images.js';
-import { digest, readLikeness, RECORD_VERSION, writeLikeness } from './records.js';
-import { runStage } from './stage.js';
+import { descriptorsOf, digest, readLikeness, RECORD_VERSION, writeLikeness } from './records.js';
+import { runStage, throwIfAborted } from './stage.js';
 
 /**
  * @typedef {import('./types.js').BlockImage} BlockImage
@@ -15,8 +16,6 @@ import { runStage } from './stage.js';
 
 /** How many features of the largest scales tell whether images are alike. */
 const COARSE = 256;
-
-const DESCRIPTOR_BYTES = 128;
 
 /**
  * @param {BlockImage[]} images @param {PairChoice} choice @param {boolean} useGps @param {Surroundings} surroundings
@@ -38,16 +37,25 @@ const placeOf = ({ longitude_deg, latitude_deg, height_m }) => [longitude_deg, l
 async function likenesses(images, { pool, store, progress, signal }) {
   /** @type {Uint8Array[]} */
   const coarse = [];
-  for (const { key } of images) coarse.push(await coarseOf(store, key));
+  for (const { key } of images) {
+    throwIfAborted(signal);
+    coarse.push(await coarseOf(store, key));
+  }
   const items = images.slice(0, -1).map(({ name }, index) => ({ name, index }));
   /** @param {{ index: number }} item */
   const act = async ({ index }) => {
     const key = await digest(JSON.stringify(['likeness', RECORD_VERSION, version(), COARSE, ...images.slice(index).map((image) => image.key)]));
     const kept = await readLikeness(await store.get(`likeness/${key}`), key);
     if (kept) return { result: kept, found: true };
-    const result = await pool.run('likeness', { own: coarse[index] ?? new Uint8Array(), others: coarse.slice(index + 1) });
-    await store.put(`likeness/${key}`, await writeLikeness({ key }, result));
-    return { result, found: false };
+    try {
+      const result = await pool.run('likeness', { own: coarse[index] ?? new Uint8Array(), others: coarse.slice(index + 1) });
+      await store.put(`likeness/${key}`, await writeLikeness({ key }, result));
+      return { result, found: false };
+    } catch (error) {
+      // Not known to be like any other: its pairs are left to those.
+      ownFault(error);
+      return { result: new Uint32Array(images.length - index - 1), found: false };
+    }
   };
   const counts = await runStage({
     name: 'likeness', items, width: pool.size + 1, label: ({ name }) => name, act, ...(progress && { progress }), ...(signal && { signal }),
@@ -60,7 +68,5 @@ async function coarseOf(store, key) {
   const { count, shapes, descriptors } = await keptFeatures(store, key);
   const scale = (/** @type {number} */ i) => shapes[3 * i] ?? 0;
   const order = Array.from({ length: count }, (_, i) => i).sort((a, b) => scale(b) - scale(a) || a - b).slice(0, COARSE);
-  const bytes = new Uint8Array(DESCRIPTOR_BYTES * order.length);
-  order.forEach((i, k) => bytes.set(descriptors.subarray(DESCRIPTOR_BYTES * i, DESCRIPTOR_BYTES * (i + 1)), DESCRIPTOR_BYTES * k));
-  return bytes;
+  return descriptorsOf(descriptors, order);
 }

@@ -4,7 +4,7 @@
 import { version } from '../wasm/tiepoint.js';
 import { pairCameras } from './cameras.js';
 import { ownFault } from './errors.js';
-import { keptRecord, transferable } from './images.js';
+import { keptRecord } from './images.js';
 import { digest, readPair, RECORD_VERSION } from './records.js';
 import { runStage } from './stage.js';
 
@@ -49,7 +49,7 @@ export async function matchPairs(chosen, images, cameras, settings, { pool, stor
     const [a, b] = await Promise.all([keptRecord(store, left.key), keptRecord(store, right.key)]);
     try {
       const job = { key, left: { record: a, key: left.key }, right: { record: b, key: right.key }, cameras: known, nearest, geometry, leastMatches };
-      const record = await pool.run('pair', job, [...transferable(a), ...transferable(b)]);
+      const record = await pool.run('pair', job);
       await store.put(place(key), record);
       const made = await readPair(record, key);
       if (!made) throw new Error('a record of a pair does not read as it was written');

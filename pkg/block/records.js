@@ -16,7 +16,7 @@ import { sha256 as sha256InModule } from '../wasm/tiepoint.js';
  */
 
 /** Written into every key and record: records of another version are made again. */
-export const RECORD_VERSION = 1;
+export const RECORD_VERSION = 2;
 
 const MAGIC = 0x43525054;
 const HEADER = 48;
@@ -134,4 +134,14 @@ async function readRecord(kind, bytes, key, bodyBytes) {
   const read = JSON.parse(new TextDecoder().decode(whole.subarray(HEADER, HEADER + head)));
   if (whole.length !== HEADER + head + bodyBytes(count, read)) return null;
   return read.key === key ? { head: read, count, body: whole.subarray(HEADER + head) } : null;
+}
+
+/** The descriptors of some features, one after the other.  @param {Uint8Array} descriptors @param {ArrayLike<number>} numbers */
+export function descriptorsOf(descriptors, numbers) {
+  const some = new Uint8Array(DESCRIPTOR_BYTES * numbers.length);
+  for (let k = 0; k < numbers.length; k++) {
+    const from = DESCRIPTOR_BYTES * (numbers[k] ?? 0);
+    some.set(descriptors.subarray(from, from + DESCRIPTOR_BYTES), DESCRIPTOR_BYTES * k);
+  }
+  return some;
 }

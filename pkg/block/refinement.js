@@ -6,7 +6,7 @@
 
 import { ray_outcomes, version } from '../wasm/tiepoint.js';
 import { BlockError } from './errors.js';
-import { keptFeatures, transferable } from './images.js';
+import { keptFeatures } from './images.js';
 import { digest, readWindows, RECORD_VERSION } from './records.js';
 import { runStage } from './stage.js';
 
@@ -83,7 +83,7 @@ async function keepWindows(rays, images, sources, options, { pool, store, progre
     if (await readWindows(await store.get(place(key)), key)) return { result: key, found: true };
     const bytes = await /** @type {import('./types.js').Source} */ (named.get(image.name)).bytes();
     if (await digest(bytes) !== image.content) throw new BlockError(`${image.name} was changed while the run went on: start it again`);
-    const record = await pool.run('windows', { bytes, key, rays: wanted, options }, transferable(bytes));
+    const record = await pool.run('windows', { bytes, key, rays: wanted, options });
     await store.put(place(key), record);
     return { result: key, found: false };
   };

@@ -4,7 +4,7 @@
 import { block_settings } from '../wasm/tiepoint.js';
 import { groupCameras, modelCamera } from './cameras.js';
 import { describeBlock } from './description.js';
-import { BlockError, ownFault } from './errors.js';
+import { BlockError, refusal } from './errors.js';
 import { readImages } from './images.js';
 import { masksOf } from './masks.js';
 import { matchPairs } from './pairs.js';
@@ -36,6 +36,7 @@ export async function runBlock(sources, options, surroundings) {
   const images = read.map(({ name, head, count, content, masked }, index) => (
     { name, key: head.key, content, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
+  const { description, strayMarks } = describeBlock(images, cameras, useGps, settings.placing, options.control);
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
   const { block: joined, join, selected: first } = await joinPoints(images, pairs, settings, surroundings);
@@ -47,14 +48,14 @@ export async function runBlock(sources, options, surroundings) {
     const selected = refined ? block.select(settings.selection) : first;
     const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
       name: 'orientation', items: [null], width: 1, label: () => '',
-      act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, settings.placing, options.control), settings.selection) }, found: false }),
+      act: async () => ({ result: { oriented: orientation(block, description, settings.selection) }, found: false }),
       ...(surroundings.progress && { progress: surroundings.progress }), ...(surroundings.signal && { signal: surroundings.signal }),
     }));
     const model = oriented.model ?? block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
     const project = { block: model, connections, joining: settings.block, selection: settings.selection };
     return {
-      settings, images, leftOut, strayMasks: strays, cameras, connections,
+      settings, images, leftOut, strayMasks: strays, strayMarks, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
       selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
@@ -78,7 +79,7 @@ function orientation(block, description, selection) {
   try {
     return { ...block.assemble(description, { selection }), reason: null };
   } catch (error) {
-    return { assembly: null, model: null, reason: ownFault(error) };
+    return { assembly: null, model: null, reason: refusal(error) };
   }
 }
 

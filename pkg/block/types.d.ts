@@ -55,7 +55,10 @@ export interface WindowJob { bytes: Uint8Array; key: string; rays: Float64Array;
 /** Refines points by the windows of their rays, all as `refine_points` takes them, and gives what it gives. */
 export interface RefineJob { starts: Uint32Array; rays: Float64Array; places: Uint32Array; grey: Uint8Array; options: BlockSettings['refinement'] }
 
-/** Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. */
+/**
+ * Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. `transfer` is memory of the run's
+ * own; what sources and the store have given stays theirs.
+ */
 export interface Pool {
   /** How many jobs run at the same time. */
   readonly size: number;
@@ -197,6 +200,8 @@ export interface BlockRun {
   leftOut: LeftOut[];
   /** Masks that belong to no image. */
   strayMasks: string[];
+  /** Images that marks name and that are not in the block. */
+  strayMarks: string[];
   cameras: GroupedCamera[];
   connections: Connection[];
   /** In the order of `connections`. */

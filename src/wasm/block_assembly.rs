@@ -38,14 +38,13 @@ pub fn assembly_parameters() -> JsValue {
     pack(&[ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS].concat())
 }
 
-/// Positions in px (stride 2) freed of a camera's distortion.
+/// Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
 #[wasm_bindgen]
 pub fn ideal_positions(
     #[wasm_bindgen(unchecked_param_type = "ModelCamera")] camera: &JsValue,
     positions: &[f64],
 ) -> JsResult<js_sys::Float64Array> {
     let camera: ModelCamera = read("camera", camera)?;
-    let ideal: Vec<[f64; 2]> =
-        rows::<2>("positions", positions)?.iter().map(|at| camera.ideal_px(*at)).collect::<Result<_, _>>().map_err(thrown)?;
+    let ideal = rows::<2>("positions", positions)?.iter().map(|at| camera.ideal_px(*at).unwrap_or([f64::NAN; 2])).collect::<Vec<_>>();
     Ok(numbers(ideal.into_iter().flatten()).into())
 }

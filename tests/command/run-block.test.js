@@ -17,12 +17,12 @@ const SOURCES = readdirSync(BLOCK.photos).sort().map((name) => ({ name, bytes: a
 const OPTIONS = { settings: { features: { multiscale: { number: 1200 } } } };
 
 /** @type {Pool} */
-const HERE = { size: 2, run: (name, input) => /** @type {any} */ (jobs)[name](input) };
+const HERE = { size: 2, run: async (name, input, transfer = []) => /** @type {any} */ (jobs)[name](structuredClone(input, { transfer: /** @type {ArrayBuffer[]} */ (transfer) })) };
 
 function memory() {
   /** @type {Map<string, Uint8Array>} */
   const records = new Map();
-  return { records, get: async (/** @type {string} */ key) => records.get(key)?.slice() ?? null, put: async (/** @type {string} */ key, /** @type {Uint8Array} */ record) => void records.set(key, record) };
+  return { records, get: async (/** @type {string} */ key) => records.get(key) ?? null, put: async (/** @type {string} */ key, /** @type {Uint8Array} */ record) => void records.set(key, record) };
 }
 
 test('without the command the same project comes out', async () => {
@@ -68,6 +68,14 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', reason: 'the computation broke off (unreachable)' }]);
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
   assert.ok(second.connections.every(({ outcome }) => outcome.kind !== 'failed'));
+});
+
+test('features where the distortion has no inverse are left out of their pairs alone', async () => {
+  const cameras = { text: JSON.stringify({ cameras: [{ focal_px: 300, radial: [-0.9, 0, 0] }] }), name: 'cameras.json' };
+  const run = await runBlock(SOURCES, { ...OPTIONS, cameras }, { pool: HERE, store: memory() });
+  const reasons = run.connections.map(({ outcome }) => ('reason' in outcome ? outcome.reason : ''));
+  assert.ok(reasons.every((reason) => !reason.includes('inverse')), reasons.join('\n'));
+  assert.ok(run.geometries.some((geometry) => geometry !== null), reasons.join('\n'));
 });
 
 test('options outside their range end the run, and name themselves', async () => {

@@ -26,7 +26,8 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
   if (view.partial) return [leftOut(view), section('So far', 'block-facts', facts(partialFacts(view))), section('Cameras', 'block-cameras', cameraTable(view))];
   return [
     leftOut(view),
-    strayMasks(view),
+    strays('Masks of no image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
+    strays('Marks in images that are not here', 'block-stray-marks', view.strayMarks, 'not among the images that were read'),
     section('Block', 'block-facts', facts(factsOf(view))),
     view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
     view.weaknesses.length === 0 ? null : section('Weaknesses', 'block-weaknesses', h('ul', {}, ...view.weaknesses.map((text) => h('li', {}, text)))),
@@ -46,9 +47,9 @@ function partialFacts(view: BlockView): Fact[] {
   ];
 }
 
-function strayMasks({ strayMasks: names }: BlockView): HTMLElement | null {
+function strays(title: string, testid: string, names: readonly string[], why: string): HTMLElement | null {
   if (names.length === 0) return null;
-  return section('Masks of no image', 'block-stray-masks', h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: no image has their name.`));
+  return section(title, testid, h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: ${why}.`));
 }
 
 function factsOf(view: BlockView): Fact[] {

@@ -81,6 +81,8 @@ export interface BlockView {
   leftOut: LeftOut[];
   /** Masks that belong to no image. */
   strayMasks: string[];
+  /** Images that marks name and that are not in the block. */
+  strayMarks: string[];
   cameras: ViewCamera[];
   connections: ViewConnection[];
   /** Images that are connected with each other, the largest group first. */
