@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { greyPng } from '../../pkg/command/png.js';
-import { choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload } from './page.js';
+import { again, choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload } from './page.js';
 
 hosted();
 
@@ -95,7 +95,34 @@ test('photos from one place are told to be that and not oriented', { skip: SKIP 
   assert.equal(await text(page, 'geometry-kind'), 'rotation');
   assert.match(await text(page, 'degenerate-pure-rotation'), /no base/);
   assert.match(await text(page, 'orientation-reason'), /from one place/);
+  assert.match(await text(page, 'status'), /matches of .* Not oriented: the photos were taken from one place/);
+  assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
   await page.screenshot({ path: join(SHOTS, 'rotation.png') });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('one photo twice, photos of different ground and a photo of one pixel are told to be that', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  const [left, right] = pngs();
+  assert.ok(left && right);
+  await page.locator('select[data-key="matching.strategy"]').selectOption('gradient');
+  await part(page, 'file-input').setInputFiles([left, { ...left, name: 'copy.png' }]);
+  assert.match(await done(page), /Not oriented: both images show the same in the same places\. Is it one photo twice\?/);
+  const noise = Uint8Array.from({ length: 450 * 700 }, (_, i) => Math.imul(i ^ (i >>> 7), 2654435761) >>> 24);
+  const replace = async (/** @type {ReturnType<typeof upload>} */ file) => {
+    const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'replace-right').click()]);
+    await chooser.setFiles([file]);
+  };
+  await replace(upload('noise.png', greyPng(450, 700, noise), 'image/png'));
+  await again(page);
+  assert.match(await text(page, 'status'), /Not oriented: .*Do both photos show the same ground\?/);
+  assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
+  await replace(upload('tiny.png', greyPng(1, 1, new Uint8Array(1)), 'image/png'));
+  await page.waitForFunction(() => /^Right image: the image has 1 × 1 px/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
+  await replace(right);
+  await again(page);
+  assert.ok(await number(page, 'count-matches') > 1000, 'it goes on with another image');
   assert.deepEqual(complaints, []);
   await close();
 });
