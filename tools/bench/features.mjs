@@ -6,24 +6,23 @@ import { pathToFileURL } from 'node:url';
 import { feature_defaults } from '../../pkg/node.js';
 import { DATA, readJson } from '../lib/paths.mjs';
 import { have, photoOf } from './data.mjs';
-import { medianMs } from './speed.mjs';
 
 /** Points of one image: x, y and scale in px, stride 3, with 128 bytes each.  @typedef {{ points: Float64Array, descriptors: Uint8Array }} Described */
 
 /** What a rival finds, run by the Python in TIEPOINT_PYTHON (with OpenCV): positions for pixel centres at halves. Its own threshold of contrast would leave it far fewer points. */
 const RIVAL = `
-import base64, json, statistics, sys, time
+import base64, json, sys, time
 import cv2, numpy
 cv2.setNumThreads(1)
 out = []
-for path in sys.argv[2:]:
+for path in sys.argv[3:]:
     image = cv2.imread(path, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
     sift, times = cv2.SIFT_create(int(sys.argv[1]), contrastThreshold=0.005), []
-    for _ in range(3):
-        start = time.perf_counter(); keys, described = sift.detectAndCompute(image, None); times.append(time.perf_counter() - start)
+    for _ in range(int(sys.argv[2])):
+        start = time.process_time(); keys, described = sift.detectAndCompute(image, None); times.append(1000 * (time.process_time() - start))
     points = numpy.array([(k.pt[0] + .5, k.pt[1] + .5, k.size / 2) for k in keys], '<f8')
     text = lambda a: base64.b64encode(a.tobytes()).decode()
-    out.append({'ms': statistics.median(times) * 1000, 'points': text(points), 'descriptors': text(described.astype('u1'))})
+    out.append({'ms': times, 'points': text(points), 'descriptors': text(described.astype('u1'))})
 print(json.dumps({'version': cv2.__version__, 'images': out}))
 `;
 
@@ -43,18 +42,18 @@ function ours(name, file) {
   return { points: Float64Array.from({ length: (points.length / 5) * 3 }, (_, k) => points[Math.floor(k / 3) * 5 + (k % 3)] ?? NaN), descriptors };
 }
 
-/** @param {string} name @param {string[]} files @returns {{ version: string, images: (Described & { ms: number })[] } | null} */
-function rivals(name, files) {
+/** @param {string} name @param {string[]} files @returns {{ version: string, images: (Described & { ms: number[] })[] } | null} */
+function rivals(name, files, runs = 1) {
   const python = process.env.TIEPOINT_PYTHON;
   if (!python) return null;
   const paths = files.map((file) => join(DATA, name, file));
-  const { status, stdout, stderr } = spawnSync(python, ['-c', RIVAL, String(feature_defaults().multiscale.number), ...paths], { maxBuffer: 1 << 28 });
+  const { status, stdout, stderr } = spawnSync(python, ['-c', RIVAL, String(feature_defaults().multiscale.number), String(runs), ...paths], { maxBuffer: 1 << 28 });
   if (status !== 0) throw new Error(`OpenCV did not run: ${stderr}`);
   const { version, images } = JSON.parse(String(stdout));
   const bytes = (/** @type {string} */ text) => new Uint8Array(Buffer.from(text, 'base64'));
   return {
     version,
-    images: images.map((/** @type {{ ms: number, points: string, descriptors: string }} */ image) => ({
+    images: images.map((/** @type {{ ms: number[], points: string, descriptors: string }} */ image) => ({
       ms: image.ms,
       points: new Float64Array(bytes(image.points).buffer),
       descriptors: bytes(image.descriptors),
@@ -62,16 +61,38 @@ function rivals(name, files) {
   };
 }
 
+/** Runs of each, the first of which does not count. */
+const RUNS = 10;
+
+/** Processor times of an action in ms: what else the machine does counts little.  @param {() => unknown} action */
+function processorMs(action) {
+  return Array.from({ length: RUNS }, () => {
+    const start = process.cpuUsage();
+    action();
+    const { user, system } = process.cpuUsage(start);
+    return (user + system) / 1000;
+  });
+}
+
+/** Median and range of times after a warm-up.  @param {number[]} times */
+function spread(times) {
+  const sorted = times.slice(1).sort((a, b) => a - b);
+  const [median = NaN, least = NaN, most = NaN] = [sorted[sorted.length >> 1], sorted[0], sorted.at(-1)];
+  return { median, text: `${median.toFixed(0)} ms (${least.toFixed(0)} to ${most.toFixed(0)})` };
+}
+
 function times() {
-  console.log('Features: time (wasm in Node, one thread, warm, medians; beside it OpenCV SIFT with a low threshold of contrast, native, one thread)');
+  console.log(`Features: processor time of detection and description (wasm in Node, warm; beside it OpenCV SIFT with a low threshold of contrast, native; one thread each, as many points of both, medians and ranges of ${RUNS - 1} runs)`);
   for (const [name = '', file = ''] of TIMED.filter(([name = '']) => have(name))) {
     const photo = photoOf(name, file);
-    const number = photo.features({}).points.length / 5;
-    const ms = medianMs(5, () => photo.features({}));
-    const upright = medianMs(5, () => photo.features({ gradient: { upright: true } }));
-    const rival = rivals(name, [file])?.images[0];
-    const beside = rival ? `; OpenCV ${rival.ms.toFixed(0)} ms for ${rival.points.length / 3}, ratio ${(ms / rival.ms).toFixed(2)}` : '';
-    console.log(`  ${name} ${file} (${((photo.width * photo.height) / 1e6).toFixed(1)} MP): ${number} points in ${ms.toFixed(0)} ms, upright ${upright.toFixed(0)} ms${beside}`);
+    const rival = rivals(name, [file], RUNS)?.images[0];
+    const options = { multiscale: rival ? { number: rival.points.length / 3 } : {} };
+    const number = photo.features(options).points.length / 5;
+    const own = spread(processorMs(() => photo.features(options)));
+    const upright = spread(processorMs(() => photo.features({ ...options, gradient: { upright: true } })));
+    const theirs = rival && spread(rival.ms);
+    const beside = theirs ? `; OpenCV ${theirs.text} for ${rival.points.length / 3}, ratio ${(own.median / theirs.median).toFixed(2)}` : '';
+    console.log(`  ${name} ${file} (${((photo.width * photo.height) / 1e6).toFixed(1)} MP): ${number} points in ${own.text}, upright ${upright.text}${beside}`);
     photo.free();
   }
 }
