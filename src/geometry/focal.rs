@@ -7,7 +7,7 @@ use super::rotation::{Turn, nearest_rotation};
 use super::scale::NoiseLimits;
 use super::transfer::square_transfer;
 use crate::math::Candidate;
-use crate::orientation::{Field, Pose, Poses, square_distance};
+use crate::orientation::{Field, Pose, Poses, Ray, square_distance};
 use nalgebra::Matrix3;
 
 /// Shortest and longest focal length, in units of the mean distance of the principal points from the corner of their images: 112° to 9.5° of
@@ -30,6 +30,12 @@ const LARGEST_ERROR: f64 = 0.25;
 /// Standard errors beyond which a distance counts no more.
 const LARGEST_DISTANCE: f64 = 4.0;
 
+/// What is not known of a camera whose focal length is sought, as a share of the mean distance of the principal points from the corners:
+/// standard errors of the principal point along each axis, and of the radial distortion in the corners.
+const INTERIOR_ERRORS: [f64; 3] = [0.01; 3];
+/// Share of these errors by which their effect is found: small enough for a straight line.
+const SMALL: f64 = 0.1;
+
 /// What matches are at one focal length.
 pub(super) struct AtFocal<M> {
     pub frame: Frame,
@@ -44,15 +50,39 @@ pub(super) struct BestFocal<M> {
     pub estimate: Option<FocalEstimate>,
 }
 
+/// What is taken for granted while a focal length is tried.
+struct Assumed {
+    frame: Frame,
+    /// Mean distance of the principal points from the corners, px.
+    corner: f64,
+    /// Radial distortion in the corners, as a share of that distance.
+    radial: f64,
+}
+
+impl Assumed {
+    fn rays(&self, points: &[[f64; 4]]) -> Vec<Ray> {
+        let mut rays = self.frame.rays(points);
+        let unit = self.frame.px() / self.corner;
+        if self.radial != 0.0 {
+            for side in rays.iter_mut().flat_map(|ray| ray.chunks_exact_mut(2)) {
+                let share = 1.0 + self.radial * unit * unit * (side[0] * side[0] + side[1] * side[1]);
+                side.iter_mut().for_each(|v| *v *= share);
+            }
+        }
+        rays
+    }
+}
+
 /// The best focal length by `fit`, which gives the model at one of them, from a start of its own or from the model at another one.
-fn search<M: Copy>(principal: &[[f64; 2]; 2], fit: impl Fn(&Frame, Option<&M>) -> Option<AtFocal<M>>) -> Option<BestFocal<M>> {
+fn search<M: Copy>(principal: &[[f64; 2]; 2], fit: impl Fn(&Assumed, Option<&M>) -> Option<AtFocal<M>>) -> Option<BestFocal<M>> {
     let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
     let corner = 0.5 * (length(principal[0]) + length(principal[1]));
-    let frame = |log: f64| {
-        let unit = libm::exp(log);
-        let view = |centre| View { centre, unit };
-        Frame { left: view(principal[0]), right: view(principal[1]) }
+    // The interior orientation with these errors, as shares of the distance of the corners.
+    let with_errors = |log: f64, [dx, dy, radial]: [f64; 3]| {
+        let view = |[x, y]: [f64; 2]| View { centre: [x + dx * corner, y + dy * corner], unit: libm::exp(log) };
+        Assumed { frame: Frame { left: view(principal[0]), right: view(principal[1]) }, corner, radial }
     };
+    let frame = |log: f64| with_errors(log, [0.0; 3]);
     let (first, last) = (libm::log(RANGE[0] * corner), libm::log(RANGE[1] * corner));
     let spacing = (last - first) / (TRIED - 1) as f64;
     let cost = |at: &Option<AtFocal<M>>| at.as_ref().map_or(f64::INFINITY, |at| at.cost);
@@ -89,7 +119,18 @@ fn search<M: Copy>(principal: &[[f64; 2]; 2], fit: impl Fn(&Frame, Option<&M>) -
         aside *= 0.5;
         around = rise(aside);
     }
-    let error = aside * (2.0 / around).sqrt();
+    // Where a parabola through three focal lengths is lowest, by these errors of the interior orientation.
+    let lowest_with = |errors: [f64; 3]| {
+        let [before, here, after] = [-aside, 0.0, aside].map(|step| cost(&fit(&with_errors(log + step, errors), Some(&best.model))));
+        0.5 * aside * (before - after) / (before + after - 2.0 * here)
+    };
+    let undisturbed = lowest_with([0.0; 3]);
+    let square_of_effect = |k: usize| {
+        let small = std::array::from_fn(|j| if j == k { SMALL * INTERIOR_ERRORS[k] } else { 0.0 });
+        let effect = (lowest_with(small) - undisturbed) / SMALL;
+        effect * effect
+    };
+    let error = (0..INTERIOR_ERRORS.len()).fold(2.0 * aside * aside / around, |sum, k| sum + square_of_effect(k)).sqrt();
     let determined = rises && around > 0.0 && error < LARGEST_ERROR;
     let focal_px = libm::exp(log);
     let estimate = determined.then_some(FocalEstimate { focal_px, standard_error_px: error * focal_px });
@@ -117,15 +158,16 @@ pub(super) fn of_base(
     sigma_px: f64,
 ) -> Option<BestFocal<Pose>> {
     let deciding = deciding(points);
-    search(principal, |frame, start: Option<&Pose>| {
+    search(principal, |assumed, start: Option<&Pose>| {
+        let frame = &assumed.frame;
         let sigma = sigma_px / frame.px();
-        let field = Field::new(&frame.rays(&deciding), 1);
+        let field = Field::new(&assumed.rays(&deciding), 1);
         let poses = Poses { field: &field, scale: &|_| sigma };
         let start = match start {
             Some(pose) => *pose,
             None => poses.pose_in_front(&frame.fundamental_from_px(fundamental_px), 10.0 * sigma)?,
         };
-        let pose = poses.improved(&Candidate { model: start, scale: 2.0 * sigma }, deciding.len()).model;
+        let pose = poses.settled(&Candidate { model: start, scale: 2.0 * sigma }, deciding.len()).model;
         let essential = pose.essential();
         let cost = sum_of_squares(field.rays.iter().map(|ray| square_distance(&essential, *ray)), sigma);
         Some(AtFocal { frame: *frame, model: pose, cost })
@@ -140,9 +182,10 @@ pub(super) fn of_rotation(
     sigma_px: f64,
 ) -> Option<BestFocal<Matrix3<f64>>> {
     let deciding = deciding(points);
-    search(principal, |frame, start: Option<&Matrix3<f64>>| {
+    search(principal, |assumed, start: Option<&Matrix3<f64>>| {
+        let frame = &assumed.frame;
         let sigma = sigma_px / frame.px();
-        let field = Field::new(&frame.rays(&deciding), 1);
+        let field = Field::new(&assumed.rays(&deciding), 1);
         let homography = frame.homography_from_px(homography_px);
         let start = match start {
             Some(rotation) => *rotation,

@@ -1,5 +1,6 @@
 //! Photos from one place: the right photo differs from the left one by a rotation alone.
 
+use super::frame::{Frame, View};
 use super::homography::REFINED_BY;
 use super::refine::{Kind, Lines, refined};
 use super::scale::{Conditions, NoiseLimits};
@@ -88,6 +89,27 @@ impl Problem for Rotations<'_> {
     fn penalty(&self, _: &Matrix3<f64>, _: f64) -> f64 {
         0.0
     }
+}
+
+/// A focal length that is given may be off by this share: that of EXIF is rounded, and focusing changes it.
+const FOCAL_ERROR: f64 = 0.1;
+/// Focal lengths that are tried on either side.
+const TRIED: i32 = 5;
+
+/// The rotation that explains matches in px best, with focal lengths near those of the `frame`. What moves as if the camera had turned about
+/// itself at one of them tells nothing of a base.
+pub(super) fn near_focal(points: &[[f64; 4]], frame: &Frame, start: &Matrix3<f64>, largest_px: f64) -> Option<(Frame, Matrix3<f64>)> {
+    let at = |k: i32| {
+        let scaled = |view: View| View { unit: view.unit * (1.0 + FOCAL_ERROR * f64::from(k) / f64::from(TRIED)), ..view };
+        let frame = Frame { left: scaled(frame.left), right: scaled(frame.right) };
+        let limits = NoiseLimits { largest_threshold: largest_px / frame.px(), fixed: false };
+        let field = Field::new(&frame.rays(points), 1);
+        let found = refined(&Turn, &field, &Candidate { model: *start, scale: limits.largest_threshold }, &limits, field.rays.len())?;
+        let cost: f64 = field.rays.iter().map(|ray| square_transfer(&found.model, ray).sqrt()).sum();
+        Some((cost * frame.px(), frame, found.model))
+    };
+    let best = (-TRIED..=TRIED).filter_map(at).min_by(|a, b| a.0.total_cmp(&b.0));
+    best.map(|(_, frame, rotation)| (frame, rotation))
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use super::options::{Cameras, TwoViewOptions};
 use super::parallax::OffPlane;
 use super::plane_pose::poses_of_plane;
 use super::result::{Degeneracy, TwoView, TwoViewModel};
-use super::rotation::Rotations;
+use super::rotation::{Rotations, near_focal};
 use super::scale::{Conditions, LEAST_REDUNDANCY, Noise, NoiseLimits, noise, search_scale};
 use super::support::{CALIBRATED, Tolerance, UNCALIBRATED};
 use super::transfer::square_transfer;
@@ -172,8 +172,17 @@ fn calibrated(matches: &Matches) -> Result<TwoView, Error> {
     let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
     let rotations = Rotations { field: &inner, limits: matches.limits };
     let search = matches.search(NEARLY_ALL_SAMPLES);
-    if let Some(rotation) = consensus(&rotations, None, &search).filter(|rotation| matches.explains(&rotation.model, &found)) {
-        return Ok(of_rotation(matches, matches.frame, rotation.model, &rotation.model));
+    if let Some(turned) = consensus(&rotations, None, &search) {
+        if matches.explains(&turned.model, &found) {
+            return Ok(of_rotation(matches, matches.frame, turned.model, &turned.model));
+        }
+        let largest_px = matches.limits.largest_threshold * matches.frame.px();
+        if let Some((frame, rotation)) = near_focal(&matches.points_of(&found.inliers), &matches.frame, &turned.model, largest_px) {
+            let own = matches.frame.homography_from_px(&frame.homography_px(&rotation));
+            if matches.explains(&own, &found) {
+                return Ok(of_rotation(matches, frame, rotation, &own));
+            }
+        }
     }
     let homographies = Homographies { field: &inner, limits: matches.limits };
     let Some(plane) = consensus(&homographies, None, &search).filter(|plane| matches.explains(&plane.model, &found)) else {
@@ -196,7 +205,7 @@ fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
     for _ in 0..POLISHINGS {
         let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
         let start = Candidate { model: found.model, scale: found.noise.sigma };
-        found = agreeing_with_pose(matches, Poses { field: &inner, scale: &scale }.improved(&start, inner.rays.len()).model);
+        found = agreeing_with_pose(matches, Poses { field: &inner, scale: &scale }.settled(&start, inner.rays.len()).model);
     }
     let (pose, behind) = (found.model, 5.0 * found.noise.sigma);
     found.inliers.retain(|k| pose.in_front(&matches.rays[*k], behind));

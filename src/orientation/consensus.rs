@@ -123,22 +123,33 @@ impl Poses<'_> {
     }
 
     /// A pose refined by reweighted least squares (weights 1 / (1 + d²/s²)) of the first `count` observations, s shrinking with the
-    /// distances but never above that of `start`.
+    /// distances but never above that of `start`: until a step is a tenth of its standard errors, or ten steps, which serves a search.
     pub fn improved(&self, start: &Consensus, count: usize) -> Consensus {
+        self.refined_until(start, count, 10, 0.1, |_, ray| *ray)
+    }
+
+    /// As [`Self::improved`], until a step is a hundredth of its standard errors, with the conditions at the adjusted coordinates: at the
+    /// observed ones their noise biases what is weakly determined.
+    pub fn settled(&self, start: &Consensus, count: usize) -> Consensus {
+        self.refined_until(start, count, 50, 0.01, |pose, ray| pose.project(ray).0)
+    }
+
+    fn refined_until(&self, start: &Consensus, count: usize, steps: usize, share: f64, adjusted: impl Fn(&Pose, &Ray) -> Ray) -> Consensus {
         let scale = |pose: &Pose| (self.scale)(&mut self.field.distances(&pose.essential(), count)).min(start.scale);
         let mut found = Candidate { model: start.model, scale: scale(&start.model) };
-        for _ in 0..10 {
+        for _ in 0..steps {
             let tangents = found.model.tangents();
             let mut normals = Normals::new();
             let weight_at = 1.0 / (found.scale * found.scale);
-            for line in self.field.rays.iter().take(count).filter_map(|ray| found.model.linearise(&tangents, ray, ray)) {
+            let at = |ray: &Ray| found.model.linearise(&tangents, ray, &adjusted(&found.model, ray));
+            for line in self.field.rays.iter().take(count).filter_map(at) {
                 let weight = 1.0 / (1.0 + line.misclosure * line.misclosure * weight_at);
                 normals.add(&line.by_unknowns, line.misclosure, weight);
             }
             let Ok(solution) = normals.solve() else { break };
             found.model = found.model.moved(&limited(&solution.step));
             found.scale = scale(&found.model);
-            if solution.size < 0.1 * found.scale {
+            if solution.size < share * found.scale {
                 break;
             }
         }

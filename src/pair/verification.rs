@@ -13,6 +13,10 @@ use serde::{Deserialize, Serialize};
 /// Candidates lie within this many thresholds of the geometry: those beyond one tell how many wrong ones are within.
 const REACH: f64 = 3.0;
 
+/// Standard errors within which a match is kept: distances are normal in their middle only, and beyond this poor positions are as many as
+/// good ones (Rousseeuw & Leroy 1987, Robust Regression and Outlier Detection).
+const TRUSTED: f64 = 2.5;
+
 /// Options of [`match_features`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -102,8 +106,30 @@ pub(super) fn verify(
         }
         _ => (start, agreeing),
     };
+    let (found, matches) = trusted(found, matches, positions, options);
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
     Ok(VerifiedMatches { matches, geometry })
+}
+
+/// The matches within [`TRUSTED`] standard errors, and their geometry: strangers do not raise these any more.
+fn trusted(
+    found: TwoView,
+    matches: Vec<DescriptorMatch>,
+    positions: impl Fn(&[DescriptorMatch]) -> Vec<[f64; 4]>,
+    options: &TwoViewOptions,
+) -> (TwoView, Vec<DescriptorMatch>) {
+    let within = TRUSTED * found.sigma_px;
+    if within >= found.threshold_px || options.threshold_px.is_some() {
+        return (found, matches);
+    }
+    let nearer = TwoViewOptions { threshold_px: Some(within), ..options.clone() };
+    match two_view(&positions(&matches), &nearer) {
+        Ok(better) => {
+            let matches = better.inliers.iter().map(|k| matches[*k]).collect();
+            (as_degenerate(better, &found), matches)
+        }
+        Err(_) => (found, matches),
+    }
 }
 
 /// Whether calibrated views see a plane is told by the first matches: those found along epipolar lines agree with any geometry of these lines.
