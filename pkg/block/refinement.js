@@ -34,7 +34,7 @@ const IMAGES_AT_HAND = 32;
 export async function refineRays(block, images, sources, { features, selection, refinement: options }, surroundings) {
   if (options.method === 'none') return null;
   // Rays that are oriented together are of one kind: the block goes on with these points alone, of which the final ones are chosen.
-  const chosen = block.select({ ...selection, per_image: Math.max(selection.per_image, options.per_image) }).points;
+  const chosen = block.select({ ...selection, per_image: Math.max(selection.per_image ?? 0, options.per_image ?? 0) }).points;
   const rays = raysOf(block, chosen);
   const keys = await keepWindows(rays, images, sources, { features, options }, surroundings);
   const found = await matchRays(rays, images.length, keys, options, surroundings);

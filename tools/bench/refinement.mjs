@@ -11,6 +11,8 @@ import { have } from './data.mjs';
 /**
  * @typedef {import('../../pkg/node.js').BlockModel} BlockModel
  * @typedef {BlockModel['points'][number]['rays'][number] & { outcome: string }} ToldRay
+ * @typedef {[number, number, number]} Three
+ * @typedef {{ file: string, width: number, height: number, reference: { K: [number, number, number, number], R_cw: [Three, Three, Three], C: Three } }} Known
  * @typedef {{ summary: any, model: BlockModel, rays: ToldRay[][], seconds: number }} Run
  */
 
@@ -51,11 +53,17 @@ function photographs(folder) {
 
 /** The independent reference as a block; only its poses count.  @param {any} truth @returns {BlockModel} */
 function referenceOf({ images }) {
+  /** @type {Known[]} */
   const known = images.filter((/** @type {any} */ image) => image.reference);
-  const camera = ({ width, height, reference: { K } }) => ({ width_px: width, height_px: height, focal_px: K[0], principal_point_px: /** @type {[number, number]} */ ([K[2] + 0.5, K[5] + 0.5]), radial: /** @type {[number, number, number]} */ ([0, 0, 0]), tangential: /** @type {[number, number]} */ ([0, 0]), pixel_mm: null });
+  /** @param {Known} image @returns {BlockModel['cameras'][number]} */
+  const camera = ({ width, height, reference: { K: [focal, , x, y] } }) => (
+    { width_px: width, height_px: height, focal_px: focal, principal_point_px: [x + 0.5, y + 0.5], radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null }
+  );
   // Its cameras look along +z with y down.
-  const pose = ({ reference: { R_cw: [right, down, ahead], C } }) => ({ rotation: [right, down.map((/** @type {number} */ v) => -v), ahead.map((/** @type {number} */ v) => -v)], position: C });
-  return /** @type {BlockModel} */ ({ cameras: known.map(camera), images: known.map((/** @type {any} */ image, /** @type {number} */ index) => ({ name: image.file, camera: index, pose: pose(image) })), points: [], origin: null });
+  const turned = (/** @type {Three} */ [x, y, z]) => /** @type {Three} */ ([-x, -y, -z]);
+  /** @param {Known} image @returns {NonNullable<BlockModel['images'][number]['pose']>} */
+  const pose = ({ reference: { R_cw: [right, down, ahead], C } }) => ({ rotation: [right, turned(down), turned(ahead)], position: C });
+  return { cameras: known.map(camera), images: known.map((image, index) => ({ name: image.file, camera: index, pose: pose(image) })), points: [], origin: null };
 }
 
 /** @param {string} folder @param {string} name @param {string[]} options */

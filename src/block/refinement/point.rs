@@ -147,7 +147,9 @@ impl PointRefiner {
         ray: &WindowedRay<'_>,
         (start, affine): ([f64; 2], Affine),
     ) -> Result<Found, RayOutcome> {
-        let own = level_of(halvings, &affine);
+        // Where the ray has no level as coarse, the next finer one serves: it shows the reference up to twice as large.
+        let coarsest = ray.windows.last().map_or(0, |window| window.halvings);
+        let own = level_of(halvings, &affine).min(coarsest);
         let (Some(left), Some(right)) = (reference.window(halvings), ray.window(own)) else { return Err(RayOutcome::LeftImage) };
         let px = f64::from(1u32 << own);
         let ratio = f64::from(1u32 << halvings) / px;
