@@ -76,8 +76,7 @@ impl PointRefiner {
     /// [`Error::TooFew`] for fewer than two rays; [`Error::InvalidInput`] for numbers that are none.
     ///
     /// # Source
-    /// Grün 1985, Adaptive least squares correlation; Agouris & Schenk 1996, Automated aerotriangulation using multiple image multipoint
-    /// matching (rays of a point matched to one of them).
+    /// Grün 1985, Adaptive least squares correlation, South African Journal of Photogrammetry, Remote Sensing and Cartography 14 (3).
     pub fn refine(&mut self, rays: &[WindowedRay<'_>]) -> Result<RefinedPoint, Error> {
         if rays.len() < 2 {
             return Err(Error::TooFew { what: "rays of a point", got: rays.len(), needed: 2 });
