@@ -34,7 +34,7 @@ const IMAGES_AT_HAND = 32;
 export async function refineRays(block, images, sources, { selection, refinement: options }, surroundings) {
   if (options.method === 'none') return null;
   // Rays that are oriented together are of one kind: the block goes on with these points alone, of which the final ones are chosen.
-  const chosen = block.select({ ...selection, per_image: Math.max(selection.per_image, options.per_image) }).points;
+  const chosen = block.select({ ...selection, per_image: Math.max(selection.per_image ?? 0, options.per_image ?? 0) }).points;
   const rays = raysOf(block, chosen);
   const keys = await keepWindows(rays, images, sources, options, surroundings);
   const found = await matchRays(rays, images.length, keys, options, surroundings);
@@ -81,7 +81,7 @@ async function keepWindows(rays, images, sources, options, { pool, store, progre
     });
     const key = await digest(JSON.stringify(['windows', RECORD_VERSION, version(), image.key, await digest(new Uint8Array(wanted.buffer)), options.window]));
     if (await readWindows(await store.get(place(key)), key)) return { result: key, found: true };
-    const bytes = await /** @type {import('./types.js').Source} */ (named.get(image.name)).bytes();
+    const bytes = await readAgain(/** @type {import('./types.js').Source} */ (named.get(image.name)));
     if (await digest(bytes) !== image.content) throw new BlockError(`${image.name} was changed while the run went on: start it again`);
     const record = await pool.run('windows', { bytes, key, rays: wanted, options });
     await store.put(place(key), record);
@@ -91,6 +91,15 @@ async function keepWindows(rays, images, sources, options, { pool, store, progre
     name: 'windows', items: images.map((_, index) => index), width: pool.size + 1, label: (index) => images[index]?.name ?? '', act,
     ...(progress && { progress }), ...(signal && { signal }),
   });
+}
+
+/** @param {import('./types.js').Source} source */
+async function readAgain(source) {
+  try {
+    return await source.bytes();
+  } catch (error) {
+    throw new BlockError(`${source.name} can no longer be read, which its rays are refined by: ${error instanceof Error ? error.message : String(error)}`);
+  }
 }
 
 /** @param {Uint32Array} image @param {number} images @returns {number[][]} */

@@ -198,6 +198,18 @@ export interface WindowReport {
 
 
 
+/** Windows of an image around rays. */
+export interface RayWindowTable {
+    /** Of each window px. */
+    side: number;
+    /** Of each window the index of its ray, halvings of the image, column and row of its first pixel there; stride 4. */
+    places: Uint32Array;
+    /** Grey values, side x side a window, row by row. */
+    grey: Uint8Array;
+}
+
+
+
 /** `TwoView` with its matches as a typed array. */
 export type TwoViewResult = Omit<TwoView, "inliers"> & { inliers: Uint32Array };
 
@@ -1036,6 +1048,11 @@ export type NetworkKind = "nadir" | "oblique" | "two_heights";
 export type BlockView = "nadir" | "oblique" | "two-heights";
 
 /**
+ * How the rays of chosen points are refined.
+ */
+export type RefinementMethod = "none" | "least-squares";
+
+/**
  * How the right point of a left one is found.
  */
 export type Strategy = "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
@@ -1368,6 +1385,7 @@ export interface BlockSettings {
     geometry: TwoViewOptions;
     block: BlockOptions;
     selection: SelectOptions;
+    refinement: RefinementOptions;
 }
 
 /**
@@ -1958,6 +1976,11 @@ export interface CameraLabel {
 }
 
 /**
+ * What became of a ray.
+ */
+export type RayOutcome = "reference" | "refined" | "not_converged" | "left_image" | "moved_too_far" | "low_correlation" | "no_texture" | "inconsistent";
+
+/**
  * What became of the matches.
  */
 export interface JoinCounts {
@@ -2192,6 +2215,29 @@ export type Measure = "dm" | "di";
 export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[] } | { kind: "flag" };
 
 /**
+ * Whether and how rays are refined before the block is oriented.
+ */
+export interface RefinementOptions {
+    method?: RefinementMethod;
+    /**
+     * Rays an image that are refined at least; the block is oriented by these.
+     */
+    per_image?: number;
+    /**
+     * Side of the windows in px, odd, of the image or of a reduced one by the scale of the point.
+     */
+    window?: number;
+    /**
+     * How far a ray may move, in multiples of its scale.
+     */
+    farthest?: number;
+    /**
+     * Correlation of the matched windows at least, 0..1.
+     */
+    least_correlation?: number;
+}
+
+/**
  * Which of equal neighbouring values survive the suppression of non-maxima.
  */
 export type Ties = "keep" | "first";
@@ -2268,6 +2314,10 @@ export class BlockPoints {
      */
     model(cameras: ModelCamera[], images: ModelImage[], chosen: Uint32Array | number[]): BlockModel;
     /**
+     * A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
+     */
+    moved(chosen: Uint32Array | number[], positions: Float32Array | number[]): BlockPoints;
+    /**
      * A block of images with these numbers of features.
      */
     constructor(counts: Uint32Array | number[]);
@@ -2320,6 +2370,10 @@ export class BlockScene {
      */
     recorded_position(index: number): Float64Array;
     /**
+     * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
+     */
+    surface_at(index: number, positions: Float64Array | number[]): Float64Array;
+    /**
      * The true cameras and exterior orientations.
      */
     truth(): BlockModel;
@@ -2371,6 +2425,10 @@ export class Photo {
      * Size, format and camera.
      */
     info(): PhotoInfo;
+    /**
+     * Cuts windows around rays: x, y and scale in px; stride 3.
+     */
+    ray_windows(rays: Float64Array | number[], options: Given<RefinementOptions>): RayWindowTable;
     /**
      * The image halved until its longer side is at most `max_side` px.
      */
@@ -2701,6 +2759,11 @@ export function parse_surveyed_points(text: string): SurveyedPoint[];
 export function points_csv(points: Float64Array | number[]): string;
 
 /**
+ * What can become of a ray that is refined, in the order of its codes.
+ */
+export function ray_outcomes(): RayOutcome[];
+
+/**
  * What EXIF tells of an image of this size beside its pixels.
  */
 export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
@@ -2709,6 +2772,15 @@ export function read_exif(file: Uint8Array | number[], width: number, height: nu
  * Reads a project; a file that is damaged or of another kind is refused whole.
  */
 export function read_project(bytes: Uint8Array | number[]): Project;
+
+/**
+ * Refines the rays of points by their windows. The rays of point i are those from `starts[i]` to before `starts[i + 1]`, each with x, y and
+ * scale in px and direction in rad (stride 4); `places` and `grey` as `ray_windows` gives them, their rays counted from 0 over all points.
+ *
+ * Of each ray the place of its outcome among `ray_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
+ * refined); stride 5.
+ */
+export function refine_points(starts: Uint32Array | number[], rays: Float64Array | number[], places: Uint32Array | number[], grey: Uint8Array | number[], options: Given<RefinementOptions>): Float64Array;
 
 /**
  * The names of the rules, in the order of their codes.
@@ -2775,6 +2847,7 @@ export interface InitOutput {
     readonly blockpoints_count: (a: number) => number;
     readonly blockpoints_join: (a: number, b: any) => [number, number, number];
     readonly blockpoints_model: (a: number, b: any, c: any, d: number, e: number) => [number, number, number];
+    readonly blockpoints_moved: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly blockpoints_new: (a: number, b: number) => [number, number, number];
     readonly blockpoints_ray_count: (a: number) => number;
     readonly blockpoints_ray_histogram: (a: number) => [number, number];
@@ -2786,6 +2859,7 @@ export interface InitOutput {
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
     readonly blockscene_photos: (a: number) => number;
     readonly blockscene_recorded_position: (a: number, b: number) => [number, number, number, number];
+    readonly blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
     readonly camera_rules_of: (a: any, b: any) => [number, number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
@@ -2843,12 +2917,15 @@ export interface InitOutput {
     readonly photo_grey: (a: number) => [number, number];
     readonly photo_height: (a: number) => number;
     readonly photo_info: (a: number) => any;
+    readonly photo_ray_windows: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly photo_reduced: (a: number, b: number) => any;
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly ray_outcomes: () => any;
     readonly read_exif: (a: number, b: number, c: number, d: number) => any;
     readonly read_project: (a: number, b: number) => [number, number, number];
+    readonly refine_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];

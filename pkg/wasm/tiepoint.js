@@ -6,6 +6,12 @@
  * First every image with `set_image`, then every pair with `add_pair`, in any order each, then `join`.
  */
 export class BlockPoints {
+    static __wrap(ptr) {
+        const obj = Object.create(BlockPoints.prototype);
+        obj.__wbg_ptr = ptr;
+        BlockPointsFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
     __destroy_into_raw() {
         const ptr = this.__wbg_ptr;
         this.__wbg_ptr = 0;
@@ -90,6 +96,30 @@ export class BlockPoints {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
+     * @param {Uint32Array | number[]} chosen
+     * @param {Float32Array | number[]} positions
+     * @returns {BlockPoints}
+     */
+    moved(chosen, positions) {
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passArray32ToWasm0(chosen, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = passArrayF32ToWasm0(positions, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
+            throw e;
+        }
+        const ret = wasm.blockpoints_moved(this.__wbg_ptr, ptr0, len0, ptr1, len1);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return BlockPoints.__wrap(ret[0]);
     }
     /**
      * A block of images with these numbers of features.
@@ -235,6 +265,22 @@ export class BlockScene {
         var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
         return v1;
+    }
+    /**
+     * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
+     * @param {number} index
+     * @param {Float64Array | number[]} positions
+     * @returns {Float64Array}
+     */
+    surface_at(index, positions) {
+        const val2 = +index;
+        const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * The true cameras and exterior orientations.
@@ -389,6 +435,21 @@ export class Photo {
     info() {
         const ret = wasm.photo_info(this.__wbg_ptr);
         return ret;
+    }
+    /**
+     * Cuts windows around rays: x, y and scale in px; stride 3.
+     * @param {Float64Array | number[]} rays
+     * @param {Given<RefinementOptions>} options
+     * @returns {RayWindowTable}
+     */
+    ray_windows(rays, options) {
+        const ptr0 = passArrayF64ToWasm0(rays, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.photo_ray_windows(this.__wbg_ptr, ptr0, len0, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
     }
     /**
      * The image halved until its longer side is at most `max_side` px.
@@ -1537,6 +1598,15 @@ export function points_csv(points) {
 }
 
 /**
+ * What can become of a ray that is refined, in the order of its codes.
+ * @returns {RayOutcome[]}
+ */
+export function ray_outcomes() {
+    const ret = wasm.ray_outcomes();
+    return ret;
+}
+
+/**
  * What EXIF tells of an image of this size beside its pixels.
  * @param {Uint8Array | number[]} file
  * @param {number} width
@@ -1561,6 +1631,44 @@ export function read_project(bytes) {
     const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
     const len0 = WASM_VECTOR_LEN;
     const ret = wasm.read_project(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Refines the rays of points by their windows. The rays of point i are those from `starts[i]` to before `starts[i + 1]`, each with x, y and
+ * scale in px and direction in rad (stride 4); `places` and `grey` as `ray_windows` gives them, their rays counted from 0 over all points.
+ *
+ * Of each ray the place of its outcome among `ray_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
+ * refined); stride 5.
+ * @param {Uint32Array | number[]} starts
+ * @param {Float64Array | number[]} rays
+ * @param {Uint32Array | number[]} places
+ * @param {Uint8Array | number[]} grey
+ * @param {Given<RefinementOptions>} options
+ * @returns {Float64Array}
+ */
+export function refine_points(starts, rays, places, grey, options) {
+    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+    try {
+        ptr0 = passArray32ToWasm0(starts, wasm.__wbindgen_malloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayF64ToWasm0(rays, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArray32ToWasm0(places, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+        ptr3 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
+        len3 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
+        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
+        throw e;
+    }
+    const ret = wasm.refine_points(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, options);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

@@ -33,7 +33,7 @@ pub struct RefinementOptions {
 
 impl Default for RefinementOptions {
     fn default() -> Self {
-        Self { method: RefinementMethod::None, per_image: 200, window: 21, farthest: 1.0, least_correlation: 0.8 }
+        Self { method: RefinementMethod::None, per_image: 200, window: 17, farthest: 1.0, least_correlation: 0.8 }
     }
 }
 

@@ -76,8 +76,7 @@ impl PointRefiner {
     /// [`Error::TooFew`] for fewer than two rays; [`Error::InvalidInput`] for numbers that are none.
     ///
     /// # Source
-    /// Grün 1985, Adaptive least squares correlation; Agouris & Schenk 1996, Automated aerotriangulation using multiple image multipoint
-    /// matching (rays of a point matched to one of them).
+    /// Grün 1985, Adaptive least squares correlation, South African Journal of Photogrammetry, Remote Sensing and Cartography 14 (3).
     pub fn refine(&mut self, rays: &[WindowedRay<'_>]) -> Result<RefinedPoint, Error> {
         if rays.len() < 2 {
             return Err(Error::TooFew { what: "rays of a point", got: rays.len(), needed: 2 });
@@ -147,7 +146,9 @@ impl PointRefiner {
         ray: &WindowedRay<'_>,
         (start, affine): ([f64; 2], Affine),
     ) -> Result<Found, RayOutcome> {
-        let own = level_of(halvings, &affine);
+        // Where the ray has no level as coarse, the next finer one serves: it shows the reference up to twice as large.
+        let coarsest = ray.windows.last().map_or(0, |window| window.halvings);
+        let own = level_of(halvings, &affine).min(coarsest);
         let (Some(left), Some(right)) = (reference.window(halvings), ray.window(own)) else { return Err(RayOutcome::LeftImage) };
         let px = f64::from(1u32 << own);
         let ratio = f64::from(1u32 << halvings) / px;

@@ -184,16 +184,16 @@ mod tests {
         let options = RefinementOptions::default();
         let rays = [at(150.3, 100.7, 2.0), at(3.0, 199.0, 3.4), at(160.0, 90.0, 40.0)];
         let cut = ray_windows(image.view(), &rays, &options).unwrap();
-        assert_eq!((cut.side, cut.grey.len()), (65, cut.places.len() * 65 * 65));
+        assert_eq!((cut.side, cut.grey.len()), (57, cut.places.len() * 57 * 57));
         // The image halved twice has 50 rows: too few for a window.
         let levels: Vec<[u32; 2]> = cut.places.iter().map(|place| [place[0], place[1]]).collect();
         assert_eq!(levels, [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1]]);
         let own = cut.of_ray(0).unwrap()[0];
-        assert_eq!((own.first, own.place([150.3, 100.7]).map(f64::floor)), ([118, 68], [32.0, 32.0]));
-        assert_eq!((own.grey.at(5, 9), own.grey.width()), (image.view().at(123, 77), 65));
+        assert_eq!((own.first, own.place([150.3, 100.7]).map(f64::floor)), ([122, 72], [28.0, 28.0]));
+        assert_eq!((own.grey.at(5, 9), own.grey.width()), (image.view().at(127, 81), 57));
         let border = cut.of_ray(1).unwrap();
-        assert_eq!((border[0].first, border[1].first), ([0, 135], [0, 35]));
-        assert_eq!(border[1].grey.at(3, 4), halve(image.view()).view().at(3, 39));
+        assert_eq!((border[0].first, border[1].first), ([0, 143], [0, 43]));
+        assert_eq!(border[1].grey.at(3, 4), halve(image.view()).view().at(3, 47));
         let back = border[1].position(border[1].place([3.0, 199.0]));
         assert!((back[0] - 3.0).abs() < 1e-12 && (back[1] - 199.0).abs() < 1e-12);
     }
@@ -221,8 +221,8 @@ mod tests {
     fn windows_that_do_not_fit_together_are_refused() {
         let options = RefinementOptions::default();
         let refused = |places: &[[u32; 4]], grey: usize| RayWindows::new(places.to_vec(), vec![0; grey], &options).unwrap_err().to_string();
-        let area = 65 * 65;
-        assert!(refused(&[[0, 0, 0, 0]], area - 1).contains("65 x 65"));
+        let area = 57 * 57;
+        assert!(refused(&[[0, 0, 0, 0]], area - 1).contains("57 x 57"));
         assert!(refused(&[[1, 0, 0, 0], [0, 0, 0, 0]], 2 * area).contains("ordered"));
         assert!(refused(&[[0, 1, 0, 0], [0, 1, 0, 0]], 2 * area).contains("ordered"));
         assert!(refused(&[[0, 40, 0, 0]], area).contains("halvings"));

@@ -1,0 +1,35 @@
+/** The refinement of a block's rays, in the page. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { hosted, number, open, part, SKIP } from './page.js';
+
+hosted('/refinement/');
+
+const FLIGHT = { strips: 2, exposures: 2, width_px: 480, height_px: 360, pixel_mm: 0.12 };
+
+test('rays are refined when it is chosen, and the page tells how many and why not all', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  const status = (/** @type {string} */ pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern, { timeout: 40_000 });
+  await part(page, 'mode-block').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await part(page, 'tab-block-flight').click();
+  for (const [field, value] of Object.entries(FLIGHT)) await page.locator(`input[data-key="block_flight.${field}"]`).first().fill(String(value));
+  await part(page, 'block-photograph').click();
+  await status('Press Run');
+  await part(page, 'block-run').click();
+  await status('^Done: 4 images');
+  assert.equal(await page.locator('[data-testid="block-refined"]').count(), 0);
+  const before = await number(page, 'block-rmse');
+
+  await part(page, 'tab-block-settings').click();
+  await page.locator('select[data-key="refinement.method"]').selectOption('least-squares');
+  await part(page, 'block-run').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-refined"]') !== null, undefined, { timeout: 40_000 });
+  const [refined = 0, all = 0] = ((await part(page, 'block-refined').textContent()) ?? '').replaceAll(/[^\d ]/g, '').trim().split(/\s+/).map(Number);
+  assert.ok(refined > 0.5 * all && refined <= all, `${refined} of ${all}`);
+  assert.match((await part(page, 'stage-windows').textContent()) ?? '', /4 of 4/);
+  assert.ok(await number(page, 'block-rmse') < before);
+  assert.deepEqual(complaints, []);
+  await close();
+});
