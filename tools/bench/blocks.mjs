@@ -27,7 +27,7 @@ export async function blocks() {
 }
 
 /** Each round runs the command, COLMAP and the page one after the other: all meet the same machine.  @param {number} rounds */
-async function besideColmap(rounds) {
+export async function besideColmap(rounds) {
   const python = process.env.TIEPOINT_PYTHON ?? 'python3';
   const lacks = spawnSync(python, ['-c', 'import pycolmap'], { encoding: 'utf8' });
   const why = lacks.error ? `there is no ${python}` : 'pycolmap is not among its packages';
