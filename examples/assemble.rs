@@ -1,4 +1,5 @@
-//! From a folder of images to an oriented block, with its figures: `cargo run --release --example assemble -- FOLDER [POINTS_AN_IMAGE]`.
+//! From a folder of images to an oriented block, with its figures:
+//! `cargo run --release --example assemble -- FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]`.
 //!
 //! Beside a `truth.json` with reference orientations, tells how far the positions and rotations are from these after a similarity.
 
@@ -7,9 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tiepoint::{
-    Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockMatches, BlockOptions, DecodeLimits, FeatureMatch,
-    FeatureMatchOptions, FeatureOptions, ImageFeatures, Located, ObservedPosition, Pinhole, SelectOptions, Similarity, TwoViewOptions,
-    all_pairs, assemble_block, decode, features, match_features, multi_ray_points,
+    Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockMatches, BlockOptions, DecodeLimits, ExifImage,
+    ExifPosition, FeatureMatch, FeatureMatchOptions, FeatureOptions, ImageFeatures, Located, ObservedPosition, Pinhole, SelectOptions,
+    Similarity, TwoViewOptions, all_pairs, assemble_block, decode, features, match_features, multi_ray_points,
 };
 
 /// Standard errors of a position by a hand-held receiver, to the east, to the north and up.
@@ -19,15 +20,16 @@ struct Photo {
     name: String,
     size: [u32; 2],
     focal_px: Option<f64>,
-    gps: Option<[f64; 3]>,
+    position: Option<ExifPosition>,
     positions: Vec<[f64; 2]>,
     descriptors: Vec<u8>,
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: assemble FOLDER [POINTS_AN_IMAGE]")?);
+    let folder = PathBuf::from(arguments.next().ok_or("usage: assemble FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]")?);
     let per_image = arguments.next().map(|word| word.parse()).transpose()?;
+    let growing_rays = arguments.next().map(|word| word.parse()).transpose()?.unwrap_or(AssemblyOptions::default().growing_rays);
     let start = Instant::now();
     let mut names: Vec<PathBuf> = fs::read_dir(&folder)?.map(|entry| entry.map(|entry| entry.path())).collect::<Result<_, _>>()?;
     names.retain(|name| {
@@ -51,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     let description = description(&photos);
     let selection = per_image.map(|per_image| SelectOptions { per_image, ..SelectOptions::default() });
-    let options = AssemblyOptions { selection, ..AssemblyOptions::default() };
+    let options = AssemblyOptions { selection, growing_rays, ..AssemblyOptions::default() };
     let before = start.elapsed().as_secs_f64();
     let assembly = assemble_block(&description, &points, &located, &options)?;
     println!("{} points of {} rays, assembled in {:.1} s", points.len(), points.ray_count(), start.elapsed().as_secs_f64() - before);
@@ -66,32 +68,15 @@ fn read(path: &Path) -> Result<Photo, Box<dyn Error>> {
     let bytes = fs::read(path)?;
     let decoded = decode(&bytes, &DecodeLimits::default())?;
     let found = features(decoded.grey.view(), None, &FeatureOptions::default())?;
+    let (width, height) = (decoded.grey.width() as u32, decoded.grey.height() as u32);
     Ok(Photo {
         name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-        size: [decoded.grey.width() as u32, decoded.grey.height() as u32],
+        size: [width, height],
         focal_px: decoded.camera.and_then(|camera| Some(camera.focal_mm / camera.pixel_mm?)),
-        gps: gps(&bytes),
+        position: ExifImage::read(&bytes, u64::from(width), u64::from(height)).position,
         positions: found.iter().map(|f| [f.point.x, f.point.y]).collect(),
         descriptors: found.iter().flat_map(|f| f.descriptor).collect(),
     })
-}
-
-/// Longitude, latitude and height by EXIF.
-fn gps(bytes: &[u8]) -> Option<[f64; 3]> {
-    let exif = exif::Reader::new().read_from_container(&mut std::io::Cursor::new(bytes)).ok()?;
-    let field = |tag| exif.get_field(tag, exif::In::PRIMARY);
-    let numbers = |tag| match &field(tag)?.value {
-        exif::Value::Rational(list) => Some(list.iter().map(exif::Rational::to_f64).collect::<Vec<_>>()),
-        _ => None,
-    };
-    let degrees = |tag, reference, negative: &str| {
-        let parts = numbers(tag)?;
-        let sign = if field(reference)?.display_value().to_string() == negative { -1.0 } else { 1.0 };
-        Some(sign * parts.iter().zip([1.0, 60.0, 3600.0]).map(|(part, share)| part / share).sum::<f64>())
-    };
-    let height = numbers(exif::Tag::GPSAltitude).and_then(|list| list.first().copied()).unwrap_or(0.0);
-    let longitude = degrees(exif::Tag::GPSLongitude, exif::Tag::GPSLongitudeRef, "W")?;
-    Some([longitude, degrees(exif::Tag::GPSLatitude, exif::Tag::GPSLatitudeRef, "S")?, height])
 }
 
 fn match_all(photos: &[Photo]) -> Result<BlockMatches, tiepoint::Error> {
@@ -125,10 +110,10 @@ fn description(photos: &[Photo]) -> BlockDescription {
             description.cameras.push(own);
             description.cameras.len() - 1
         });
-        let position = photo.gps.map(|[longitude_deg, latitude_deg, height_m]| ObservedPosition::Geographic {
-            longitude_deg,
-            latitude_deg,
-            height_m,
+        let position = photo.position.as_ref().map(|position| ObservedPosition::Geographic {
+            longitude_deg: position.longitude_deg,
+            latitude_deg: position.latitude_deg,
+            height_m: position.height_m.unwrap_or(0.0),
             sigma_m: GPS_SIGMA_M,
         });
         description.images.push(AssemblyImage { name: photo.name.clone(), camera, position });

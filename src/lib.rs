@@ -22,6 +22,7 @@ mod points;
 mod report;
 mod simulate;
 mod tables;
+mod text;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
@@ -31,9 +32,10 @@ pub use assembly::{
 };
 pub use block::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
-    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, SelectOptions, SelectedPoints,
-    SharedPoints, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, select_points, sequence_pairs,
-    shared_points,
+    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace,
+    RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints,
+    WindowedRay, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points,
+    sequence_pairs, shared_points,
 };
 pub use bundle::{
     Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
@@ -80,7 +82,7 @@ pub use parameters::{
     GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
-    Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointSet, Position,
+    Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use report::{Report, ReportImage, ReportTruth};

@@ -1,11 +1,12 @@
 //! Small files of text: fiducials, observations and a camera in; points and matches out.
 
+use crate::text::{records, shorten};
 use crate::{Camera, Error, Fiducial, Observation};
-use csv::{ReaderBuilder, StringRecord};
+use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
 ///
-/// The first line names the columns, in any order; further columns are ignored. Separated by commas, or by semicolons where the first line
+/// The first line names the columns, in any order; further columns are ignored. Separated by semicolons, commas or tabs, as the first line
 /// has them. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
@@ -57,22 +58,10 @@ fn write_table<const N: usize>(header: &str, rows: &[[f64; N]]) -> String {
 }
 
 fn read_table<const N: usize>(what: &'static str, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let header_line = text.lines().find(|line| is_data(line)).unwrap_or("");
-    let delimiter = if header_line.contains(';') { b';' } else { b',' };
-    let mut reader =
-        ReaderBuilder::new().delimiter(delimiter).comment(Some(b'#')).trim(csv::Trim::All).flexible(true).from_reader(text.as_bytes());
-    let header = reader.headers().map_err(|e| broken(what, &e))?.clone();
+    let mut records = records(what, text)?.into_iter();
+    let header = records.next().map(|(_, names)| names).unwrap_or_default();
     let places = find_columns(what, &header, columns)?;
-    let mut rows = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(|e| broken(what, &e))?;
-        // A line of blanks, or of separators alone as spreadsheets leave them at the end.
-        if record.iter().any(|field| !field.is_empty()) {
-            rows.push(read_row(what, &record, columns, places, || line_of(text, &record))?);
-        }
-    }
-    Ok(rows)
+    records.map(|(line, record)| read_row(what, &record, columns, places, line)).collect()
 }
 
 fn find_columns<const N: usize>(what: &'static str, header: &StringRecord, columns: [&'static str; N]) -> Result<[usize; N], Error> {
@@ -96,39 +85,16 @@ fn read_row<const N: usize>(
     record: &StringRecord,
     columns: [&'static str; N],
     places: [usize; N],
-    line: impl Fn() -> usize,
+    line: usize,
 ) -> Result<[f64; N], Error> {
     let mut row = [0.0; N];
     for ((value, column), place) in row.iter_mut().zip(columns).zip(places) {
         let refused = |got: String| Error::InvalidInput { what, got, allowed: "finite numbers with a decimal point".into() };
-        let field = record.get(place).ok_or_else(|| refused(format!("no value for {column} in line {}", line())))?;
+        let field = record.get(place).ok_or_else(|| refused(format!("no value for {column} in line {line}")))?;
         let number = field.parse().ok().filter(|number: &f64| number.is_finite());
-        *value = number.ok_or_else(|| refused(format!("'{}' for {column} in line {}", shorten(field), line())))?;
+        *value = number.ok_or_else(|| refused(format!("'{}' for {column} in line {line}", shorten(field))))?;
     }
     Ok(row)
-}
-
-fn is_data(line: &str) -> bool {
-    !line.trim().is_empty() && !line.starts_with('#')
-}
-
-/// The line of a record, counted from 1; the reader's own position is that of the blank lines and comments before it.
-fn line_of(text: &str, record: &StringRecord) -> usize {
-    let start = record.position().map_or(0, |position| position.byte() as usize).min(text.len());
-    let before = text.as_bytes()[..start].iter().filter(|byte| **byte == b'\n').count();
-    let skipped = text.get(start..).unwrap_or("").lines().take_while(|line| !is_data(line)).count();
-    before + skipped + 1
-}
-
-fn broken(what: &'static str, error: &csv::Error) -> Error {
-    Error::InvalidInput { what, got: error.to_string(), allowed: "lines of numbers between commas or semicolons".into() }
-}
-
-/// The beginning of a text, for a message of one line.
-fn shorten(text: &str) -> String {
-    const LONGEST: usize = 60;
-    let printable = text.chars().map(|c| if c.is_control() { ' ' } else { c });
-    if text.chars().count() <= LONGEST { printable.collect() } else { printable.take(LONGEST).chain("…".chars()).collect() }
 }
 
 #[cfg(test)]

@@ -5,9 +5,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 19] = [
+const ORDER: [&str; 20] = [
     "error",
     "parameters",
+    "text",
     "math",
     "camera",
     "image",

@@ -15,7 +15,7 @@ fn report_of(flight: &Flight, name: &str) -> Report {
 fn report_with(flight: &Flight, name: &str, change: impl Fn(&mut PairSettings, f64)) -> Report {
     let Sample { left, right, camera, left_fiducials, right_fiducials, left_origin, right_origin, base_mm, truth, right_position } =
         simulate(flight).unwrap();
-    let image = |side: &str, grey: GreyImage| ReportImage { name: format!("{name} {side}"), grey, exif: None };
+    let image = |side: &str, grey: GreyImage| ReportImage { name: format!("{name} {side}"), grey, exif: None, mask: None };
     let photo = |fiducials, origin| PhotoInput { fiducials, origin: Some(origin), ..PhotoInput::default() };
     let input = PairInput {
         camera: Some(camera),
@@ -88,7 +88,7 @@ fn a_report_is_whole_and_refers_to_nothing_outside() {
 #[test]
 fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
     let flight = simulate(&small()).unwrap();
-    let image = |grey: GreyImage| ReportImage { name: "<b>&\"x\"</b>.png".into(), grey, exif: None };
+    let image = |grey: GreyImage| ReportImage { name: "<b>&\"x\"</b>.png".into(), grey, exif: None, mask: None };
     let mut report = Report::new([image(flight.left), image(flight.right)], PairInput::default(), PairSettings::default(), None);
     assert_eq!(report.steps(), ["this run", "moments", "invariants", "correlation", "least squares", "gradients"]);
     let mut steps = 0;
@@ -105,7 +105,7 @@ fn a_pair_without_camera_or_truth_has_a_report_that_says_so() {
 #[test]
 fn bad_settings_are_refused() {
     let flight = simulate(&small()).unwrap();
-    let image = |grey: GreyImage| ReportImage { name: "a".into(), grey, exif: None };
+    let image = |grey: GreyImage| ReportImage { name: "a".into(), grey, exif: None, mask: None };
     let mut settings = PairSettings::default();
     settings.matching.search = 4;
     let refused = Report::new([image(flight.left), image(flight.right)], PairInput::default(), settings, None).html().unwrap_err();
@@ -141,4 +141,30 @@ fn what_sets_the_report_apart_from_the_paper_follows_the_settings() {
     let html = report.html().unwrap();
     assert!(html.contains("or the median magnitude of the moment where that is more, is the denominator"));
     assert!(html.contains("are refused that are ambiguous or many to one: "));
+}
+
+#[test]
+fn what_masks_leave_out_is_told_and_drawn() {
+    let flight = simulate(&small()).unwrap();
+    let half = |grey: &GreyImage| {
+        let values = (0..grey.data().len()).map(|k| if k % grey.width() < grey.width() / 2 { 0 } else { 255 }).collect();
+        GreyImage::new(grey.width(), grey.height(), values).unwrap()
+    };
+    let report = |mask: Option<GreyImage>| {
+        let left = ReportImage { name: "left".into(), grey: flight.left.clone(), exif: None, mask };
+        let right = ReportImage { name: "right".into(), grey: flight.right.clone(), exif: None, mask: None };
+        Report::new([left, right], PairInput::default(), PairSettings::default(), None)
+    };
+    let plain = report(None).html().unwrap();
+    let masked = report(Some(half(&flight.left))).html().unwrap();
+    assert!(masked.contains("A mask leaves out 50.0 % of the left image.") && !masked.contains("of the right image."));
+    assert_eq!(masked.matches("class=\"left-out\"").count(), 1);
+    assert!(!plain.contains("leaves out") && !plain.contains("left-out"));
+    let points = |html: &str| -> usize {
+        let rest = &html[html.find("<figcaption>left: ").unwrap() + 18..];
+        rest[..rest.find(" points").unwrap()].chars().filter(char::is_ascii_digit).collect::<String>().parse().unwrap()
+    };
+    assert!(points(&masked) > 0 && points(&masked) < points(&plain));
+    let strange = report(Some(GreyImage::new(7, 5, vec![0; 35]).unwrap())).html().unwrap_err();
+    assert!(strange.to_string().contains("mask"), "{strange}");
 }

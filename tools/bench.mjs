@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals sizes page blocks memory kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration accuracy speed features geometry rivals refinement sizes workers page blocks memory kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
@@ -10,7 +10,9 @@ const PARTS = {
   features: async () => (await import('./bench/features.mjs')).featureBench(),
   geometry: async () => (await import('./bench/geometry.mjs')).geometry(),
   rivals: async () => (await import('./bench/rivals.mjs')).rivals(),
+  refinement: async () => (await import('./bench/refinement.mjs')).refinementBench(),
   sizes: async () => (await import('./bench/sizes.mjs')).sizesOfAll(),
+  workers: async () => (await import('./bench/workers.mjs')).workers(),
   page: async () => (await import('./bench/page.mjs')).page(),
   blocks: async () => (await import('./bench/blocks.mjs')).blocks(),
   memory: async () => (await import('./bench/memory.mjs')).memory(),

@@ -2,6 +2,7 @@
 /** The files of a block: its project, its tables, its summary, and what other programs read. */
 
 import { explain_connections, export_block, write_project } from '../wasm/tiepoint.js';
+import { refinementSummary, withOutcomes } from './refinement-table.js';
 
 /**
  * @typedef {import('./types.js').BlockRun} BlockRun
@@ -35,7 +36,7 @@ export function* writing(run, formats, write, beside = {}) {
   write(PROJECT_FILE, write_project(run.project));
   yield;
   const graph = explain_connections(run.images.length, run.connections);
-  export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : text));
+  export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : path === 'rays.csv' && run.refinement ? withOutcomes(run.refinement, text) : text));
   if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
   /** @type {{ format: ExportFormat, refused: string | null }[]} */
@@ -120,6 +121,7 @@ function summaryOf(run, groups, exports) {
     groups: groups.map((group) => group.map((image) => images[image]?.name)),
     points: { found: points.count, rays: points.rays, with_rays: withRays(points.histogram), joining: points.join },
     selection: { points: selection.points, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: least(selection.raysOfImages), least_places_of_an_image: least(selection.placesOfImages) },
+    refinement: refinementSummary(run),
     orientation: orientationOf(run),
     exports,
     settings: run.settings,

@@ -18,6 +18,7 @@ import { runStage } from './stage.js';
 const place = (key) => `features/${key}`;
 
 /**
+/**
  * A record that the first stage has kept, unread.
  * @param {Surroundings['store']} store @param {string} key @returns {Promise<Uint8Array>}
  */
@@ -60,16 +61,16 @@ export async function readImages(sources, masks, options, { pool, store, progres
       return { result: { name, reason: error instanceof Error ? error.message : String(error) }, found: false };
     }
     // An image belongs to its content: renamed, it is the same; changed, it is another.
-    const contents = [await digest(bytes), ...(mask ? [await digest(mask.bytes)] : [])];
-    const key = await digest(JSON.stringify(['features', RECORD_VERSION, version(), ...contents, options]));
+    const content = await digest(bytes);
+    const key = await digest(JSON.stringify(['features', RECORD_VERSION, version(), content, ...(mask ? [await digest(mask.bytes)] : []), options]));
     const kept = await readFeatures(await store.get(place(key)), key);
-    if (kept) return { result: { name, head: kept.head, count: kept.count, masked }, found: true };
+    if (kept) return { result: { name, head: kept.head, count: kept.count, content, masked }, found: true };
     try {
       const record = await pool.run('features', { bytes, key, options, mask }, transferable(bytes));
       await store.put(place(key), record);
       const made = await readFeatures(record, key);
       if (!made) throw new Error('a record of features does not read as it was written');
-      return { result: { name, head: made.head, count: made.count, masked }, found: false };
+      return { result: { name, head: made.head, count: made.count, content, masked }, found: false };
     } catch (error) {
       return { result: { name, reason: ownFault(error) }, found: false };
     }

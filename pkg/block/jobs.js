@@ -3,6 +3,7 @@
 
 import { ideal_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
 import { readFeatures, writeFeatures, writePair } from './records.js';
+import { refine, windows } from './refinement-jobs.js';
 
 /**
  * @typedef {import('./types.js').Jobs} Jobs
@@ -12,7 +13,7 @@ import { readFeatures, writeFeatures, writePair } from './records.js';
  */
 
 /** @type {{ [N in keyof Jobs]: (input: Jobs[N]['input']) => Promise<Jobs[N]['output']> }} */
-export const jobs = { features, pair, likeness };
+export const jobs = { features, pair, likeness, windows, refine };
 
 /** The image is decoded once, and let go with the job.  @param {Jobs['features']['input']} job */
 async function features({ bytes, key, options, mask }) {

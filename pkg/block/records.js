@@ -22,7 +22,7 @@ const MAGIC = 0x43525054;
 const HEADER = 48;
 const DESCRIPTOR_BYTES = 128;
 
-const KINDS = { features: 1, pair: 2, likeness: 3 };
+const KINDS = { features: 1, pair: 2, likeness: 3, windows: 4 };
 
 /** SHA-256 in hexadecimal digits.  @param {Uint8Array | string} content @returns {Promise<string>} */
 export async function digest(content) {
@@ -48,6 +48,9 @@ export const writePair = (head, indices, strengths) => write(KINDS.pair, head, s
 
 /** @param {{ key: string }} head @param {Uint32Array} counts common features with each of the images behind */
 export const writeLikeness = (head, counts) => write(KINDS.likeness, head, counts.length, [counts]);
+
+/** @param {import('./types.js').WindowHead} head @param {Uint32Array} places as `ray_windows` gives them; stride 4 @param {Uint8Array} grey */
+export const writeWindows = (head, places, grey) => write(KINDS.windows, head, places.length / 4, [places, grey]);
 
 /**
  * A record of features; null where the bytes are none of this key: of other settings, damaged or cut off.
@@ -82,6 +85,14 @@ export async function readLikeness(bytes, key) {
   return read && new Uint32Array(read.body.buffer, read.body.byteOffset, read.count);
 }
 
+/** As `readFeatures`, of windows around rays.  @param {Uint8Array | null} bytes @param {string} key @returns {Promise<import('./types.js').Windows | null>} */
+export async function readWindows(bytes, key) {
+  const read = await readRecord(KINDS.windows, bytes, key, (n, head) => n * (16 + head.side * head.side));
+  if (!read) return null;
+  const { head, count, body } = read;
+  return { head: /** @type {import('./types.js').WindowHead} */ (head), count, places: new Uint32Array(body.buffer, body.byteOffset, 4 * count), grey: body.subarray(16 * count) };
+}
+
 /**
  * @param {number} kind @param {object} head @param {number} count @param {(Float32Array | Uint32Array | Uint8Array)[]} columns
  * @returns {Promise<Uint8Array>}
@@ -108,7 +119,7 @@ async function write(kind, head, count, columns) {
 }
 
 /**
- * @param {number} kind @param {Uint8Array | null} bytes @param {string} key @param {(count: number) => number} bodyBytes
+ * @param {number} kind @param {Uint8Array | null} bytes @param {string} key @param {(count: number, head: any) => number} bodyBytes
  * @returns {Promise<{ head: object, count: number, body: Uint8Array } | null>}
  */
 async function readRecord(kind, bytes, key, bodyBytes) {
@@ -118,9 +129,9 @@ async function readRecord(kind, bytes, key, bodyBytes) {
   const view = new DataView(whole.buffer, whole.byteOffset, whole.length);
   if (view.getUint32(0, true) !== MAGIC || view.getUint16(4, true) !== RECORD_VERSION || view.getUint16(6, true) !== kind) return null;
   const [head, count] = [view.getUint32(8, true), view.getUint32(12, true)];
-  if (whole.length !== HEADER + head + bodyBytes(count)) return null;
   const sum = await sha256(whole.subarray(HEADER));
   if (!sum.every((byte, i) => byte === whole[16 + i])) return null;
   const read = JSON.parse(new TextDecoder().decode(whole.subarray(HEADER, HEADER + head)));
+  if (whole.length !== HEADER + head + bodyBytes(count, read)) return null;
   return read.key === key ? { head: read, count, body: whole.subarray(HEADER + head) } : null;
 }

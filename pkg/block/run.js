@@ -10,6 +10,7 @@ import { masksOf } from './masks.js';
 import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
+import { refineRays } from './refinement.js';
 import { runStage } from './stage.js';
 
 /**
@@ -32,13 +33,18 @@ export async function runBlock(sources, options, surroundings) {
   const { images: read, leftOut } = await readImages(given, masks, settings.features, surroundings);
   if (read.length < 2) throw new BlockError(`a block needs two images or more; ${read.length} of ${sources.length} could be read${firstReason(leftOut)}`);
   const { cameras, of } = groupCameras(read, options.cameras?.text);
-  const images = read.map(({ name, head, count, masked }, index) => (
-    { name, key: head.key, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
+  const images = read.map(({ name, head, count, content, masked }, index) => (
+    { name, key: head.key, content, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
-  const { block, join, selected } = await joinPoints(images, pairs, settings, surroundings);
+  const { block: joined, join, selected: first } = await joinPoints(images, pairs, settings, surroundings);
+  /** What is oriented: all points, or those whose rays were refined.  @type {import('../wasm/tiepoint.js').BlockPoints} */
+  let block = joined;
   try {
+    const refined = await refineRays(joined, images, given, settings, surroundings);
+    if (refined) block = refined.block;
+    const selected = refined ? block.select(settings.selection) : first;
     const [{ oriented }] = /** @type {[{ oriented: Oriented }]} */ (await runStage({
       name: 'orientation', items: [null], width: 1, label: () => '',
       act: async () => ({ result: { oriented: orientation(block, describeBlock(images, cameras, useGps, settings.placing, options.control), settings.selection) }, found: false }),
@@ -50,13 +56,15 @@ export async function runBlock(sources, options, surroundings) {
     return {
       settings, images, leftOut, strayMasks: strays, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
-      points: { join, count: block.count, rays: block.ray_count, histogram: Array.from(block.ray_histogram()), shared: Array.from(block.shared()) },
+      points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
       selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      refinement: refined?.refinement ?? null,
       assembly: oriented.assembly, assemblyReason: oriented.reason,
       model, project,
     };
   } finally {
-    block.free();
+    if (block !== joined) block.free();
+    joined.free();
   }
 }
 

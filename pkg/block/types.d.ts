@@ -1,7 +1,7 @@
 /** The types that the stages of a block share. */
 
 import type {
-  Assembly, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, TwoViewResult,
+  Assembly, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, RayOutcome, TwoViewResult,
 } from '../wasm/tiepoint.js';
 
 /** An image file that can be read any number of times. */
@@ -16,6 +16,8 @@ export interface Jobs {
   features: { input: FeatureJob; output: Uint8Array };
   pair: { input: PairJob; output: Uint8Array };
   likeness: { input: LikenessJob; output: Uint32Array };
+  windows: { input: WindowJob; output: Uint8Array };
+  refine: { input: RefineJob; output: Float64Array };
 }
 
 /** Finds and describes the features of an image, where its mask lets them be: a record of features. */
@@ -47,6 +49,12 @@ export interface PairCamera {
 /** Counts, for one image, the mutual matches of its coarse features with those of others. */
 export interface LikenessJob { own: Uint8Array; others: Uint8Array[] }
 
+/** Cuts windows out of an image around rays (x, y and scale in px; stride 3): a record of windows. */
+export interface WindowJob { bytes: Uint8Array; key: string; rays: Float64Array; options: BlockSettings['refinement'] }
+
+/** Refines points by the windows of their rays, all as `refine_points` takes them, and gives what it gives. */
+export interface RefineJob { starts: Uint32Array; rays: Float64Array; places: Uint32Array; grey: Uint8Array; options: BlockSettings['refinement'] }
+
 /** Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. */
 export interface Pool {
   /** How many jobs run at the same time. */
@@ -60,7 +68,7 @@ export interface Store {
   put(key: string, record: Uint8Array): Promise<void>;
 }
 
-export type StageName = 'photos' | 'images' | 'likeness' | 'pairs' | 'points' | 'orientation';
+export type StageName = 'photos' | 'images' | 'likeness' | 'pairs' | 'points' | 'windows' | 'refinement' | 'orientation';
 
 /** How far a stage is. */
 export interface Step {
@@ -97,6 +105,24 @@ export interface Features { head: FeatureHead; count: number; positions: Float32
 
 export interface Pair { head: PairHead; count: number; indices: Uint32Array; strengths: Float32Array }
 
+export interface WindowHead { key: string; side: number }
+
+export interface Windows { head: WindowHead; count: number; places: Uint32Array; grey: Uint8Array }
+
+/** What became of the rays that were refined, one after the other. */
+export interface Refinement {
+  points: number;
+  /** How many rays had each outcome. */
+  counts: Record<RayOutcome, number>;
+  images: Uint32Array;
+  /** x, y in px; stride 2. */
+  positions: Float32Array;
+  /** Places among `ray_outcomes`. */
+  outcomes: Uint8Array;
+  /** Standard error in px relative to the reference ray, and correlation with it; NaN where a ray was not refined; stride 2. */
+  precision: Float32Array;
+}
+
 /** A camera of a block before its calibration. */
 export interface GroupedCamera {
   /** Make, model, focal length and size, or the pattern of the rule. */
@@ -123,6 +149,8 @@ export interface BlockImage {
   features: number;
   /** Whether a mask belongs to it. */
   masked: boolean;
+  /** Digest of the file's bytes. */
+  content: string;
   exif: ExifImage;
   camera: number;
 }
@@ -160,7 +188,7 @@ export type News =
   | { kind: 'pair'; connection: Connection; geometry: PairHead['geometry'] };
 
 /** What is known of an image once it was read. */
-export interface ReadImage { name: string; head: FeatureHead; count: number; masked: boolean }
+export interface ReadImage { name: string; head: FeatureHead; count: number; /** Digest of the file's bytes. */ content: string; masked: boolean }
 
 /** Everything that a run found. */
 export interface BlockRun {
@@ -176,6 +204,8 @@ export interface BlockRun {
   /** `histogram`: how many points have 0, 1, 2, … rays; `shared`: two images and how many points they have in common, stride 3. */
   points: { join: JoinCounts; count: number; rays: number; histogram: number[]; shared: number[] };
   selection: { points: number; raysOfImages: number[]; placesOfImages: number[] };
+  /** Null where rays are not refined. */
+  refinement: Refinement | null;
   /** Absent where the block has no model, and then why. */
   assembly: Assembly | null;
   assemblyReason: string | null;

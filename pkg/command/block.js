@@ -24,6 +24,7 @@ import { Written } from './written.js';
 const PARAMETERS = new Map([...block_parameters(), ...feature_parameters()].map((p) => [p.key, p]));
 const DEFAULTS = block_settings({});
 const RULES = ['all', 'near', 'sequence', 'alike'];
+const REFINEMENTS = ['none', 'least-squares'];
 
 /** Settings of the crate that are options, each with the place of its default.  @type {[name: string, key: string, fallback: number | undefined][]} */
 const SETTINGS = [
@@ -57,6 +58,7 @@ export const block = {
     path('out', 'DIR', 'Folder that receives the files; required. What is done stands in its folder work/: started again, the command goes on from there.'),
     word('pairs', RULES, PARAMETERS.get('pairs.rule')?.help ?? ''),
     ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
+    { ...word('refine', REFINEMENTS, PARAMETERS.get('refinement.method')?.help ?? ''), fallback: DEFAULTS.refinement.method },
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
     { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
@@ -155,6 +157,7 @@ function settingsOf(values) {
     const [group = '', field = ''] = key.split('.');
     if (values.has(name)) groups[/** @type {keyof typeof groups} */ (group)][field] = values.get(name);
   }
+  if (values.has('refine')) given.refinement = { method: values.get('refine') };
   if (values.has('pairs')) given.pairs.rule = values.get('pairs');
   return given;
 }
@@ -185,13 +188,13 @@ function imagesIn(folder) {
 }
 
 /** @param {string} out @param {any} summary @returns {string[]} */
-function describe(out, { images, cameras, pairs, groups, points, selection, orientation, score }) {
+function describe(out, { images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
   return [
     table([
       ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features],
       ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
       ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
-      ['fewest rays of an image', selection.least_rays_of_an_image], ['images oriented', orientation.oriented],
+      ['fewest rays of an image', selection.least_rays_of_an_image], ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []), ['images oriented', orientation.oriented],
       ...(orientation.models ?? []).slice(0, 1).flatMap((/** @type {any} */ model) => [['sigma0 [px]', fixed(model.sigma0_px, 3)], ['residuals, RMS [px]', fixed(model.rmse_px, 3)]]),
       ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
       ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),

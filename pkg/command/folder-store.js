@@ -7,7 +7,7 @@ import { DataError } from './errors.js';
 import { makeFolder, reasonOf, replaceFile } from './files.js';
 
 const ENDING = '.record';
-const PARTS = ['features', 'likeness', 'pairs'];
+const PARTS = ['features', 'likeness', 'pairs', 'windows'];
 
 export class FolderStore {
   #root;

@@ -1,18 +1,18 @@
 // @ts-check
-import { match_pair, matches_csv, points_csv } from '../node.js';
-import { makeFolder, readMask, readPhoto, writeInto } from './files.js';
-import { JSON_FLAG, MASK, ORIENTING_OPTIONS, path, POINT_OPTIONS, settingsOf } from './options.js';
+import { matches_csv, points_csv } from '../node.js';
+import { makeFolder, readPhoto, writeInto } from './files.js';
+import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, POINT_OPTIONS, settingsOf, workersOption } from './options.js';
 import { describeOrientation, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
-import { inputOf, PAIR_OPTIONS } from './pair.js';
+import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
 import { countTable } from './points.js';
 import { Progress } from './progress.js';
+import { matchPair } from './split-pair.js';
 import { fixed, table } from './text.js';
 import { checkPair, readTruth, scoreOf } from './truth.js';
 
 /**
  * @typedef {import('../node.js').PairOutput} PairOutput
- * @typedef {import('../node.js').Photo} Photo
  * @typedef {import('../node.js').TwoViewModel['kind']} GeometryKind
  */
 
@@ -32,11 +32,11 @@ const DEGENERATE = {
 
 const OPTIONS = [
   ...PAIR_OPTIONS,
-  path('mask-left', 'FILE', `${MASK} in the left photo.`),
-  path('mask-right', 'FILE', 'The same of the right photo.'),
+  ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: the matches and the orientation are scored by it.'),
   path('out', 'DIR', 'Folder that receives matches.csv, left-points.csv, right-points.csv and result.json.'),
   ...POINT_OPTIONS,
+  workersOption('the result is'),
   JSON_FLAG,
 ];
 
@@ -50,7 +50,7 @@ export const match = {
     + 'reason. JSON: counts (left, right, matches, refused by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` '
     + 'prints it, or null with orientation_reason; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, '
     + 'degenerate, focal) or null with geometry_reason; where no camera is known and the matches tell the focal length, they are oriented with it.',
-  run(call) {
+  async run(call) {
     const { positionals: [leftPath = '', rightPath = ''], values } = call;
     const input = inputOf(call);
     const settings = settingsOf(OPTIONS, values);
@@ -61,12 +61,8 @@ export const match = {
     const left = progress.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = progress.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     if (truth) checkPair(truth, left, right);
-    const maskOf = (/** @type {'left' | 'right'} */ side, /** @type {Photo} */ photo) => {
-      const file = values.get(`mask-${side}`);
-      return typeof file === 'string' ? readMask(file, photo) : undefined;
-    };
-    const [leftMask, rightMask] = [maskOf('left', left), maskOf('right', right)];
-    const output = progress.step('matching', () => match_pair(left, right, input, settings, leftMask, rightMask));
+    const pair = { left, right, input, settings, masks: masksOf(call, left, right) };
+    const output = await progress.stepAsync('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
     const score = truth && scoreOf(output, truth, right);
     const result = { ...resultOf(output, settings), ...(score ? { score } : {}) };
     const written = progress.step('writing', () => (typeof out === 'string' ? write(out, output, result) : []));

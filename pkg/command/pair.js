@@ -3,8 +3,8 @@
 
 import { parse_camera, parse_fiducials } from '../node.js';
 import { about, UsageError } from './errors.js';
-import { readText } from './files.js';
-import { BASE, MATCH_OPTIONS, pair, path, real, STATISTICS_OPTIONS } from './options.js';
+import { readMask, readText } from './files.js';
+import { BASE, MASK, MATCH_OPTIONS, pair, path, real, STATISTICS_OPTIONS } from './options.js';
 
 /**
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
@@ -26,6 +26,20 @@ export const PAIR_OPTIONS = [
   BASE,
   ...STATISTICS_OPTIONS,
 ];
+
+export const MASK_OPTIONS = [
+  path('mask-left', 'FILE', `${MASK} in the left photo.`),
+  path('mask-right', 'FILE', 'The same of the right photo.'),
+];
+
+/** The masks that were given.  @param {Call} call @param {import('../node.js').Photo} left @param {import('../node.js').Photo} right @returns {[Uint8Array | undefined, Uint8Array | undefined]} */
+export function masksOf({ values }, left, right) {
+  const of = (/** @type {string} */ name, /** @type {import('../node.js').Photo} */ photo) => {
+    const file = values.get(name);
+    return typeof file === 'string' ? readMask(file, photo) : undefined;
+  };
+  return [of('mask-left', left), of('mask-right', right)];
+}
 
 /** Options that only make sense beside another.  @param {Call} call */
 function checkTogether({ values }) {

@@ -64,6 +64,7 @@ export class ThreadPool {
       if (error?.name === 'RuntimeError') this.#drop(lane);
       this.#start();
     });
+    lane.worker.on('messageerror', (error) => this.#broken(lane, `the answer of the worker cannot be read: ${error.message}`));
     lane.worker.on('error', (error) => this.#broken(lane, error.message));
     lane.worker.on('exit', (code) => this.#broken(lane, `the worker ended with code ${code}`));
     this.#lanes.push(lane);

@@ -28,6 +28,22 @@ export class Progress {
     }
   }
 
+  /**
+   * As `step`, for what takes its time elsewhere.
+   * @template T @param {string} what @param {() => Promise<T>} action @returns {Promise<T>}
+   */
+  async stepAsync(what, action) {
+    this.#draw(what);
+    try {
+      const result = await action();
+      this.#done += 1;
+      return result;
+    } catch (error) {
+      this.end();
+      throw error;
+    }
+  }
+
   /** Removes the bar. */
   end() {
     if (this.#shown) process.stderr.write('\r\x1b[K');

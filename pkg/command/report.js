@@ -5,13 +5,14 @@ import { UsageError } from './errors.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { JSON_FLAG, path, POINT_OPTIONS, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
-import { inputOf, PAIR_OPTIONS } from './pair.js';
+import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
 import { Progress } from './progress.js';
 import { checkPair, readTruth } from './truth.js';
 
 const OPTIONS = [
   path('out', 'DIR', 'Folder that receives report.html; required.'),
   ...PAIR_OPTIONS,
+  ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: matches and orientation are compared with it.'),
   ...POINT_OPTIONS,
   JSON_FLAG,
@@ -38,7 +39,7 @@ export const report = {
     const right = reading.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     reading.end();
     if (truth) checkPair(truth, left, right);
-    const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth);
+    const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth, ...masksOf(call, left, right));
     const progress = new Progress(made.steps().length + 1);
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
     const file = progress.step('writing', () => writeInto(out, 'report.html', made.html()));

@@ -9,7 +9,7 @@ const WIDTH = 24;
 const PAUSE_MS = 100;
 
 /** @type {Record<Step['stage'], string>} */
-const WORDS = { photos: 'photos', images: 'images', likeness: 'likeness', pairs: 'pairs', points: 'points', orientation: 'orientation' };
+const WORDS = { photos: 'photos', images: 'images', likeness: 'likeness', pairs: 'pairs', points: 'points', windows: 'windows of rays', refinement: 'refinement', orientation: 'orientation' };
 
 export class StageProgress {
   #bar = process.stderr.isTTY === true;

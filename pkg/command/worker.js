@@ -4,10 +4,11 @@
 import { parentPort } from 'node:worker_threads';
 import '../node.js';
 import { jobs } from '../block/jobs.js';
+import * as pairJobs from './pair-jobs.js';
 import { photo } from './photo-job.js';
 
 /** @type {Record<string, (input: any) => Promise<any>>} */
-const ALL = { ...jobs, photo };
+const ALL = { ...jobs, ...pairJobs, photo };
 
 parentPort?.on('message', async ({ name, input }) => {
   try {
@@ -16,7 +17,13 @@ parentPort?.on('message', async ({ name, input }) => {
     const output = await job(input);
     parentPort?.postMessage({ output }, ArrayBuffer.isView(output) ? [/** @type {ArrayBuffer} */ (output.buffer)] : []);
   } catch (error) {
-    const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
-    parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+    fail(error);
   }
 });
+parentPort?.on('messageerror', fail);
+
+/** @param {unknown} error */
+function fail(error) {
+  const { name: kind, message, code, usage } = error instanceof Error ? /** @type {any} */ (error) : { name: 'Error', message: String(error) };
+  parentPort?.postMessage({ error: { name: kind, message, code, usage } });
+}

@@ -33,17 +33,19 @@ fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String>
 fn of_cameras(model: &AssembledModel) -> Vec<String> {
     let mut found = Vec::new();
     for (camera, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
+        // As tables number them.
+        let number = camera + 1;
         if model.guessed_focal.contains(camera) {
             let estimated = statistics.standard_errors[0];
             found.push(match estimated {
-                Some(error) => format!("The focal length of camera {camera} was not known; it is estimated to ± {error:.1} px."),
+                Some(error) => format!("The focal length of camera {number} was not known; it is estimated to ± {error:.1} px."),
                 None => format!(
-                    "The focal length of camera {camera} was not known, and the block does not determine it: heights are wrong in scale."
+                    "The focal length of camera {number} was not known, and the block does not determine it: heights are wrong in scale."
                 ),
             });
         }
         for fixed in &statistics.fixed {
-            found.push(format!("The block does not determine {} of camera {camera}; it was left as it was.", fixed.parameter.name()));
+            found.push(format!("The block does not determine {} of camera {number}; it was left as it was.", fixed.parameter.name()));
         }
     }
     found

@@ -1,7 +1,7 @@
 //! From pairs to a block: which images are tried and connected, multi-ray points, and the choice among them.
 //!
 //! Data flow: [`ChosenPair`] → matches of a pair ([`BlockMatches`], [`ConnectionGraph`]) → `evidence` (how probable a match is by the
-//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`].
+//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`] → `refinement` of the rays of chosen points ([`PointRefiner`]).
 
 mod belonging;
 mod choice;
@@ -15,6 +15,7 @@ mod pairs;
 mod places;
 mod placing;
 mod points;
+mod refinement;
 mod selection;
 mod sets;
 mod settings;
@@ -30,6 +31,10 @@ pub use places::ImageFeatures;
 pub(crate) use places::check as check_features;
 pub use placing::PlacingOptions;
 pub use points::{MultiRayPoints, PointRay};
+pub use refinement::{
+    PointRefiner, RayOutcome, RayPlace, RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, WindowedRay,
+    ray_windows,
+};
 pub use selection::{SelectedPoints, select_points};
 pub use settings::{BlockSettings, PairChoice, choose_pairs};
 pub use shared::{SharedPoints, shared_points};

@@ -1,5 +1,7 @@
 //! Multi-ray points: each a set of features, at most one in an image, that show the same place.
 
+use crate::Error;
+
 /// A feature that shows a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PointRay {
@@ -36,6 +38,22 @@ impl MultiRayPoints {
         self.rays.extend(rays);
         self.starts.push(self.rays.len() as u32);
         self.confidence.push(confidence);
+    }
+
+    /// Some of the points by themselves, in the order of `chosen`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for an index beyond the last point.
+    pub fn some(&self, chosen: &[u32]) -> Result<Self, Error> {
+        let mut some = Self::with_capacity(chosen.len(), 0);
+        for index in chosen {
+            if *index as usize >= self.len() {
+                let allowed = format!("points below {}", self.len());
+                return Err(Error::InvalidInput { what: "points of the block", got: format!("point {index}"), allowed });
+            }
+            some.push(self.rays(*index as usize).iter().copied(), self.confidence(*index as usize));
+        }
+        Ok(some)
     }
 
     /// How many points there are.

@@ -1,7 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
 use super::{
-    BlockOptions, ChosenPair, PairRule, PlacingOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs,
+    BlockOptions, ChosenPair, PairRule, PlacingOptions, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs,
+    sequence_pairs,
 };
 use crate::parameters::check;
 use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
@@ -89,6 +90,7 @@ pub struct BlockSettings {
     pub placing: PlacingOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
+    pub refinement: RefinementOptions,
 }
 
 impl Default for BlockSettings {
@@ -103,12 +105,13 @@ impl Default for BlockSettings {
             placing: PlacingOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
+            refinement: RefinementOptions::default(),
         }
     }
 }
 
 impl BlockSettings {
-    /// Refuses values of pairs, points and selection outside their ranges; those of features and matches are refused where these are made.
+    /// Refuses values of pairs, points, selection and refinement outside their ranges; those of features and matches are refused where these are made.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
@@ -116,7 +119,8 @@ impl BlockSettings {
         self.pairs.check()?;
         self.placing.check()?;
         self.block.check()?;
-        self.selection.check()
+        self.selection.check()?;
+        self.refinement.check()
     }
 }
 

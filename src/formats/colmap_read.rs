@@ -1,9 +1,10 @@
 //! Reading COLMAP's text model.
 
 use super::quaternion::pose_of_vision;
-use super::text::{Line, shorten};
+use super::text::Line;
 use super::{BlockModel, ModelCamera, ModelImage, ModelPoint, ModelRay};
 use crate::Error;
+use crate::text::shorten;
 use std::collections::BTreeMap;
 
 /// Numbers that stand in a file, and the indices they get here.
@@ -11,7 +12,7 @@ type Numbers = BTreeMap<u64, usize>;
 
 /// Reads the texts of `cameras.txt`, `images.txt` and `points3D.txt`.
 ///
-/// Rays of no point are passed over. The models SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV are read where they
+/// Rays of no point are passed over, and so are further rays of a point in an image: COLMAP keeps a track that an image sees twice. The models SIMPLE_PINHOLE, PINHOLE, SIMPLE_RADIAL, RADIAL, OPENCV and FULL_OPENCV are read where they
 /// have one focal length and no more than three radial coefficients.
 ///
 /// # Errors
@@ -116,13 +117,15 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
         let position = Some([line.number(words, "X")?, line.number(words, "Y")?, line.number(words, "Z")?]);
         let colour = [line.whole(words, "R")?, line.whole(words, "G")?, line.whole(words, "B")?];
         let rmse_px = Some(line.number(words, "ERROR")?).filter(|error| *error >= 0.0);
-        let mut rays = Vec::new();
+        let mut rays: Vec<ModelRay> = Vec::new();
         while words.peek().is_some() {
             let image: u64 = line.whole(words, "IMAGE_ID")?;
             let index: usize = line.whole(words, "POINT2D_IDX")?;
             let image = *images.get(&image).ok_or_else(|| line.refused(format!("image {image} is not in images.txt")))?;
             let place = features[image].get(index).ok_or_else(|| line.refused(format!("image {image} has no point {index}")))?;
-            rays.push(ModelRay { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
+            if rays.iter().all(|ray| ray.image != image) {
+                rays.push(ModelRay { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
+            }
         }
         if points.insert(number, ModelPoint { position, colour, rmse_px, confidence: 1.0, rays }).is_some() {
             return Err(line.refused(format!("point {number} again")));
@@ -162,6 +165,15 @@ mod tests {
             let [cameras, images, points] = texts(&model);
             assert_eq!(read_colmap_model(&cameras, &images, &points).unwrap(), model, "{distortion:?}");
         }
+    }
+
+    #[test]
+    fn a_track_that_an_image_sees_twice_keeps_its_first_ray_there() {
+        let model = oriented([0.0; 5]);
+        let [cameras, images, points] = texts(&model);
+        let again = points.replace("1 0 2 0\n", "1 0 2 0 1 1\n");
+        assert_ne!(again, points);
+        assert_eq!(read_colmap_model(&cameras, &images, &again).unwrap(), model);
     }
 
     #[test]

@@ -1,8 +1,8 @@
 //! Reading surveyed points: control and check points of a block.
 
-use super::text::shorten;
 use crate::Error;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use crate::text::{records, shorten};
+use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -22,29 +22,14 @@ pub struct SurveyedPoint {
 
 /// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between commas, semicolons or tabs.
 ///
-/// A first line that names columns may come before them: `name`, `x`, `y`, `z`, `sigma_xy`, `sigma_z`, in any order, among others. Without
-/// it the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
+/// A first line that names columns may come before them: `name` or `label`, `x`, `y`, `z`, `sigma_xy`, `sigma_z` (or `accH`,
+/// `accV`), in any order, among others, in capitals or not. Without it the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
 pub fn parse_surveyed_points(text: &str) -> Result<Vec<SurveyedPoint>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.trim_start().starts_with('#')).unwrap_or("");
-    let delimiter = [b';', b'\t'].into_iter().find(|byte| first.as_bytes().contains(byte)).unwrap_or(b',');
-    let mut reader = ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .flexible(true)
-        .has_headers(false)
-        .from_reader(text.as_bytes());
     let (mut points, mut names, mut columns) = (Vec::new(), BTreeSet::new(), None);
-    for record in reader.records() {
-        let record = record.map_err(|e| refused(e.to_string()))?;
-        if record.iter().all(str::is_empty) {
-            continue;
-        }
-        let line = record.position().map_or(0, csv::Position::line);
+    for (line, record) in records(WHAT, text)? {
         let Some(columns) = &columns else {
             let found = Columns::of(&record)?;
             columns = Some(found.unwrap_or_default());
@@ -83,12 +68,14 @@ impl Columns {
             let names = record.iter().collect::<Vec<_>>().join(",");
             place(name).ok_or_else(|| refused(format!("neither a column '{name}' nor a point in the first line '{}'", shorten(&names))))
         };
-        let standard_errors = place("sigma_xy").zip(place("sigma_z")).map(|(xy, z)| [xy, z]);
-        Ok(Some(Self { name: needed("name")?, position: [needed("x")?, needed("y")?, needed("z")?], standard_errors }))
+        let errors = |[xy, z]: [&str; 2]| place(xy).zip(place(z)).map(|(xy, z)| [xy, z]);
+        let standard_errors = errors(["sigma_xy", "sigma_z"]).or_else(|| errors(["accH", "accV"]));
+        let name = place("label").map_or_else(|| needed("name"), Ok)?;
+        Ok(Some(Self { name, position: [needed("x")?, needed("y")?, needed("z")?], standard_errors }))
     }
 }
 
-fn read_point(record: &StringRecord, columns: &Columns, line: u64, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
+fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
     let field = |column: usize| record.get(column).unwrap_or("");
     let number = |column: usize, what: &str| {
         let value = field(column).parse().ok().filter(|value: &f64| value.is_finite());
@@ -112,7 +99,11 @@ fn read_point(record: &StringRecord, columns: &Columns, line: u64, names: &mut B
 }
 
 fn refused(got: String) -> Error {
-    Error::InvalidInput { what: WHAT, got, allowed: "lines of name, x, y, z and perhaps two standard errors".into() }
+    Error::InvalidInput {
+        what: WHAT,
+        got,
+        allowed: "lines of name, x, y, z and perhaps both standard errors, of place and of height".into(),
+    }
 }
 
 #[cfg(test)]
@@ -134,6 +125,7 @@ mod tests {
             wanted
         );
         assert_eq!(parse_surveyed_points("A1\t1\t2\t3\t0.02\t0.03\nA 2\t-1.5\t2000\t0\n").unwrap(), wanted);
+        assert_eq!(parse_surveyed_points("label,X,Y,Z,accH,accV\nA1,1,2,3,0.02,0.03\nA 2,-1.5,2000,0\n").unwrap(), wanted);
         assert!(parse_surveyed_points("").unwrap().is_empty());
     }
 
@@ -144,7 +136,11 @@ mod tests {
         assert!(message("A,1,2,3\nB,1,2,inf\n").contains("'inf' for z in line 2"));
         assert!(message("A,1,2,3\nA,1,2,3\n").contains("the name 'A' in line 2"));
         assert!(message("A,1,2,3,0,1\n").contains("not above 0"));
-        assert!(message("A,1,2,3,0.1\n").contains("'' for sigma_z"));
+        assert!(
+            message("A,1,2,3,0.1\n").contains("'' for sigma_z in line 1; allowed: lines of name, x, y, z and perhaps both"),
+            "{}",
+            message("A,1,2,3,0.1\n")
+        );
         assert!(message("name,x,y,z\n,1,2,3\n").contains("the name ''"));
     }
 }

@@ -1,8 +1,7 @@
 //! Reading where images show surveyed points.
 
-use super::text::shorten;
 use crate::Error;
-use csv::{ReaderBuilder, Trim};
+use crate::text::{records, shorten};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -21,8 +20,8 @@ pub struct ImageMark {
     pub y_px: f64,
 }
 
-/// Reads marks: lines of image, point, x, y in px, between commas or semicolons. A first line of column names is skipped, and so are blank
-/// lines and those that begin with `#`.
+/// Reads marks: lines of image, point, x, y in px, between commas, semicolons or tabs. A first line of column names, without figures where places
+/// stand, is skipped, and so are blank lines and those that begin with `#`.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line: for a name that is missing, a number that is none, and a point twice in an image.
@@ -30,24 +29,12 @@ pub struct ImageMark {
 /// # Source
 /// The columns of the table of marks of Pix4D.
 pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
-    let text = text.trim_start_matches('\u{feff}');
-    let first = text.lines().find(|line| !line.trim().is_empty() && !line.starts_with('#')).unwrap_or("");
-    let delimiter = if first.contains(';') { b';' } else { b',' };
-    let mut reader = ReaderBuilder::new()
-        .delimiter(delimiter)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .flexible(true)
-        .has_headers(false)
-        .from_reader(text.as_bytes());
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
-    for (index, record) in reader.records().enumerate() {
-        let record = record.map_err(|e| refused(e.to_string()))?;
-        let line = record.position().map_or(0, csv::Position::line);
+    for (index, (line, record)) in records(WHAT, text)?.into_iter().enumerate() {
         let field = |column: usize| record.get(column).unwrap_or("");
         let number = |column: usize| field(column).parse().ok().filter(|v: &f64| v.is_finite());
-        if record.iter().all(str::is_empty) || (index == 0 && field(2).parse::<f64>().is_err() && field(3).parse::<f64>().is_err()) {
+        if index == 0 && [2, 3].iter().all(|column| is_word(field(*column))) {
             continue;
         }
         let (image, point) = (field(0).to_string(), field(1).to_string());
@@ -63,6 +50,11 @@ pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
         marks.push(ImageMark { image, point, x_px, y_px });
     }
     Ok(marks)
+}
+
+/// Whether a field names a column; a number with a slip is no name.
+fn is_word(field: &str) -> bool {
+    !field.is_empty() && field.chars().all(|c| !c.is_ascii_digit())
 }
 
 fn refused(got: String) -> Error {
@@ -89,6 +81,7 @@ mod tests {
             ("a.jpg,P1,1,2\nb.jpg,P2,x,4", "line 2"),
             ("a.jpg,P1,1,2\nb.jpg,P2,3", "line 2"),
             (",P1,1,2", "line 1"),
+            ("a.jpg,P1,1O0.5,2O0.5\nb.jpg,P1,1,2", "'1O0.5', '2O0.5' as place in line 1"),
             ("a.jpg,P1,NaN,2", "line 1"),
         ] {
             let message = parse_image_marks(text).unwrap_err().to_string();

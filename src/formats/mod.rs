@@ -23,9 +23,12 @@ mod model;
 mod nvm;
 mod opensfm;
 mod patb;
+mod photo_camera;
 mod project;
 mod quaternion;
 mod sight;
+#[cfg(test)]
+mod tests;
 mod text;
 mod tie_points;
 

@@ -1,7 +1,7 @@
 //! The block's own file: one line that says what it is, and one of JSON that is checked against it.
 
 use super::BlockModel;
-use super::text::shorten;
+use crate::text::shorten;
 use crate::{BlockOptions, Connection, Error, SelectOptions};
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,7 @@
 //! Words of text files: names without blanks, errors of writing, numbers of a line.
 
 use crate::Error;
+use crate::text::shorten;
 use std::fmt;
 
 /// The error of a sink that takes no more text.
@@ -62,15 +63,4 @@ impl<'a> Line<'a> {
     pub(super) fn word(&self, words: &mut impl Iterator<Item = &'a str>, name: &str) -> Result<&'a str, Error> {
         words.next().ok_or_else(|| self.refused(format!("it ends before {name}")))
     }
-}
-
-/// The beginning of a text, for a message of one line.
-pub(super) fn shorten(text: &str) -> String {
-    const LONGEST: usize = 40;
-    let printable = |c: char| if c.is_control() { ' ' } else { c };
-    let mut short: String = text.chars().take(LONGEST).map(printable).collect();
-    if text.chars().nth(LONGEST).is_some() {
-        short.push('…');
-    }
-    short
 }

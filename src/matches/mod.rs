@@ -14,6 +14,7 @@ mod neighbours;
 mod offset;
 mod options;
 mod parallax;
+mod parallax_gradient;
 mod products;
 mod quad;
 mod refine;
@@ -24,7 +25,7 @@ mod spline;
 mod strategy;
 mod surface;
 #[cfg(test)]
-mod texture;
+pub(crate) mod texture;
 mod window_model;
 
 pub use blocks::DESCRIPTOR_BYTES;
@@ -38,6 +39,8 @@ pub use search::{Candidate, Described, candidates_of, match_points};
 pub use strategy::{Descriptors, MatchImage, match_images};
 
 pub(crate) use gradients::verified_set;
+pub(crate) use least_squares::{Fit as WindowFit, LeastSquares, LeastSquaresOptions, Refusal};
+pub(crate) use parallax_gradient::within_parallax_gradient;
 pub(crate) use refine::refine;
 
 use serde::{Deserialize, Serialize};

@@ -4,7 +4,7 @@ use crate::GreyImage;
 use crate::math::Random;
 
 /// A sum of 60 waves in random directions; mean 128, standard deviation 35 grey values.
-pub(super) struct Texture(Vec<Wave>);
+pub(crate) struct Texture(Vec<Wave>);
 
 struct Wave {
     /// Angular frequency in x and y, per px.

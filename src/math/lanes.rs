@@ -7,12 +7,12 @@ use std::arch::wasm32::*;
 
 /// Four numbers.
 #[derive(Clone, Copy)]
-pub(crate) struct Lanes(Vector);
+pub(crate) struct Lanes(pub(super) Vector);
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
-type Vector = v128;
+pub(super) type Vector = v128;
 #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
-type Vector = [f32; 4];
+pub(super) type Vector = [f32; 4];
 
 #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
 impl Lanes {

@@ -8,6 +8,7 @@ mod null_space;
 mod polynomial;
 mod random;
 mod statistics;
+mod whole;
 
 pub(crate) use consensus::{BLOCK, Candidate, Problem, Search, consensus};
 pub(crate) use distribution::{chi_square_quantile, normal_density, normal_median_within, normal_quantile, normal_spread_within};
@@ -17,3 +18,4 @@ pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{median, smallest};
+pub(crate) use whole::Whole;

@@ -1,7 +1,9 @@
-//! Matches of features from one image to the other, verified by the geometry that relates the two views, and completed by it.
+//! Matches of features from one image to the other, verified by the geometry that relates the two views and by their neighbours, and
+//! completed by that geometry.
 
 use super::PairInterior;
 use super::frames::CommonFrame;
+use crate::matches::within_parallax_gradient;
 use crate::{
     DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
     TwoViewOptions, guided_matches, nearest_matches, two_view,
@@ -86,13 +88,20 @@ pub(super) fn verify(
     let guided = GuidedOptions { radius_px: REACH * start.threshold_px, ..GuidedOptions::default() };
     let mut second = guided_matches(left, right, &guide(&start), &guided)?;
     second.retain(|m| !unwanted(m));
+    let moving_together = |matches: &[DescriptorMatch]| -> Vec<DescriptorMatch> {
+        matches.iter().zip(within_parallax_gradient(&positions(matches))).filter(|(_, stands)| *stands).map(|(m, _)| *m).collect()
+    };
+    let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
+    let (agreeing, second) = (moving_together(&agreeing), moving_together(&second));
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
     let known = TwoViewOptions { threshold_px: Some(start.threshold_px), ..options.clone() };
-    let (found, all) = match two_view(&positions(&second), &known) {
-        Ok(better) if better.inliers.len() >= start.inliers.len() => (as_degenerate(better, &start), &second[..]),
-        _ => (start, &first[..]),
+    let (found, matches) = match two_view(&positions(&second), &known) {
+        Ok(better) if better.inliers.len() >= agreeing.len() => {
+            let matches = better.inliers.iter().map(|k| second[*k]).collect();
+            (as_degenerate(better, &start), matches)
+        }
+        _ => (start, agreeing),
     };
-    let matches: Vec<DescriptorMatch> = found.inliers.iter().map(|k| all[*k]).collect();
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
     Ok(VerifiedMatches { matches, geometry })
 }

@@ -1,6 +1,6 @@
 //! The parameters of a block's multi-ray points and of simulated features.
 
-use super::{Parameter, choice, integer, parameter, real};
+use super::{Parameter, choice, integer, odd, parameter, real};
 
 /// The parameters of a block's pairs and multi-ray points.
 pub const BLOCK_PARAMETERS: &[Parameter] = &[
@@ -72,6 +72,41 @@ pub const BLOCK_PARAMETERS: &[Parameter] = &[
         "",
         integer(0.0, 1000.0),
         "How many common points two overlapping images keep, or all where they have fewer.",
+    ),
+    parameter(
+        "refinement.method",
+        "Refinement",
+        "",
+        choice(&["none", "least-squares"]),
+        "Whether the rays of chosen points are moved to where their grey values fit those of a reference ray best, before the block is oriented.",
+    ),
+    parameter(
+        "refinement.per_image",
+        "Refined rays an image",
+        "",
+        integer(10.0, 10000.0),
+        "How many rays an image are refined where there are as many; the block is oriented by their points alone. More make it steadier and take longer.",
+    ),
+    parameter(
+        "refinement.window",
+        "Refinement window",
+        "px",
+        odd(9.0, 41.0),
+        "Side of the window that is matched, in the image or, for points of large scales, in a reduced one. Larger ones are more exact on even ground, and wrong where it is broken.",
+    ),
+    parameter(
+        "refinement.farthest",
+        "Farthest move",
+        "",
+        real(0.1, 4.0),
+        "How far a ray may move, in multiples of the scale of its point; one that would go further keeps its place.",
+    ),
+    parameter(
+        "refinement.least_correlation",
+        "Least correlation",
+        "",
+        real(0.0, 1.0),
+        "Correlation of a ray's window with that of the reference at least; a ray with less keeps its place.",
     ),
 ];
 

@@ -12,7 +12,7 @@ mod quadratic;
 mod response;
 mod tensor;
 
-pub use options::{MultiscaleOptions, Position};
+pub use options::{MultiscaleOptions, PointPosition};
 
 pub(crate) use level::Level;
 
@@ -21,7 +21,7 @@ use crate::{Error, GreyView};
 use distribution::well_distributed;
 use extrema::Extremum;
 use octave::{Source, level_of, sigma_of};
-use tensor::TensorWindow;
+use tensor::{Tensor, TensorWindow};
 
 /// Fewest pixels a side of an octave.
 const LEAST_SIDE: usize = 16;
@@ -65,20 +65,23 @@ impl ScaleSpace {
     }
 
     pub(crate) fn nearest(&self, scale_px: f64) -> Nearest<'_> {
-        let per_octave = self.per_octave as i64;
         // The first level that is kept is the one after the first of an octave.
-        let number = libm::round(level_of(scale_px, self.per_octave)) as i64 - 1;
-        let octave = number.div_euclid(per_octave).clamp(0, self.octaves.len() as i64 - 1);
-        let level = (number - octave * per_octave).clamp(0, per_octave - 1);
-        Nearest { level: &self.octaves[octave as usize][level as usize], step_px: step_of(octave as usize) }
+        self.numbered((libm::round(level_of(scale_px, self.per_octave)) - 1.0).max(0.0) as usize)
+    }
+
+    /// A level by its number through all octaves; the last for what is beyond.
+    fn numbered(&self, number: usize) -> Nearest<'_> {
+        let number = number.min(self.per_octave * self.octaves.len() - 1);
+        let (octave, level) = (number / self.per_octave, number % self.per_octave);
+        Nearest { level: &self.octaves[octave][level], step_px: step_of(octave) }
     }
 }
 
 /// Finds points that are distinct in position and scale, with the blurred images they were found in.
 ///
 /// On a pyramid of `options.levels` levels an octave, points are the maxima in position and scale of the determinant of the Hessian,
-/// refined by quadratics, the position on a grid of half pixels. At each, the Förstner tensor of its level gives the weight
-/// w = det N / tr N, the roundness q and the position by least squares. Derivatives are multiplied by the blur's standard deviation, so
+/// refined by quadratics, the position on grids of half pixels in the two levels between which the scale lies. At each, the Förstner tensor
+/// of its level gives the weight w = det N / tr N, the roundness q and the position by least squares. Derivatives are multiplied by the blur's standard deviation, so
 /// that levels compare. Of more than `options.number` points, half are chosen equally over the image and half where they are most
 /// distinct. They follow by octave, row, level and column; a flat image has none.
 ///
@@ -121,10 +124,12 @@ pub fn multiscale_points(
     let cell = |x: f64, y: f64| (y.max(0.0) / side) as usize * across + (x.max(0.0) / side) as usize;
     // The tensor of each maximum would take longer than the pyramid: it is looked at where the response, which the weight is of, is large.
     let extrema = well_distributed(&extrema, CHANCES * options.number, |c| (cell(c.x, c.y), c.extremum.response));
-    let mut points = points_of(&extrema, &space, options);
+    let weighted = weighted(&extrema, &space, options);
+    let chosen = well_distributed(&weighted, options.number, |(c, tensor)| (cell(c.x, c.y), c.extremum.response * tensor.weight()));
+    let mut points: Vec<ScalePoint> = chosen.iter().map(|(candidate, tensor)| point_of(candidate, tensor, &space, options)).collect();
     // The final position may lie in the next pixel.
     points.retain(|p| mask.allows(p.x, p.y));
-    Ok((well_distributed(&points, options.number, |p| (cell(p.x, p.y), p.weight)), space))
+    Ok((points, space))
 }
 
 /// A maximum with its place in the image.
@@ -156,28 +161,47 @@ fn step_of(octave: usize) -> f64 {
     (1u64 << octave) as f64
 }
 
-/// The candidates that are round enough, with position and weight.
-fn points_of(candidates: &[Candidate], space: &ScaleSpace, options: &MultiscaleOptions) -> Vec<ScalePoint> {
+/// The candidates that are round enough, with their tensors.
+fn weighted(candidates: &[Candidate], space: &ScaleSpace, options: &MultiscaleOptions) -> Vec<(Candidate, Tensor)> {
     let windows: Vec<TensorWindow> = (1..=options.levels).map(|level| TensorWindow::new(sigma_of(level as f64, options.levels))).collect();
-    let point = |candidate: &Candidate| {
-        let Candidate { octave, extremum, scale_px, .. } = *candidate;
+    let tensor = |candidate: &Candidate| {
+        let Candidate { octave, extremum, .. } = *candidate;
         let kept = extremum.level - 1;
         let tensor = windows[kept].at(&space.octaves[octave][kept], extremum.col, extremum.row);
-        if tensor.roundness() < options.roundness {
-            return None;
-        }
-        let centre = match options.position {
-            Position::Quadratic => {
-                let pixel = [extremum.col as f64, extremum.row as f64];
-                let start = [pixel[0] + extremum.offset[0], pixel[1] + extremum.offset[1]];
-                fine::maximum(&space.octaves[octave][kept], start).map(|[x, y]| [x - pixel[0], y - pixel[1]])
-            }
-            Position::Forstner => tensor.least_squares().filter(|d| d.iter().all(|d| d.abs() <= FARTHEST)),
-        };
-        let [x, y] = centre.map_or([candidate.x, candidate.y], |offset| place_of(octave, &extremum, offset));
-        Some(ScalePoint { x, y, scale_px, weight: libm::sqrt(extremum.response * tensor.weight()) })
+        (tensor.roundness() >= options.roundness).then_some((*candidate, tensor))
     };
-    candidates.iter().filter_map(point).collect()
+    candidates.iter().filter_map(tensor).collect()
+}
+
+fn point_of(candidate: &Candidate, tensor: &Tensor, space: &ScaleSpace, options: &MultiscaleOptions) -> ScalePoint {
+    let Candidate { octave, extremum, scale_px, .. } = *candidate;
+    let place = match options.position {
+        PointPosition::Quadratic => highest(candidate, space),
+        PointPosition::Forstner => {
+            let window = TensorWindow::new(sigma_of(extremum.level as f64, options.levels));
+            let centre = window.least_squares(tensor, &space.octaves[octave][extremum.level - 1], extremum.col, extremum.row);
+            centre.filter(|d| d.iter().all(|d| d.abs() <= FARTHEST)).map(|offset| place_of(octave, &extremum, offset))
+        }
+    };
+    let [x, y] = place.unwrap_or([candidate.x, candidate.y]);
+    ScalePoint { x, y, scale_px, weight: libm::sqrt(extremum.response * tensor.weight()) }
+}
+
+/// Where in the image the response is highest at the candidate's own scale: between where it is in the levels before and after.
+fn highest(candidate: &Candidate, space: &ScaleSpace) -> Option<[f64; 2]> {
+    let [_, _, ds] = candidate.extremum.offset;
+    let number = ((candidate.octave * space.per_octave + candidate.extremum.level - 1) as f64 + ds).max(0.0);
+    let before = libm::floor(number);
+    let in_level = |number: usize| {
+        let Nearest { level, step_px } = space.numbered(number);
+        let start = [candidate.x, candidate.y].map(|p| (p - 0.5) / step_px);
+        fine::maximum(level, start).map(|place| place.map(|p| p * step_px + 0.5))
+    };
+    let share = number - before;
+    match (in_level(before as usize), in_level(before as usize + 1)) {
+        (Some([x, y]), Some([u, v])) => Some([x + share * (u - x), y + share * (v - y)]),
+        (in_one, in_other) => in_one.or(in_other),
+    }
 }
 
 #[cfg(test)]
@@ -221,7 +245,7 @@ mod tests {
     #[test]
     fn the_position_by_least_squares_is_that_of_the_spot_as_well() {
         let (image, places) = spots(2.5, 80.0);
-        let options = MultiscaleOptions { position: Position::Forstner, ..MultiscaleOptions::default() };
+        let options = MultiscaleOptions { position: PointPosition::Forstner, ..MultiscaleOptions::default() };
         let (centres, _) = multiscale_points(image.view(), None, &options).unwrap();
         let (tops, _) = multiscale_points(image.view(), None, &MultiscaleOptions::default()).unwrap();
         assert_ne!(centres, tops);

@@ -20,6 +20,20 @@ pub struct ReportImage {
     pub name: String,
     pub grey: GreyImage,
     pub exif: Option<ExifCamera>,
+    /// As large as the image: points whose pixel is 0 in it are left out.
+    pub mask: Option<GreyImage>,
+}
+
+impl ReportImage {
+    /// The image as matching takes it.
+    fn pair_image(&self) -> PairImage<'_> {
+        PairImage { grey: self.grey.view(), exif: self.exif.as_ref(), mask: self.mask.as_ref().map(GreyImage::view) }
+    }
+
+    /// How many of the image's pixels its mask leaves out.
+    fn left_out(&self) -> Option<usize> {
+        self.mask.as_ref().map(|mask| mask.data().iter().filter(|value| **value == 0).count())
+    }
 }
 
 /// The known answer of a simulated pair.
@@ -74,8 +88,7 @@ impl Report {
         let study = match done {
             Some(study) => Study { name, ..study.clone() },
             None => {
-                let images =
-                    self.images.each_ref().map(|image| PairImage { grey: image.grey.view(), exif: image.exif.as_ref(), mask: None });
+                let images = self.images.each_ref().map(ReportImage::pair_image);
                 study::study(name, settings, images, &self.input, self.truth.as_ref())?
             }
         };
@@ -145,6 +158,11 @@ impl Report {
         html! {
             ul.summary {
                 li { "Left " (size(&self.images[0])) "; right " (size(&self.images[1])) "." }
+                @for (image, side) in self.images.iter().zip(["left", "right"]) {
+                    @if let Some(pixels) = image.left_out() {
+                        li { "A mask leaves out " (text::percent(pixels, image.grey.data().len())) " of the " (side) " image." }
+                    }
+                }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
                 @match &run.result.orientation {
                     Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors left out." }
@@ -176,11 +194,15 @@ impl Report {
             ];
             let image = &self.images[index];
             let words = format!("{}: {} points, {} matches", image.name, count(points.len()), count(matches.len()));
-            html! { figure { (picture::picture(&picture::Ground::Grey(["left-image", "right-image"][index], image.grey.view()), &layers, &words)) figcaption { (words) } } }
+            let ground =
+                picture::Ground::Grey(["left-image", "right-image"][index], image.grey.view(), image.mask.as_ref().map(GreyImage::view));
+            html! { figure { (picture::picture(&ground, &layers, &words)) figcaption { (words) } } }
         };
         html! {
             div.pair { (side(0)) (side(1)) }
-            p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point" }
+            p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
+                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " left out by a mask" }
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Multi-ray points of a block: its pairs, its matches, the points and the choice among them.
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
+use crate::block::check_features;
 use crate::{
     BLOCK_PARAMETERS, BlockMatches, BlockModel, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, ModelCamera, ModelImage,
     MultiRayPoints, PairChoice, SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points,
@@ -63,6 +64,7 @@ fn index(value: f64, below: u32) -> Option<u32> {
 }
 
 /// The features of one image: where they are.
+#[derive(Clone)]
 struct Positions {
     width_px: u32,
     height_px: u32,
@@ -185,6 +187,25 @@ impl BlockPoints {
             ("rays_of_images", whole(&chosen.rays_of_images)),
             ("places_of_images", whole(&chosen.places_of_images)),
         ]))
+    }
+
+    /// A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
+    pub fn moved(&self, chosen: &[u32], positions: &[f32]) -> JsResult<BlockPoints> {
+        let points = self.points.some(chosen).map_err(thrown)?;
+        let (positions, rest) = positions.as_chunks::<2>();
+        if !rest.is_empty() || positions.len() != points.ray_count() {
+            let got = format!("{} positions", positions.len());
+            let allowed = format!("{}, one for each ray", points.ray_count());
+            return Err(thrown(Error::InvalidInput { what: "positions of rays", got, allowed }));
+        }
+        let mut images = self.images.clone();
+        for (ray, position) in points.iter().flatten().zip(positions) {
+            images[ray.image as usize].positions[ray.feature as usize] = *position;
+        }
+        let matches = BlockMatches::new(&self.counts).map_err(thrown)?;
+        let moved = Self { images, counts: self.counts.clone(), matches, points };
+        check_features(&moved.points, &moved.features()).map_err(thrown)?;
+        Ok(moved)
     }
 
     /// The block with these of its points, before any of it is oriented.

@@ -1,6 +1,6 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
-use super::convert::{JsResult, object, pack, read, read_options, thrown};
+use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
 use crate::{BLOCK_FLIGHT_PARAMETERS, BlockFlight, BlockModel, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -42,6 +42,12 @@ impl BlockScene {
     #[wasm_bindgen(unchecked_return_type = "BlockModel")]
     pub fn truth(&self) -> JsValue {
         pack(&self.scene.truth())
+    }
+
+    /// Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
+    pub fn surface_at(&self, index: usize, positions: &[f64]) -> JsResult<js_sys::Float64Array> {
+        let places = self.scene.surface_at(index, rows::<2>("positions", positions)?).map_err(thrown)?;
+        Ok(numbers(places.into_iter().flatten()).into())
     }
 
     /// Longitude and latitude in degrees and height in m as the receiver recorded them.

@@ -38,7 +38,8 @@ pub fn match_descriptors(
     nearest_matches(left, right, &options).map(|matches| pack_matches(&matches)).map_err(thrown)
 }
 
-/// The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest`.
+/// The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
+/// `match_photos`.
 #[wasm_bindgen(unchecked_return_type = "NearestPiece")]
 pub fn nearest_piece(left: &[u8], first: usize, end: usize, right: &[u8]) -> JsResult<JsValue> {
     let table = nearest_of(left, first..end, right).map_err(thrown)?;
@@ -56,6 +57,12 @@ pub fn join_nearest(
     #[wasm_bindgen(unchecked_param_type = "Given<NearestOptions>")] options: &JsValue,
 ) -> JsResult<JsValue> {
     let options: NearestOptions = read_options("nearest", options)?;
+    let matches = read_pieces(pieces)?.map_or(Ok(Vec::new()), |whole| whole.matches(&options)).map_err(thrown)?;
+    Ok(pack_matches(&matches))
+}
+
+/// The table of pieces that follow each other; absent where there are none.
+pub(super) fn read_pieces(pieces: &JsValue) -> JsResult<Option<NearestTable>> {
     let mut whole: Option<NearestTable> = None;
     for piece in Array::from(pieces).iter() {
         let next = read_piece(&piece)?;
@@ -64,8 +71,7 @@ pub fn join_nearest(
             Some(whole) => whole.join(next).map_err(thrown)?,
         }
     }
-    let matches = whole.map_or(Ok(Vec::new()), |whole| whole.matches(&options)).map_err(thrown)?;
-    Ok(pack_matches(&matches))
+    Ok(whole)
 }
 
 fn read_piece(piece: &JsValue) -> JsResult<NearestTable> {

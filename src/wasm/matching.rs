@@ -1,13 +1,14 @@
 //! Offsets and matches between two sets of points.
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown};
+use super::descriptors::read_pieces;
 use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
-    DescribedImage, Descriptor, Error, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet,
-    OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PointCounts, PointSet, Reduced, Rule, TwoView,
-    TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced, gradient_candidates as nearest_by_gradients,
-    match_in_rounds, match_pair as match_images, match_points as match_described,
+    DescribedImage, Descriptor, Error, Expectation, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions,
+    MatchSet, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PointCounts, PointSet, Reduced, Rule,
+    TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
+    gradient_candidates as nearest_by_gradients, match_in_rounds, match_pair as match_images, match_points as match_described,
 };
 use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -100,7 +101,8 @@ pub fn match_points(
 /// Matches two photos by any strategy.
 ///
 /// With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
-/// changes. Only the strategy gradient does without an offset.
+/// changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
+/// `nearest_piece` made of all left points, in their order: the matches are the same.
 #[wasm_bindgen(unchecked_return_type = "MatchResult")]
 pub fn match_photos(
     left: &Photo,
@@ -110,6 +112,7 @@ pub fn match_photos(
     #[wasm_bindgen(unchecked_param_type = "OffsetField | null")] offset: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "PairInterior | null")] interior: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "NearestPiece[]")] nearest: &JsValue,
 ) -> JsResult<JsValue> {
     let settings = read_options::<PairSettings>("settings", settings)?;
     let strategy = settings.matching.strategy;
@@ -120,7 +123,9 @@ pub fn match_photos(
     let interior = read::<Option<PairInterior>>("interior", interior)?;
     let given = [read_points(left_points)?, read_points(right_points)?];
     let images = [given[0].match_image(left.view(), strategy), given[1].match_image(right.view(), strategy)];
-    match_in_rounds(images, &offset, interior.as_ref(), &settings).map(|matching| pack_matching(&matching)).map_err(thrown)
+    let nearest = if nearest.is_undefined() { None } else { read_pieces(nearest)? };
+    let expected = Expectation { nearest: nearest.as_ref(), ..Expectation::from(&offset) };
+    match_in_rounds(images, expected, interior.as_ref(), &settings).map(|matching| pack_matching(&matching)).map_err(thrown)
 }
 
 /// The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.

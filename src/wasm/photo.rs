@@ -170,9 +170,10 @@ impl Photo {
         mask.as_ref().map(|mask| GreyView::new(self.grey.width(), self.grey.height(), mask)).transpose().map_err(thrown)
     }
 
-    /// A copy with a name, for a report.
-    pub(super) fn named(&self, name: String) -> ReportImage {
-        ReportImage { name, grey: self.grey.clone(), exif: self.camera.clone() }
+    /// A copy with a name and a mask of its size, for a report.
+    pub(super) fn named(&self, name: String, mask: Option<Vec<u8>>) -> JsResult<ReportImage> {
+        let mask = mask.map(|mask| GreyImage::new(self.grey.width(), self.grey.height(), mask)).transpose().map_err(thrown)?;
+        Ok(ReportImage { name, grey: self.grey.clone(), exif: self.camera.clone(), mask })
     }
 
     pub(super) fn view(&self) -> GreyView<'_> {

@@ -21,7 +21,8 @@ pub struct Report {
 
 #[wasm_bindgen]
 impl Report {
-    /// Takes copies of both images; `names` are what the report calls them.
+    /// Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
+    /// and row by row, are left out.
     #[wasm_bindgen(constructor)]
     pub fn new(
         left: &Photo,
@@ -30,10 +31,12 @@ impl Report {
         #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "ReportTruth | null")] truth: &JsValue,
+        left_mask: Option<Vec<u8>>,
+        right_mask: Option<Vec<u8>>,
     ) -> JsResult<Report> {
         let [left_name, right_name]: [String; 2] = read("names", names)?;
         let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
-        let images = [left.named(left_name), right.named(right_name)];
+        let images = [left.named(left_name, left_mask)?, right.named(right_name, right_mask)?];
         Ok(Self { core: Core::new(images, input, settings, read_truth(truth)?) })
     }
 

@@ -21,6 +21,23 @@ test('the pieces of nearest neighbours, joined, are those of the whole', () => {
   assert.throws(() => join_nearest([nearest_piece(left.descriptors, 5, 9, right.descriptors), nearest_piece(left.descriptors, 10, 12, right.descriptors)], {}), { name: 'TiepointError', code: 'invalid-input' });
 });
 
+test('matching photos takes pieces of nearest neighbours and finds the same', () => {
+  const settings = /** @type {const} */ ({ points: { operator: 'multiscale' }, multiscale: { number: 1500 }, matching: { strategy: 'gradient' } });
+  const [one, two] = photos;
+  assert.ok(one && two);
+  const [a, b] = [one, two].map((photo) => photo.describe_points(settings));
+  assert.ok(a && b);
+  const whole = match_photos(one, two, a, b, null, null, settings);
+  assert.ok(whole.counts.matches > 300);
+  const count = a.gradients.length / 128;
+  const piece = (/** @type {number} */ first, /** @type {number} */ end) => nearest_piece(a.gradients, first, end, b.gradients);
+  assert.deepEqual(match_photos(one, two, a, b, null, null, settings, [piece(0, 400), piece(400, 401), piece(401, count)]), whole);
+  assert.deepEqual(match_photos(one, two, a, b, null, null, settings, []), whole, 'where none are given they are found');
+  for (const pieces of [[piece(0, 400)], [piece(5, count)], [piece(0, 400), piece(401, count)]]) {
+    assert.throws(() => match_photos(one, two, a, b, null, null, settings, pieces), { name: 'TiepointError', code: 'invalid-input' });
+  }
+});
+
 test('features of two images are matched, verified and completed', () => {
   const result = match_features(positions(left), left.descriptors, positions(right), right.descriptors, {});
   assert.equal(result.geometry_reason, null);

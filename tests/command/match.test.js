@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { Photo } from '../../pkg/node.js';
 import { file, folder, image, json, samplePair, speckle, tiepoint } from './command.js';
 
 const { at, call } = samplePair();
@@ -114,6 +115,54 @@ test('gradients tell the geometry of the two views, with a camera and without', 
   const none = json('match', flat, flat, '--strategy', 'gradient');
   assert.deepEqual([none.counts.matches, none.geometry], [0, null]);
   assert.equal(typeof none.geometry_reason, 'string');
+});
+
+test('the outcome of gradients is the same for any number of workers, oriented or not', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const flat = image(folder(), 'flat.png', 80, 60, () => 50);
+  const half = image(at, 'half-mask.png', 450, 700, (col) => (col < 225 ? 0 : 255));
+  for (const pair of [[...call, '--mask-left', half], ['match', left, right], ['match', left, right, '--focal-px', '600', '--offset', '5,5'], ['match', flat, flat]]) {
+    const outcomes = ['1', '2', '3'].map((workers) => tiepoint(...pair, '--strategy', 'gradient', '--workers', workers, '--json'));
+    assert.deepEqual([...new Set(outcomes.map(({ code }) => code))], [0], outcomes[1]?.stderr);
+    assert.equal(new Set(outcomes.map(({ stdout }) => stdout)).size, 1, pair.join(' '));
+  }
+  const { code, stderr } = tiepoint(...call, '--strategy', 'gradient', '--workers', '2', '--number', '1000', '--threshold-px', '1e9');
+  assert.equal(code, 2);
+  assert.match(stderr, /--threshold-px is 1e9; allowed/);
+});
+
+test('what lies at the same place of both frames is left out, and kept where that is wanted', () => {
+  const [left = '', right = ''] = call.slice(1, 3);
+  const [border, shift] = [30, 60];
+  // Both pictures within the same border, one shifted in it.
+  const framed = (/** @type {string} */ path, /** @type {string} */ name, /** @type {number} */ from) => {
+    const photo = Photo.decode(readFileSync(path));
+    const [width, height, whole] = [photo.width - shift, photo.height, photo.width];
+    const grey = photo.grey();
+    photo.free();
+    const isBorder = (/** @type {number} */ col, /** @type {number} */ row) => Math.min(col, row, width - 1 - col, height - 1 - row) < border;
+    return image(at, name, width, height, (col, row) => (isBorder(col, row) ? speckle(col >> 2, row >> 2) : (grey[row * whole + col + from] ?? 0)));
+  };
+  const scans = ['match', framed(left, 'framed-left.png', 0), framed(right, 'framed-right.png', shift), '--strategy', 'gradient'];
+  const [without, kept] = [json(...scans), json(...scans, '--keep-frame')];
+  assert.deepEqual([without.settings.matching.without_frame, kept.settings.matching.without_frame], [true, false]);
+  const atSamePlace = (/** @type {{ matches: number[][] }} */ { matches }) => matches.filter(([xl = 0, yl = 0, xr = 0, yr = 0]) => Math.hypot(xl - xr, yl - yr) < 2).length;
+  assert.ok(without.counts.refused.frame > 500 && without.counts.matches > 500, JSON.stringify(without.counts));
+  assert.equal(atSamePlace(without), 0);
+  assert.equal(kept.counts.refused.frame, 0);
+  assert.ok(atSamePlace(kept) > 500, 'the border matches by itself, and outvotes the pictures');
+});
+
+test('a report shows what its masks leave out', () => {
+  const half = image(at, 'half-report.png', 450, 700, (col) => (col < 225 ? 0 : 255));
+  const { file: page } = json('report', ...call.slice(1), '--mask-left', half, '--fraction', '0.02', '--out', join(at, 'report'));
+  const html = readFileSync(page, 'utf8');
+  assert.match(html, /A mask leaves out 50\.0 % of the left image\./);
+  assert.equal(html.match(/class="left-out"/g)?.length, 1);
+  const small = image(at, 'small-report.png', 45, 70, () => 255);
+  const { code, stderr } = tiepoint('report', ...call.slice(1), '--mask-right', small, '--out', join(at, 'report'));
+  assert.equal(code, 1);
+  assert.match(stderr, /small-report\.png: mask is 45 x 70 px; allowed: the image's 450 x 700 px/);
 });
 
 test('masks leave points out of their image, and have its size', () => {

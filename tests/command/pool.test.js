@@ -21,6 +21,22 @@ test('a job that fails rejects by itself, and the others go on', async () => {
   }
 });
 
+test('a job whose memory has moved elsewhere rejects, and the next one runs', async () => {
+  const pool = new ThreadPool(1);
+  try {
+    const bytes = new Uint8Array(8);
+    structuredClone(bytes, { transfer: [bytes.buffer] });
+    const [moved, likeness] = await Promise.allSettled([
+      pool.run('features', { bytes, key: '', options: {} }, [bytes.buffer]),
+      pool.run('likeness', { own: new Uint8Array(0), others: [] }),
+    ]);
+    assert.match(String(moved?.status === 'rejected' && moved.reason), /deserialize/);
+    assert.equal(likeness?.status, 'fulfilled');
+  } finally {
+    await pool.close();
+  }
+});
+
 test('a pool that is closed rejects what waits', async () => {
   const pool = new ThreadPool(1);
   const waiting = [1, 2, 3].map(() => pool.run('likeness', { own: new Uint8Array(0), others: [] }));

@@ -64,6 +64,23 @@ test('gradients need no offset, and a point shows both descriptors, its candidat
   await close();
 });
 
+test('the matches are the same to the last byte for any number of workers', { skip: SKIP }, async () => {
+  /** @type {{ csv: string, workers: number }[]} */
+  const found = [];
+  for (const workers of [1, 2, 3]) {
+    const { page, complaints, close } = await open({ workers });
+    await sample(page);
+    await choose(page, 'matching.strategy', 'gradient');
+    found.push({ csv: (await saved(page, 'export-csv')).toString(), workers: page.workers().length });
+    assert.deepEqual(complaints, []);
+    await close();
+  }
+  assert.ok((found[0]?.csv.split('\n').length ?? 0) > 3000);
+  assert.ok(found.every(({ csv }) => csv === found[0]?.csv));
+  // Those of the images and of the pair are there in any case.
+  assert.deepEqual(found.map(({ workers }) => workers - (found[0]?.workers ?? 0)), [0, 2, 3]);
+});
+
 test('photos from one place are told to be that and not oriented', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Ready'));

@@ -41,11 +41,12 @@ export function hosted(prefix = '/') {
 
 /**
  * A fresh page. `complaints` collects what no page may have: console errors, uncaught errors, requests that leave its origin.
- * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions }} [how]
+ * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions, workers?: number }} [how] workers: as many as the processor seems to allow
  */
-export async function open({ url = server.url, options = {} } = {}) {
+export async function open({ url = server.url, options = {}, workers } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
+  if (workers !== undefined) await page.addInitScript((number) => { Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => number }); }, workers);
   /** @type {string[]} */
   const complaints = [];
   const origin = url.startsWith('file:') ? 'file:' : new URL(url).origin;
@@ -61,9 +62,12 @@ export async function open({ url = server.url, options = {} } = {}) {
 /** @param {import('playwright-core').Page} page @param {string} id */
 export const part = (page, id) => page.locator(`[data-testid="${id}"]`);
 
-/** Waits for a run to end; gives the status line.  @param {import('playwright-core').Page} page */
+/** Whether a run has ended, oriented or not. It runs in the page. */
+const hasEnded = () => /^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? '');
+
+/** Waits for a run to end, oriented or not; gives the status line.  @param {import('playwright-core').Page} page */
 export async function done(page) {
-  await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 60_000 });
+  await page.waitForFunction(hasEnded, undefined, { timeout: 60_000 });
   return (await part(page, 'status').textContent()) ?? '';
 }
 
@@ -113,6 +117,6 @@ export async function choose(page, key, value) {
 
 /** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
 export async function again(page) {
-  await page.waitForFunction(() => !document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'), undefined, { timeout: 10_000 }).catch(() => {});
+  await page.waitForFunction(() => !/^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? ''), undefined, { timeout: 10_000 }).catch(() => {});
   await done(page);
 }

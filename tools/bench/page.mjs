@@ -1,9 +1,10 @@
-/** The page in Chromium: how soon it is there, how long it takes for the sample, how soon it answers while it works. */
+/** The page in Chromium: how soon it is there, how long it takes for the sample, how soon it answers while it works; large images. */
 
 import { chromium } from 'playwright-core';
 import { DIST } from '../lib/paths.mjs';
 import { findChromium } from '../lib/setup.mjs';
 import { serve } from '../lib/static-server.mjs';
+import { largeImages, watchPauses } from './large.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
 const RUNS = 5;
@@ -13,7 +14,8 @@ export async function page() {
   const executablePath = findChromium();
   if (!executablePath) return console.log('  skipped: no Chromium (install it or name it in CHROMIUM)');
   const server = await serve(DIST);
-  const browser = await chromium.launch({ executablePath, args: FLAGS });
+  const launch = () => chromium.launch({ executablePath, args: FLAGS });
+  const browser = await launch();
   const firsts = [];
   const samples = [];
   const pauses = [];
@@ -23,17 +25,7 @@ export async function page() {
     await tab.goto(server.url);
     await tab.waitForFunction(() => document.querySelector('[data-testid="sample"]:not([disabled])'));
     firsts.push(await tab.evaluate(() => performance.getEntriesByName('first-contentful-paint')[0]?.startTime ?? NaN));
-    // The longest time between two ticks: an input would have waited so long.
-    await tab.evaluate(() => {
-      const watch = /** @type {Window & { longestPause?: number }} */ (window);
-      let last = performance.now();
-      watch.longestPause = 0;
-      setInterval(() => {
-        const now = performance.now();
-        watch.longestPause = Math.max(watch.longestPause ?? 0, now - last);
-        last = now;
-      }, 4);
-    });
+    await watchPauses(tab);
     const started = performance.now();
     await tab.click('[data-testid="sample"]');
     await tab.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'));
@@ -42,9 +34,10 @@ export async function page() {
     await context.close();
   }
   await browser.close();
-  await server.close();
   const median = (/** @type {number[]} */ values) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? NaN;
   console.log(`  first view: ${median(firsts).toFixed(0)} ms (median of ${RUNS})`);
   console.log(`  sample pair, from the click to the result: ${median(samples).toFixed(0)} ms`);
   console.log(`  longest pause of the page meanwhile: ${median(pauses).toFixed(0)} ms`);
+  await largeImages(server.url, launch);
+  await server.close();
 }

@@ -12,7 +12,7 @@ import { have, simulated } from './data.mjs';
  * @typedef {{ left: Photo, right: Photo, input: import('../../pkg/node.js').Given<import('../../pkg/node.js').PairInput>, base_mm: number, truth: FiveParameters, share: (matches: Float64Array) => number }} Case
  */
 
-/** @type {[string, Partial<PairSettings['matching']>][]} */
+/** Rules of matching, and the operator where it is not the paper's.  @type {[string, Partial<PairSettings['matching']>, PairSettings['points']['operator']?][]} */
 const STRATEGIES = [
   ['moments', {}],
   ['moments, floor', { denominator: 'floor' }],
@@ -22,12 +22,13 @@ const STRATEGIES = [
   ['the same, along epipolar lines', { denominator: 'floor', refine: 'least-squares', epipolar: true }],
   ['correlation, refined', { strategy: 'correlation', refine: 'least-squares' }],
   ['least squares', { strategy: 'least-squares' }],
+  ['multiscale points, gradients', { strategy: 'gradient' }, 'multiscale'],
 ];
 
 const NAMES = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']);
 
 export function strategies() {
-  console.log('Strategies (paper\'s points: ground 2, 14.8 %; edge precision of all matches; true errors of omega phi kappa [deg] by bz [mm], in brackets divided by the total standard error)');
+  console.log('Strategies (paper\'s points, ground 2, 14.8 %, where no others are named; edge precision of all matches; true errors of omega phi kappa [deg] by bz [mm], in brackets divided by the total standard error)');
   if (have('simulated-a')) compare('simulated-a', fromData());
   for (const preset of flight_presets()) compare(`preset ${preset}`, flown(preset));
 }
@@ -53,10 +54,11 @@ function flown(preset) {
 
 /** @param {string} name @param {Case} given */
 function compare(name, { left, right, input, base_mm, truth, share }) {
-  for (const [label, matching] of STRATEGIES) {
+  for (const [label, matching, operator] of STRATEGIES) {
     const settings = settingsWith((s) => {
       s.orientation.base_mm = base_mm;
       Object.assign(s.matching, matching);
+      if (operator) s.points.operator = operator;
     });
     const output = match_pair(left, right, input, settings);
     const found = `  ${name}, ${label}: ${output.match.counts.matches} matches, edge precision ${share(output.match.matches).toFixed(3)}`;

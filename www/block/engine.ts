@@ -133,7 +133,7 @@ function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: Bl
 
 /** The memory of a job's records, which are copies that the run made for it. */
 function buffersOf({ input }: JobRequest): Transferable[] {
-  const arrays = 'bytes' in input ? [input.bytes] : 'own' in input ? [] : [input.left.record, input.right.record];
+  const arrays = 'bytes' in input ? [input.bytes] : 'own' in input ? [] : 'starts' in input ? [input.grey] : [input.left.record, input.right.record];
   return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
 }
 

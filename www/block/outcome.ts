@@ -21,7 +21,7 @@ export function viewOfRun(run: BlockRun): BlockView {
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
   const cameras = withLabels(view.cameras, run.cameras);
   const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null, places: run.selection.placesOfImages[i] ?? null }));
-  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, found: { points: points.count, rays: points.rays } };
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, found: { points: points.count, rays: points.rays }, refinement: run.refinement?.counts ?? null };
   return withAssembly(whole, assembly, run.assemblyReason);
 }
 
@@ -68,6 +68,7 @@ function viewOf(
     layout: layoutOf(model.images, exif, links),
     points: pointsOf(model),
     found: null,
+    refinement: null,
     byRays: byRays(model),
     oriented: images.filter(({ oriented }) => oriented).length,
     rmsePx: rmseOf(model),

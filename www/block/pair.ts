@@ -1,4 +1,6 @@
 /** From a pair of the block to the pair's part of the page, and back. */
+import { camera_rules_of, parse_camera_rules, photo_camera } from '../../pkg/wasm/tiepoint.js';
+import type { CameraRule } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../engine/engine';
 import type { Camera } from '../engine/wasm';
 import { SIDES } from '../state/state';
@@ -21,27 +23,29 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
     return;
   }
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
+  let camera: Camera | null;
   try {
+    camera = cameraOf(block, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
     say(block, `The pair cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
     return;
   }
-  readyFor(store, block, [a, b]);
+  readyFor(store, block, camera);
   store.dispatch({ type: 'images', images });
   block.dispatch({ type: 'openedPair', images: [a, b] });
   block.dispatch({ type: 'mode', mode: 'pair' });
 }
 
 /** The block's settings of features and its camera, in place of whatever the pair before had. */
-function readyFor(store: Store, block: BlockStore, [a, b]: readonly [number, number]): void {
+function readyFor(store: Store, block: BlockStore, camera: Camera | null): void {
   const { settings } = store.state;
   const features = block.state.options.settings?.features;
   if (settings !== null && features !== undefined) {
     const { points, matching } = settings;
     store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: 'multiscale' }, matching: { ...matching, strategy: 'gradient' } } });
   }
-  store.dispatch({ type: 'camera', camera: cameraOf(block, a, b) });
+  store.dispatch({ type: 'camera', camera });
   store.dispatch({ type: 'offset', offset: null });
   for (const side of SIDES) {
     store.dispatch({ type: 'photo', side, photo: { fiducials: [], origin: null } });
@@ -49,13 +53,29 @@ function readyFor(store: Store, block: BlockStore, [a, b]: readonly [number, num
   }
 }
 
-/** The calibrated camera of both images, the given one before there is one; null where they have two, or it has no scale in mm. */
+/**
+ * The camera of both images: its focal length calibrated by the block, or given before that, principal point and distortion from the file of
+ * cameras; null where the images have two cameras, or nothing is known.
+ */
 function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
   const { images = [], cameras = [] } = block.state.shown?.view ?? {};
-  const [left, right] = [images[a]?.camera, images[b]?.camera];
-  const camera = left !== undefined && left === right ? cameras[left] : undefined;
+  const [left, right] = [images[a], images[b]];
+  const camera = left !== undefined && left.camera === right?.camera ? cameras[left.camera] : undefined;
   const focal = camera?.focalPx ?? camera?.givenFocalPx ?? null;
-  return camera?.pixelMm == null || focal === null ? null : { focal_mm: focal * camera.pixelMm, pixel_mm: camera.pixelMm };
+  if (left === undefined || camera === undefined || focal === null) return null;
+  const { name, width, height } = left;
+  const { principal_point_px: principal, radial, tangential } = givenLens(block, name);
+  return photo_camera({
+    width_px: width, height_px: height, focal_px: focal, principal_point_px: principal ?? [width / 2, height / 2],
+    ...(radial && { radial }), ...(tangential && { tangential }), pixel_mm: camera.pixelMm,
+  });
+}
+
+/** What the file of cameras says of the lens that took an image. */
+function givenLens(block: BlockStore, name: string): Partial<CameraRule> {
+  const { cameras } = block.state.options;
+  const rules = cameras === null ? [] : parse_camera_rules(cameras.text);
+  return rules[camera_rules_of(rules, [name])[0] ?? -1] ?? {};
 }
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {

@@ -6,7 +6,7 @@ import type { BlockStore } from './engine';
 import type { Steps } from './state';
 
 const STAGES: Readonly<Record<StageName, string>> = {
-  photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', orientation: 'Orientation',
+  photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', windows: 'Windows of rays', refinement: 'Refinement', orientation: 'Orientation',
 };
 
 /** Stages in their order. */

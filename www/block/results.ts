@@ -5,7 +5,7 @@ import type { Fact } from '../panel/facts';
 import { count, fixed } from '../panel/format';
 import type { BlockStore } from './engine';
 import { isOutdated } from './state';
-import type { BlockScore } from '../../pkg/wasm/tiepoint.js';
+import type { BlockScore, RayOutcome } from '../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from './view';
 import { matchesOf } from './words';
 
@@ -61,10 +61,29 @@ function factsOf(view: BlockView): Fact[] {
     { name: 'Groups', testid: 'block-groups', value: groupText(view), help: 'Images that are connected with each other directly or through others. Only within a group can images be oriented to each other.' },
     { name: 'Matches', testid: 'block-matches', value: count(matches), help: 'Verified matches of all connected pairs.' },
     ...(view.found === null ? [] : [{ name: 'Multi-ray points', testid: 'block-found', value: `${count(view.found.points)}, ${count(view.found.rays)} rays`, help: 'Matches of several pairs joined to points; few of them, well distributed, are chosen.' }]),
+    ...(view.refinement === null ? [] : [refinementFact(view.refinement)]),
     { name: 'Chosen points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} rays`, help: 'The points of the block, and how often the images see them.' },
     { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted rays after the adjustment.' },
     { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, by the adjustment.' },
   ];
+}
+
+/** Why rays keep their places. */
+const KEPT: Readonly<Record<Exclude<RayOutcome, 'reference' | 'refined'>, string>> = {
+  not_converged: 'did not settle', left_image: 'at the border', moved_too_far: 'too far', low_correlation: 'too unlike', no_texture: 'no texture', inconsistent: 'not the same both ways',
+};
+
+function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
+  const { reference, refined, ...kept } = counts;
+  const others = Object.values(kept).reduce((sum, number) => sum + number, 0);
+  const reasons = Object.entries(KEPT).flatMap(([outcome, words]) => {
+    const number = kept[outcome as keyof typeof KEPT];
+    return number === 0 ? [] : [`${count(number)} ${words}`];
+  });
+  return {
+    name: 'Refined rays', testid: 'block-refined', value: `${count(refined)} of ${count(refined + others)}`,
+    help: `Rays moved by least squares matching to the reference rays of ${count(reference)} points. The others keep their places${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
+  };
 }
 
 function scoreFacts(score: BlockScore): Fact[] {

@@ -10,7 +10,7 @@ import type { TextFile } from './state';
 type Groups = Record<string, Record<string, Value | undefined>>;
 
 /** Groups of parameters, by the first part of their keys. */
-const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['block', 'Multi-ray points'], ['placing', 'Exactness of positions']];
+const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['refinement', 'Refinement of rays'], ['block', 'Multi-ray points'], ['placing', 'Exactness of positions']];
 
 /** Parameters that matter for one rule of pairs alone. */
 const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];

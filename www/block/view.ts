@@ -1,6 +1,6 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
 import type { BlockScore, Connection, ExportFormat } from '../../pkg/wasm/tiepoint.js';
-import type { LeftOut } from '../../pkg/block/index.js';
+import type { LeftOut, Refinement } from '../../pkg/block/index.js';
 
 export interface ViewImage {
   name: string;
@@ -89,6 +89,8 @@ export interface BlockView {
   points: ViewPoints;
   /** Multi-ray points before some were chosen; null in a block that was opened from its file. */
   found: { points: number; rays: number } | null;
+  /** What became of the rays that were refined; null where none were. */
+  refinement: Refinement['counts'] | null;
   byRays: RayCount[];
   oriented: number;
   rmsePx: number | null;

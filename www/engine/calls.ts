@@ -2,7 +2,7 @@
 import type { BlockCalls } from '../block/calls';
 import type {
   Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, GivenPoints, Interior, MatchResult, MatchScore,
-  OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
+  NearestPiece, OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
   Strategy, TwoViewModel, WindowReport,
 } from './wasm';
 
@@ -24,6 +24,14 @@ export interface MatchInput {
   offset: OffsetField | null;
 }
 
+/** Gradient descriptors of both images: for the left ones from `first` to before `end` the nearest right ones are wanted. */
+export interface NearestInput {
+  left: Uint8Array;
+  first: number;
+  end: number;
+  right: Uint8Array;
+}
+
 /** The matches of a pair, with the interior orientations that they themselves tell where no camera is known. */
 export interface PairMatches extends MatchResult {
   estimated: PairInterior | null;
@@ -34,7 +42,9 @@ export interface MaskImage {
   width: number;
   height: number;
   grey: Uint8Array;
-  /** The pixels that are left out, in colour, reduced for display. */
+  /** Share of the pixels that are left out. */
+  leftOut: number;
+  /** These pixels in colour, reduced for display. */
   overlay: ImageBitmap;
 }
 
@@ -78,6 +88,8 @@ export interface ReportInput {
   input: Given<PairInput>;
   settings: Settings;
   truth: ReportTruth | null;
+  /** Left and right. */
+  masks: [Uint8Array | null, Uint8Array | null];
 }
 
 /** What is known of one photo's geometry. */
@@ -117,7 +129,9 @@ export interface Calls extends BlockCalls {
   hold: { input: { left: SampleImage; right: SampleImage }; output: null };
   offset: { input: { left: ReducedImage; right: ReducedImage }; output: OffsetField };
   constantOffset: { input: { dx: number; dy: number }; output: OffsetField };
-  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings }; output: PairMatches };
+  /** One piece of the nearest neighbours that `match` looks for where it is given none. */
+  nearest: { input: NearestInput; output: NearestPiece };
+  match: { input: MatchInput & { interior: PairInterior | null; settings: Settings; nearest: NearestPiece[] | null }; output: PairMatches };
   candidates: { input: MatchInput & { index: number; options: Settings['matching'] }; output: Float64Array };
   gradientCandidates: { input: { index: number; left: Uint8Array; right: Uint8Array; most: number }; output: Float64Array };
   epipolarLine: { input: LineInput; output: Float64Array };

@@ -1,4 +1,5 @@
 /** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
+import { WorkerPool } from '../block/pool';
 import { wantedKeys } from '../state/keys';
 import type { StageDone } from '../state/actions';
 import type { GivenImage, Side, StageName, State } from '../state/state';
@@ -6,6 +7,7 @@ import type { Store } from '../state/store';
 import type { Output } from './calls';
 import { CallError, Cancelled, WorkerClient } from './client';
 import { plainMessage } from './failure';
+import { nearestPieces } from './nearest';
 import type { Workers } from './inputs';
 import { RUNS } from './runs';
 import { STAGES, STAGE_NAMES } from './stages';
@@ -24,6 +26,8 @@ export class Engine implements Workers {
     preview: new WorkerClient('preview'),
     report: new WorkerClient('report'),
   };
+  /** For what can be done in pieces. */
+  private readonly pool = new WorkerPool();
   /** What each worker has opened last: the image, in which life of the worker, and the answer to come. */
   private readonly opened = new Map<WorkerClient, { tag: string; answer: Promise<Output<'open'>> }>();
   /** Which pair the pair's worker holds, and when it does. */
@@ -70,6 +74,10 @@ export class Engine implements Workers {
     return client;
   }
 
+  nearest(left: Uint8Array, right: Uint8Array): Promise<Output<'nearest'>[]> | null {
+    return nearestPieces(left, right, this.pool.size, (first, end) => this.pool.call('nearest', { left, first, end, right }));
+  }
+
   private async holdPair(client: WorkerClient, state: State): Promise<unknown> {
     const greyOf = async (side: Side) => (await this.withImage(side, state)).call('grey', null);
     const [left, right] = await Promise.all([greyOf('left'), greyOf('right')]);
@@ -107,6 +115,7 @@ export class Engine implements Workers {
 
   private stopWorkers(): void {
     for (const client of Object.values(this.clients)) client.cancel();
+    this.pool.cancel();
   }
 
   private async run(stage: StageName, key: string): Promise<void> {

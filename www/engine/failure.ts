@@ -30,7 +30,8 @@ export function plainMessage(stage: StageName, error: unknown, catalogue: Catalo
   if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
   switch (error.failure.kind) {
     case 'refused':
-      return `${capital(text)}.`;
+      // Of two images it says which; what is wrong with a setting is wrong with both.
+      return error.failure.code === 'image-too-small' ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
     case 'memory':
       return `Memory ran out while ${STAGES[stage].label} (${text}). ${KEPT} ${advice(stage)}`;
     case 'trap':
@@ -38,6 +39,11 @@ export function plainMessage(stage: StageName, error: unknown, catalogue: Catalo
     case 'other':
       return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT} ${advice(stage)}`;
   }
+}
+
+function sideOf(stage: StageName): string {
+  const side = /(Left|Right)$/u.exec(stage)?.[1];
+  return side === undefined ? '' : `${side} image: `;
 }
 
 function capital(text: string): string {

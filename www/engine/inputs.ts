@@ -4,7 +4,7 @@ import type { GivenImage, Side, StageName, StageValues, State } from '../state/s
 import type { MatchInput, Output } from './calls';
 import type { WorkerClient } from './client';
 import type { WorkerName } from './stages';
-import type { GivenPoints } from './wasm';
+import type { GivenPoints, NearestPiece } from './wasm';
 
 export interface Workers {
   client(name: WorkerName): WorkerClient;
@@ -14,6 +14,8 @@ export interface Workers {
   withImage(side: Side, state: State): Promise<WorkerClient>;
   /** The pair's worker, holding the grey values of both images. */
   withPair(state: State): Promise<WorkerClient>;
+  /** The nearest right descriptors of all left ones, in pieces; null where one worker has them as soon. */
+  nearest(left: Uint8Array, right: Uint8Array): Promise<NearestPiece[]> | null;
 }
 
 export type Run<Value> = (state: State, workers: Workers) => Promise<Value>;

@@ -1,4 +1,4 @@
-/** A mask as it is shown over its image. */
+/** What a mask leaves out: how much, and as it is shown over its image. */
 
 /** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
 const LEFT_OUT = 0x99_28_28_d8;
@@ -13,4 +13,11 @@ export function overlayOf(grey: Uint8Array, width: number, height: number, most:
     pixels[i] = grey[at] === 0 ? LEFT_OUT : 0;
   }
   return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), columns, rows));
+}
+
+/** The share of the pixels that a mask leaves out. */
+export function shareLeftOut(grey: Uint8Array): number {
+  let zeros = 0;
+  for (const value of grey) if (value === 0) zeros += 1;
+  return zeros / grey.length;
 }

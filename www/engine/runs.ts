@@ -57,7 +57,11 @@ const match: Run<StageValues['match']> = async (state, workers) => {
   // Without epipolar lines or a geometry the result does not depend on the camera, and must not wait for it.
   const asks = settings.matching.epipolar || comparesGradients(settings);
   const ofPair = asks && isCurrent(state, 'interiorLeft') && isCurrent(state, 'interiorRight') ? knownInterior(state) : null;
-  return (await workers.withPair(state)).call('match', { ...matchInput(state), interior: ofPair, settings });
+  const input = matchInput(state);
+  const { gradients: ofLeft = NONE.gradients } = input.left;
+  const { gradients: ofRight = NONE.gradients } = input.right;
+  const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
+  return worker.call('match', { ...input, interior: ofPair, settings, nearest });
 };
 
 function interior(side: Side): Run<StageValues['interiorLeft']> {

@@ -8,7 +8,7 @@ import { wasmModule } from './spawn';
 
 export type {
   Camera, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
-  FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, OffsetField, PairInput, PairInterior,
+  FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, NearestPiece, OffsetField, PairInput, PairInterior,
   PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Weakness,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';

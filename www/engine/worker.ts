@@ -1,11 +1,11 @@
 /** The worker: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
 import {
   Photo, Report, candidates, constant_offset, epipolar_line, estimate_offset, estimated_interior, gradient_candidates, initSync,
-  interior, match_photos, matches_csv, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
+  interior, match_photos, matches_csv, nearest_piece, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
 } from '../../pkg/wasm/tiepoint.js';
 import { BLOCK_HANDLERS } from '../block/handlers';
 import type { CallName, Calls, ImageSource, Input, Output, RequestMessage, StartMessage, WireFailure } from './calls';
-import { overlayOf } from './mask';
+import { overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
 import { bitmapOf, tileOf } from './tiles';
 
@@ -56,7 +56,7 @@ async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'
   const { width, height } = decoded;
   const grey = decoded.grey();
   decoded.free();
-  return { width, height, grey, overlay: await overlayOf(grey, width, height, overlaySide) };
+  return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
 }
 
 /** The pair whose grey values this worker compares. */
@@ -76,7 +76,7 @@ function hold({ left, right }: Input<'hold'>): null {
 function match(m: Input<'match'>): Output<'match'> {
   if (held === null) throw new Error('no pair is held in this worker');
   const { left, right } = held;
-  const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings);
+  const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
   return { ...result, estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height) };
 }
 
@@ -94,12 +94,12 @@ function reportInHand(): Report {
   return report;
 }
 
-async function reportOpen({ images, names, input, settings, truth }: Input<'reportOpen'>): Promise<string[]> {
+async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight] }: Input<'reportOpen'>): Promise<string[]> {
   report?.free();
   report = null;
   const left = await decode(images[0]);
   const right = await decode(images[1]);
-  report = new Report(left, right, names, input, settings, truth);
+  report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight);
   left.free();
   right.free();
   return report.steps();
@@ -128,6 +128,7 @@ const HANDLERS: { [K in CallName]: (input: Input<K>) => Output<K> | Promise<Outp
   offset: ({ left, right }) => estimate_offset(left, right),
   constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
   match,
+  nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
   candidates: candidatesOf,
   gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
   epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),

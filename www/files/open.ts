@@ -55,8 +55,7 @@ export class Files {
         return;
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
-      const share = mask.grey.reduce((zeros, grey) => zeros + (grey === 0 ? 1 : 0), 0) / mask.grey.length;
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${file.name} leaves out ${(100 * share).toFixed(1)} % of the ${side} image.` } });
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.` } });
     } catch (error) {
       this.failed(`${file.name} cannot be used as a mask`, error);
     }

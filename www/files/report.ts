@@ -10,7 +10,7 @@ import { baseName, save } from './export';
 /** What the report is made of; null where an image is missing. */
 function inputOf(state: State): ReportInput | null {
   const { left, right } = state.images;
-  const { settings, camera, photos, offset, fiducialModel } = state;
+  const { settings, camera, photos, masks, offset, fiducialModel } = state;
   if (left === null || right === null || settings === null) return null;
   const truth = truthOf(state);
   const photo = (side: Side) => ({ ...photos[side], model: fiducialModel });
@@ -20,6 +20,7 @@ function inputOf(state: State): ReportInput | null {
     input: { camera, offset, left: photo('left'), right: photo('right') },
     settings,
     truth: truth === null ? null : { orientation: truth.orientation, base_mm: truth.baseMm, right_position: truth.rightPosition },
+    masks: [masks.left?.grey ?? null, masks.right?.grey ?? null],
   };
 }
 

@@ -2,6 +2,7 @@
 import type { FiveParameters, RelativeOrientation, Weakness } from '../engine/wasm';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
+import { readable } from '../state/names';
 import { pixelMm } from '../state/residuals';
 import { orientationAt, truthOf } from '../state/truth';
 import type { State } from '../state/state';
@@ -44,12 +45,29 @@ function estimatedFocal(state: State): HTMLElement[] {
     `With the focal length that the matches tell: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below take for free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
 }
 
+/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
+const EQUAL_PX = 0.05;
+
+function areEqual(matches: Float64Array): boolean {
+  let equal = 0;
+  for (let i = 0; i < matches.length; i += 5) {
+    const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
+    if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
+  }
+  return matches.length > 0 && equal > 0.9 * (matches.length / 5);
+}
+
 /** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
 export function whyNotOriented(state: State): string | null {
   const keys = wantedKeys(state);
   if (state.images.left === null || state.images.right === null) return 'Two images are needed.';
   const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
-  if (match?.geometry?.degenerate === 'pure-rotation') return 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
+  if (match?.geometry?.degenerate === 'pure-rotation') {
+    return areEqual(match.matches)
+      ? 'Not oriented: both images show the same in the same places. Is it one photo twice?'
+      : 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
+  }
+  if (match?.geometry_reason != null) return `Not oriented: ${readable(state.catalogue, match.geometry_reason)}. Do both photos show the same ground?`;
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
     const untold = match?.geometry == null ? '' : ', and the matches do not tell the focal length';

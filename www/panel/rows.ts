@@ -44,6 +44,8 @@ export class RowsInSight {
   }
 
   private draw(): void {
+    // Its height would make the browser lay out the whole page; it is drawn when it comes into sight.
+    if (this.scroller.closest('[hidden]') !== null) return;
     const { scrollTop, clientHeight } = this.scroller;
     const first = Math.max(0, Math.floor(scrollTop / ROW) - MARGIN);
     const last = Math.min(this.count, Math.ceil((scrollTop + clientHeight) / ROW) + MARGIN);

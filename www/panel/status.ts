@@ -18,7 +18,8 @@ export interface StatusActions {
 
 interface Line {
   text: string;
-  kind: 'idle' | 'busy' | 'done' | 'problem';
+  /** `partial`: matched, but not oriented. */
+  kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem';
 }
 
 export function mountStatus(store: Store, actions: StatusActions): void {
@@ -67,7 +68,7 @@ function lineOf(state: State): Line {
   if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };
   const line = resting(state, wanted, done);
   if (state.notice === null) return line;
-  return line.kind === 'done' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
+  return line.kind === 'done' || line.kind === 'partial' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
 }
 
 function resting(state: State, wanted: number, done: number): Line {
@@ -78,7 +79,9 @@ function resting(state: State, wanted: number, done: number): Line {
   }
   if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
   const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
-  return { text: `Done: ${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work. ${whyNotOriented(state) ?? ''}`.trimEnd(), kind: 'done' };
+  const matched = `${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work.`;
+  const reason = whyNotOriented(state);
+  return reason === null ? { text: `Done: ${matched}`, kind: 'done' } : { text: `${matched} ${reason}`, kind: 'partial' };
 }
 
 /** Matches that determine no orientation are a result all the same. */

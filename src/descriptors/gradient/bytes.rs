@@ -1,6 +1,7 @@
 //! From a histogram to 128 bytes that do not change with contrast.
 
 use super::histogram::LENGTH;
+use crate::math::Lanes;
 
 /// Largest value of a component before the last normalisation: single strong gradients, as of glare, count no more.
 const CLIP: f32 = 0.2;
@@ -10,15 +11,28 @@ const CLIP: f32 = 0.2;
 /// # Source
 /// Lowe 2004, section 6.1; Arandjelović & Zisserman 2012, Three things everyone should know, section 3.
 pub(super) fn bytes(histogram: &[f32; LENGTH], roots: bool) -> [u8; LENGTH] {
-    let length = |values: &[f32; LENGTH]| values.iter().map(|v| v * v).sum::<f32>().sqrt().max(f32::MIN_POSITIVE);
-    let first = length(histogram);
-    let clipped = histogram.map(|v| (v / first).min(CLIP));
+    let over = |sum: f32| Lanes::splat(1.0 / sum.max(f32::MIN_POSITIVE));
+    let mut values: [Lanes; LENGTH / 4] = std::array::from_fn(|k| Lanes::load(&histogram[4 * k..]));
+    let (first, clip) = (over(total(values.map(|v| v * v)).sqrt()), Lanes::splat(CLIP));
+    values = values.map(|v| (v * first).min(clip));
+    let (most, half) = (Lanes::splat(512.0), Lanes::splat(0.5));
     if roots {
-        let sum = clipped.iter().sum::<f32>().max(f32::MIN_POSITIVE);
-        return clipped.map(|v| ((v / sum).sqrt() * 512.0 + 0.5) as u8);
+        let second = over(total(values));
+        values = values.map(|v| (v * second).sqrt() * most + half);
+    } else {
+        let second = over(total(values.map(|v| v * v)).sqrt());
+        values = values.map(|v| v * second * most + half);
     }
-    let second = length(&clipped);
-    clipped.map(|v| (v / second * 512.0 + 0.5) as u8)
+    let mut bytes = [0; LENGTH];
+    bytes.chunks_exact_mut(4).zip(values).for_each(|(to, four)| to.copy_from_slice(&four.to_array().map(|v| v as u8)));
+    bytes
+}
+
+/// The sum of all numbers, of which every fourth are summed first.
+#[inline(always)]
+fn total(values: [Lanes; LENGTH / 4]) -> f32 {
+    let [a, b, c, d] = values.into_iter().fold(Lanes::splat(0.0), |sum, four| sum + four).to_array();
+    (a + b) + (c + d)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Grey values on a turned grid around a point.
 
-use crate::math::Lanes;
+use crate::math::{Lanes, Whole};
 use crate::points::Level;
 
 /// Samples a side of the grid whose gradients are described.
@@ -12,6 +12,9 @@ pub(super) const PADDED: usize = SIDE + 2;
 /// Values a row, a whole number of four at once.
 pub(super) const ROW: usize = PADDED.next_multiple_of(4);
 
+/// Parts of a pixel between which samples do not differ. With these, sums stay within 28 bits.
+const PARTS: i32 = 128;
+
 /// Where the grid lies, in pixels of the level with the centre of the top-left one at (0, 0).
 pub(super) struct Placement {
     pub x: f64,
@@ -22,40 +25,51 @@ pub(super) struct Placement {
     pub direction: [f64; 2],
 }
 
-/// Fills the samples, row by row, by linear interpolation; beyond the border counts what lies nearest to it.
+/// Fills the samples, row by row, by linear interpolation, in [`PARTS`]² of the level's units; beyond the border counts what lies nearest
+/// to it.
 pub(super) fn sample(level: &Level, placement: &Placement, samples: &mut [[f32; ROW]; PADDED]) {
-    let (last_col, last_row, stride) = (level.width() - 2, level.height() - 2, level.stride());
+    let stride = level.stride();
     let (x, y) = (placement.x as f32, placement.y as f32);
     let (cos, sin) = ((placement.direction[0] * placement.step) as f32, (placement.direction[1] * placement.step) as f32);
-    let zero = Lanes::splat(0.0);
-    let (right, bottom) = (Lanes::splat((last_col + 1) as f32), Lanes::splat((last_row + 1) as f32));
     let half = (PADDED - 1) as f32 / 2.0;
-    let data = level.data();
-    for (j, line) in samples.iter_mut().enumerate() {
+    let (cols, rows) = (Axis::new(level.width()), Axis::new(level.height()));
+    let line = Whole::splat(stride as i32);
+    for (j, samples) in samples.iter_mut().enumerate() {
         let v = j as f32 - half;
         let (x0, y0) = (Lanes::splat(x - v * sin), Lanes::splat(y + v * cos));
-        for (i, four) in line.chunks_exact_mut(4).enumerate() {
+        for (i, four) in samples.chunks_exact_mut(4).enumerate() {
             let u = Lanes::new(std::array::from_fn(|k| (4 * i + k) as f32 - half));
-            let px = (x0 + u * Lanes::splat(cos)).max(zero).min(right).to_array();
-            let py = (y0 + u * Lanes::splat(sin)).max(zero).min(bottom).to_array();
-            let mut corners = [[0f32; 4]; 4];
-            let (mut fx, mut fy) = ([0f32; 4], [0f32; 4]);
-            for k in 0..4 {
-                let (col, row) = ((px[k] as usize).min(last_col), (py[k] as usize).min(last_row));
-                (fx[k], fy[k]) = (px[k] - col as f32, py[k] - row as f32);
-                let square = &data[row * stride + col..][..stride + 2];
-                for (corner, grey) in corners.iter_mut().zip([square[0], square[1], square[stride], square[stride + 1]]) {
-                    corner[k] = f32::from(grey);
-                }
-            }
-            let [a, b, c, d] = corners.map(Lanes::new);
-            let (fx, fy) = (Lanes::new(fx), Lanes::new(fy));
-            let (upper, lower) = (a + fx * (b - a), c + fx * (d - c));
-            (upper + fy * (lower - upper)).store(four);
+            let (col, across) = cols.split(x0 + u * Lanes::splat(cos));
+            let (row, down) = rows.split(y0 + u * Lanes::splat(sin));
+            let places = (row * line + col).to_array().map(|place| place as usize);
+            // The shares of a pixel and of the one to its right, as a pair of 16 bits.
+            let shares = Whole::splat(PARTS) + across * Whole::splat((1 << 16) - 1);
+            let upper = Whole::pairs(level.data(), places).dot(shares);
+            let lower = Whole::pairs(&level.data()[stride..], places).dot(shares);
+            (upper * Whole::splat(PARTS) + (lower - upper) * down).to_lanes().store(four);
         }
     }
 }
 
+/// The pixels along a row or column.
+struct Axis {
+    last: Lanes,
+    last_but_one: Whole,
+}
+
+impl Axis {
+    fn new(length: usize) -> Self {
+        Self { last: Lanes::splat((length - 1) as f32), last_but_one: Whole::splat(length as i32 - 2) }
+    }
+
+    /// The pixels before places, and how many [`PARTS`] these lie after them.
+    #[inline(always)]
+    fn split(&self, places: Lanes) -> (Whole, Whole) {
+        let within = places.max(Lanes::splat(0.0)).min(self.last);
+        let pixels = Whole::truncated(within).clamp(Whole::splat(0), self.last_but_one);
+        (pixels, Whole::truncated((within - pixels.to_lanes()) * Lanes::splat(PARTS as f32)))
+    }
+}
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -74,7 +88,7 @@ mod tests {
             for (i, found) in line[..PADDED].iter().enumerate() {
                 let (u, v) = (1.5 * (i as f64 - 8.5), 1.5 * (j as f64 - 8.5));
                 let (x, y) = (40.25 + u * 0.6 - v * 0.8, 39.5 + u * 0.8 + v * 0.6);
-                let grey = f64::from(*found) / 64.0;
+                let grey = f64::from(*found) / 64.0 / f64::from(PARTS * PARTS);
                 assert!((grey - (20.0 + 2.0 * x + (y - 0.5) / 2.0)).abs() < 0.3, "{grey} at {x}, {y}");
             }
         }

@@ -4,6 +4,7 @@
 //! it is not: the level is blurred enough for its grey values there to follow from the pixels.
 
 use super::level::Level;
+use crate::math::Lanes;
 
 /// Samples in a pixel.
 const FINER: f64 = 2.0;
@@ -37,39 +38,64 @@ pub(super) fn maximum(level: &Level, start: [f64; 2]) -> Option<[f64; 2]> {
 
 /// The determinants of the Hessian at a place and around it, by row and column; `None` at the border.
 fn responses(level: &Level, [x, y]: [f64; 2]) -> Option<[[f64; 3]; 3]> {
-    let (cols, rows) = (Taps::around(x, level.width())?, Taps::around(y, level.height())?);
-    let (stride, data) = (level.stride(), level.data());
-    let grey: [[f64; SIDE]; SIDE] = std::array::from_fn(|j| {
-        std::array::from_fn(|i| {
-            let (col, row) = (&cols.0[i], &rows.0[j]);
-            let along = |r: usize| (0..4).map(|c| col.1[c] * f64::from(data[r * stride + col.0 + c])).sum::<f64>();
-            (0..4).map(|r| row.1[r] * along(row.0 + r)).sum()
-        })
-    });
+    let grey = samples(level, &Taps::around(x, level.width())?, &Taps::around(y, level.height())?);
     let determinant = |i: usize, j: usize| {
         let twice = 2.0 * grey[j][i];
         let xx = grey[j][i + PIXEL] + grey[j][i - PIXEL] - twice;
         let yy = grey[j + PIXEL][i] + grey[j - PIXEL][i] - twice;
         let mixed = |j: usize| grey[j][i + PIXEL] - grey[j][i - PIXEL];
         let xy = 0.25 * (mixed(j + PIXEL) - mixed(j - PIXEL));
-        xx * yy - xy * xy
+        f64::from(xx * yy - xy * xy)
     };
     Some(std::array::from_fn(|j| std::array::from_fn(|i| determinant(i + PIXEL, j + PIXEL))))
 }
 
-/// For each sample along an axis the first of four pixels and their weights.
-struct Taps([(usize, [f64; 4]); SIDE]);
+/// Grey values half a pixel apart, by row and column, less that of a pixel near the middle, so that their differences keep their decimals.
+fn samples(level: &Level, cols: &Taps, rows: &Taps) -> [[f32; SIDE]; SIDE] {
+    let (stride, data) = (level.stride(), level.data());
+    let middle = Lanes::splat(f32::from(data[(rows.first + SIDE / 2) * stride + cols.first + SIDE / 2]));
+    // Of each row of pixels, the samples a whole number of pixels from the first, then those between.
+    let along: [[Lanes; 2]; SIDE] = std::array::from_fn(|r| {
+        let line = (rows.first + r) * stride + cols.first;
+        std::array::from_fn(|between| {
+            let four = |c: usize| Lanes::load_whole(&data[line + cols.skipped[between] + c..]) - middle;
+            weighted(cols.weights[between], four)
+        })
+    });
+    std::array::from_fn(|j| {
+        let (between, r) = (j % PIXEL, rows.skipped[j % PIXEL] + j / PIXEL);
+        let [whole, halves] = [0, 1].map(|of| weighted(rows.weights[between], |k| along[r + k][of]).to_array());
+        std::array::from_fn(|i| if i % PIXEL == 0 { whole[i / PIXEL] } else { halves[i / PIXEL] })
+    })
+}
+
+#[inline(always)]
+fn weighted(weights: [f32; 4], of: impl Fn(usize) -> Lanes) -> Lanes {
+    let product = |k: usize| of(k) * Lanes::splat(weights[k]);
+    (product(0) + product(1)) + (product(2) + product(3))
+}
+
+/// The pixels along an axis from which the samples follow.
+struct Taps {
+    /// The first pixel of all.
+    first: usize,
+    /// For the samples a whole number of pixels from the first one and for those between: the pixels before the four of their first, and
+    /// the weights of four.
+    skipped: [usize; 2],
+    weights: [[f32; 4]; 2],
+}
 
 impl Taps {
     fn around(centre: f64, length: usize) -> Option<Self> {
-        let place = |k: usize| centre + (k as f64 - (SIDE / 2) as f64) / FINER;
-        if !(place(0) >= 1.0 && place(SIDE - 1) < length as f64 - 2.0) {
+        let reach = (SIDE / 2) as f64 / FINER;
+        let (start, end) = (centre - reach, centre + reach);
+        if !(start >= 1.0 && end < length as f64 - 2.0) {
             return None;
         }
-        Some(Self(std::array::from_fn(|k| {
-            let pixel = libm::floor(place(k));
-            (pixel as usize - 1, cubic(place(k) - pixel))
-        })))
+        let places = [start, start + 1.0 / FINER];
+        let pixels = places.map(|place| place as usize);
+        let weights = [0, 1].map(|k| cubic(places[k] - pixels[k] as f64).map(|weight| weight as f32));
+        Some(Self { first: pixels[0] - 1, skipped: [0, pixels[1] - pixels[0]], weights })
     }
 }
 

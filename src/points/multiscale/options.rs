@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Position {
+pub enum PointPosition {
     /// The maximum of a quadratic through responses half a pixel apart.
     Quadratic,
     /// The corner or circle's centre that fits the gradients best by least squares (Förstner); the scale by the quadratic.
@@ -30,12 +30,12 @@ pub struct MultiscaleOptions {
     pub roundness: f64,
     /// Cells on the image's longer side of the grid over which half of the points are distributed equally; 1 chooses the most distinct.
     pub cells: usize,
-    pub position: Position,
+    pub position: PointPosition,
 }
 
 impl Default for MultiscaleOptions {
     fn default() -> Self {
-        Self { number: 10_000, levels: 3, contrast: 0.5, roundness: 0.0, cells: 16, position: Position::Quadratic }
+        Self { number: 10_000, levels: 3, contrast: 0.5, roundness: 0.0, cells: 16, position: PointPosition::Quadratic }
     }
 }
 

@@ -75,6 +75,22 @@ impl BlockScene {
         sensor.record(&render(&view, width, height, psf_px), width, height, [noise(), noise()])
     }
 
+    /// The places in m on the first surface that a photo sees at positions in px, the centre of its top-left pixel at (0.5, 0.5).
+    ///
+    /// # Errors
+    /// As [`photo`](Self::photo); [`Error::InvalidInput`] for a position outside the photo.
+    pub fn surface_at(&self, index: usize, positions: &[[f64; 2]]) -> Result<Vec<[f64; 3]>, Error> {
+        let photo = camera(&self.flight, self.exposure(index)?);
+        let size = [self.flight.width_px, self.flight.height_px];
+        let outside = |position: &&[f64; 2]| !(0..2).all(|axis| position[axis] >= 0.0 && position[axis] < f64::from(size[axis]));
+        if let Some(position) = positions.iter().find(outside) {
+            let allowed = format!("positions inside the photo of {} x {} px", size[0], size[1]);
+            return Err(Error::InvalidInput { what: "position in a photo", got: format!("{position:?}"), allowed });
+        }
+        let view = View::new(&self.scene, &photo, Moment::First, size[0] as usize, size[1] as usize);
+        Ok(positions.iter().map(|[x, y]| view.hit(*x, *y).point.into()).collect())
+    }
+
     /// The true cameras and exterior orientations; the images are named as [`name`](Self::name) has it.
     pub fn truth(&self) -> BlockModel {
         let BlockFlight { width_px, height_px, pixel_mm, .. } = self.flight;
@@ -276,6 +292,20 @@ mod tests {
         assert_eq!(scene.recorded_position(1).unwrap(), again.recorded_position(1).unwrap());
         assert_eq!((scene.photos(), scene.truth().images.len()), (4, 4));
         assert!(scene.photo(4).is_err() && scene.recorded_position(4).is_err());
+    }
+
+    #[test]
+    fn places_on_the_surface_are_seen_where_they_were_asked_for() {
+        let flight = small(BlockView::Nadir);
+        let scene = BlockScene::new(&flight).unwrap();
+        let asked = [[10.25, 20.5], [60.0, 33.3], [0.0, 0.0]];
+        let seen = scene.surface_at(1, &asked).unwrap();
+        for (place, asked) in seen.iter().zip(asked) {
+            let again = scene.exposures[1].project(*place, flight.width_px, flight.height_px).unwrap();
+            assert!((0..2).all(|axis| (again[axis] - asked[axis]).abs() < 1e-6), "{asked:?} {again:?}");
+        }
+        assert!(scene.surface_at(1, &[[-0.1, 5.0]]).unwrap_err().to_string().contains("position in a photo"));
+        assert!(scene.surface_at(1, &[[f64::NAN, 5.0]]).is_err() && scene.surface_at(99, &asked).is_err());
     }
 
     #[test]

@@ -1,46 +1,9 @@
 //! Every exchange format as text: a tiny block, written and compared to the last letter.
 
+use super::sight::tiny_block;
+use super::{BlockModel, ExportFormat, ModelCamera, export_block, read_colmap_model};
+use crate::{Error, geographic_from_local, rotation_from_angles};
 use std::collections::BTreeMap;
-use tiepoint::{
-    BlockModel, Error, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay, export_block,
-    geographic_from_local, read_colmap_model,
-};
-
-/// Three images and three points: one of three rays, one of two, one of two that is not intersected.
-fn tiny_block() -> BlockModel {
-    let upright = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let image = |name: &str, x: Option<f64>| ModelImage {
-        name: name.into(),
-        camera: 0,
-        pose: x.map(|x| ModelPose { rotation: upright, position: [x, 0.0, 100.0] }),
-    };
-    let ray = |image, x_px, y_px| ModelRay { image, x_px, y_px, confidence: 1.0 };
-    let point = |position, rays: &[ModelRay]| ModelPoint {
-        position,
-        colour: [10, 20, 30],
-        rmse_px: Some(0.25),
-        confidence: 1.0,
-        rays: rays.into(),
-    };
-    BlockModel {
-        cameras: vec![ModelCamera {
-            width_px: 400,
-            height_px: 300,
-            focal_px: 500.0,
-            principal_point_px: [200.0, 150.0],
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            pixel_mm: Some(0.01),
-        }],
-        images: vec![image("a.jpg", Some(0.0)), image("b.jpg", Some(10.0)), image("c.jpg", None)],
-        points: vec![
-            point(Some([5.0, 0.0, 0.0]), &[ray(0, 225.0, 150.0), ray(1, 175.0, 150.0), ray(2, 100.5, 20.25)]),
-            point(Some([5.0, 10.0, 0.0]), &[ray(0, 225.0, 100.0), ray(1, 175.0, 100.0)]),
-            point(None, &[ray(1, 10.0, 20.0), ray(2, 30.0, 40.0)]),
-        ],
-        origin: Some(GeographicOrigin { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 200.0 }),
-    }
-}
 
 fn files(model: &BlockModel, format: ExportFormat) -> Result<BTreeMap<String, String>, Error> {
     let mut files = BTreeMap::new();
@@ -59,7 +22,7 @@ fn file(format: ExportFormat, path: &str) -> String {
 fn distorted_block() -> BlockModel {
     let mut model = tiny_block();
     model.cameras[0] = ModelCamera { radial: [-0.05, 0.01, -0.002], tangential: [4e-4, -3e-4], ..model.cameras[0].clone() };
-    let m = tiepoint::rotation_from_angles(0.02, -0.03, 1.2);
+    let m = rotation_from_angles(0.02, -0.03, 1.2);
     model.images[1].pose.as_mut().unwrap().rotation = std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)]));
     model
 }

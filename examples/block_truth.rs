@@ -1,0 +1,242 @@
+//! Simulated blocks beside their truth, kind by kind: `cargo run --release --example block_truth [SEEDS] [--json]`.
+//!
+//! Tells how many points have only rays that belong together, how many images are oriented, how large errors are beside the standard errors
+//! that are told, and what resolving conflicts keeps that dropping them would lose. With `--json` one object a kind and line.
+
+use std::error::Error;
+use tiepoint::{
+    AssembledPoint, Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView,
+    Conflicts, MultiRayPoints, ObservedPosition, RayVerdict, SelectOptions, SimulatedBlock, angles_from_rotation, assemble_block,
+    multi_ray_points, simulate_block,
+};
+
+/// Standard error in m of the positions that place the blocks.
+const GPS_SIGMA_M: f64 = 0.1;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let seeds = words.iter().find(|word| !word.starts_with("--")).map_or(Ok(10), |word| word.parse())?;
+    for (name, flight) in kinds() {
+        let mut sums = Sums::default();
+        for seed in 1..=seeds {
+            sums.add(&BlockFlight { seed, ..flight.clone() })?;
+        }
+        if words.iter().any(|word| word == "--json") {
+            println!("{}", sums.json(name, seeds));
+        } else {
+            sums.print(name, seeds);
+        }
+    }
+    Ok(())
+}
+
+fn kinds() -> Vec<(&'static str, BlockFlight)> {
+    let nadir = BlockFlight::default();
+    // Views to all sides meet on the ground only where the block is longer than it is high.
+    let oblique =
+        BlockFlight { view: BlockView::Oblique, exposures: 9, forward_overlap: 0.5, side_overlap: 0.4, features: 1200, ..nadir.clone() };
+    let two_heights = BlockFlight { view: BlockView::TwoHeights, ..nadir.clone() };
+    let wrong = BlockFlight { wrong: 0.4, ..nadir.clone() };
+    vec![("5 x 6 nadir", nadir), ("five cameras, oblique", oblique), ("two heights", two_heights), ("40 % of the matches wrong", wrong)]
+}
+
+/// A sum of squares.
+#[derive(Default)]
+struct Squares {
+    sum: f64,
+    number: usize,
+}
+
+impl Squares {
+    fn add(&mut self, values: impl IntoIterator<Item = f64>) {
+        for value in values {
+            self.sum += value * value;
+            self.number += 1;
+        }
+    }
+
+    fn mean(&self) -> f64 {
+        self.sum / self.number as f64
+    }
+}
+
+/// A number and how many of it are as they should be.
+#[derive(Default)]
+struct Share {
+    good: usize,
+    all: usize,
+}
+
+impl Share {
+    fn add(&mut self, good: usize, all: usize) {
+        self.good += good;
+        self.all += all;
+    }
+
+    fn value(&self) -> f64 {
+        self.good as f64 / self.all.max(1) as f64
+    }
+}
+
+/// What the blocks of a kind come to.
+#[derive(Default)]
+struct Sums {
+    images: Share,
+    /// Points whose rays all belong together: as they are joined, and with their accepted rays in the adjusted block.
+    joined: Share,
+    adjusted: Share,
+    /// Rays with a right owner where conflicts are resolved, and where they are dropped.
+    resolved: Share,
+    dropped: Share,
+    /// Errors by standard errors.
+    positions: Squares,
+    angles: Squares,
+    points: Squares,
+    sigma0: Squares,
+}
+
+impl Sums {
+    fn add(&mut self, flight: &BlockFlight) -> Result<(), tiepoint::Error> {
+        let block = simulate_block(flight)?;
+        let matches = block.matches()?;
+        let join = |conflicts| multi_ray_points(&matches, &BlockOptions { conflicts, ..BlockOptions::default() });
+        let (points, _) = join(Conflicts::Resolve)?;
+        let (fewer, _) = join(Conflicts::Drop)?;
+        let pure = points.iter().filter(|rays| together(&block, rays.iter().map(|ray| (ray.image, ray.feature)))).count();
+        self.joined.add(pure, points.len());
+        self.resolved.add(right_rays(&block, &points), points.ray_count());
+        self.dropped.add(right_rays(&block, &fewer), fewer.ray_count());
+        let options = AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() };
+        let assembly = assemble_block(&describe(&block, flight.seed), &points, &block.image_features(), &options)?;
+        self.compare(&block, &assembly, &points);
+        Ok(())
+    }
+
+    /// The largest model beside the truth; one that is not in the system of the observed positions has no errors to be told.
+    fn compare(&mut self, block: &SimulatedBlock, assembly: &Assembly, joined: &MultiRayPoints) {
+        let Some(model) = assembly.models.first().filter(|model| model.in_system) else {
+            return self.images.add(0, block.exposures.len());
+        };
+        self.images.add(model.images.len(), block.exposures.len());
+        self.sigma0.add(model.adjusted.sigma0_px);
+        for ((k, image), told) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
+            let exposure = &block.exposures[*k];
+            let off = |at: [f64; 3], wanted: [f64; 3]| [0, 1, 2].map(|i| at[i] - wanted[i]);
+            let over = |off: [f64; 3], told: [f64; 3]| [0, 1, 2].map(|i| off[i] / told[i]);
+            if let Some(told) = told.position_errors {
+                self.positions.add(over(off(image.position, exposure.centre), told));
+            }
+            if let Some(told) = told.angle_errors_deg {
+                let rows = nalgebra::Matrix3::from_fn(|r, c| image.rotation[r][c]);
+                let turned = off(angles_from_rotation(&rows), angles_from_rotation(&exposure.rotation));
+                let within = |v: f64| v - std::f64::consts::TAU * (v / std::f64::consts::TAU).round();
+                self.angles.add(over(turned.map(|v| within(v).to_degrees()), told));
+            }
+        }
+        let mut accepted = vec![Vec::new(); model.points.len()];
+        let verdicts = model.adjusted.block.rays.iter().zip(&model.adjusted.rays).zip(&model.rays);
+        for ((ray, statistics), known) in verdicts {
+            if let (RayVerdict::Accepted, Some(feature)) = (statistics.verdict, known.feature) {
+                accepted[ray.point].push((model.images[ray.image] as u32, feature));
+            }
+        }
+        for (k, known) in model.points.iter().enumerate() {
+            let (AssembledPoint::MultiRay(index), Some(told)) = (known, &model.adjusted.points[k]) else { continue };
+            let pure = together(block, accepted[k].iter().copied());
+            self.adjusted.add(usize::from(pure), 1);
+            let first = joined.rays(*index as usize)[0];
+            // Of a point with a ray that does not belong to it the truth is not one place.
+            if let (true, Some(owner), Some(told)) = (pure, block.owners[first.image as usize][first.feature as usize], told.errors) {
+                let (at, wanted) = (model.adjusted.block.points[k].position, block.ground[owner as usize]);
+                self.points.add((0..3).map(|i| (at[i] - wanted[i]) / told[i]));
+            }
+        }
+    }
+
+    fn print(&self, name: &str, seeds: u32) {
+        println!("{name}, {seeds} blocks: {} of {} images oriented", self.images.good, self.images.all);
+        for (what, share) in [("as joined", &self.joined), ("adjusted", &self.adjusted)] {
+            println!("  points {what}: {}, all rays belong together in {:.3} %", share.all, 100.0 * share.value());
+        }
+        for (what, share) in [("resolved", &self.resolved), ("dropped", &self.dropped)] {
+            println!("  conflicts {what}: {} rays, {:.3} % right", share.all, 100.0 * share.value());
+        }
+        println!(
+            "  squares of errors by standard errors: positions {:.3}, angles {:.3}, points {:.3}; sigma0 {:.4} px",
+            self.positions.mean(),
+            self.angles.mean(),
+            self.points.mean(),
+            self.sigma0.mean().sqrt()
+        );
+    }
+
+    fn json(&self, name: &str, seeds: u32) -> serde_json::Value {
+        serde_json::json!({
+            "kind": name,
+            "blocks": seeds,
+            "images": self.images.all,
+            "oriented": self.images.good,
+            "points": self.joined.all,
+            "pure": self.joined.value(),
+            "adjusted_points": self.adjusted.all,
+            "adjusted_pure": self.adjusted.value(),
+            "resolved_rays": self.resolved.all,
+            "resolved_right": self.resolved.value(),
+            "dropped_rays": self.dropped.all,
+            "dropped_right": self.dropped.value(),
+            "variance_of_positions": self.positions.mean(),
+            "variance_of_angles": self.angles.mean(),
+            "variance_of_points": self.points.mean(),
+            "sigma0_px": self.sigma0.mean().sqrt(),
+        })
+    }
+}
+
+/// Whether rays, of which each is an image and a feature, all show the same ground.
+fn together(block: &SimulatedBlock, rays: impl Iterator<Item = (u32, u32)>) -> bool {
+    let rays: Vec<_> = rays.collect();
+    rays.windows(2).all(|pair| block.is_right(pair[0], pair[1]))
+}
+
+/// Rays that show the ground that most rays of their point show.
+fn right_rays(block: &SimulatedBlock, points: &MultiRayPoints) -> usize {
+    let of_point = |rays: &[tiepoint::PointRay]| {
+        let alike = |a: &tiepoint::PointRay| rays.iter().filter(|b| block.is_right((a.image, a.feature), (b.image, b.feature))).count();
+        rays.iter().map(alike).max().filter(|most| *most > 1).unwrap_or(0)
+    };
+    points.iter().map(of_point).sum()
+}
+
+fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
+    let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap_or(0);
+    let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).map(|e| e.focal_px);
+    let mut normal = Normal(u64::from(seed) << 32);
+    let images = block.exposures.iter().enumerate().map(|(k, exposure)| AssemblyImage {
+        name: format!("{k}.jpg"),
+        camera: exposure.camera as usize,
+        position: Some(ObservedPosition::Local {
+            position: exposure.centre.map(|v| v + GPS_SIGMA_M * normal.next()),
+            sigma: [GPS_SIGMA_M; 3],
+        }),
+    });
+    BlockDescription {
+        images: images.collect(),
+        cameras: (0..cameras).map(|camera| AssemblyCamera::of_size(block.width_px, block.height_px, focal(camera))).collect(),
+        control: Vec::new(),
+    }
+}
+
+/// Standard normal numbers, nearly: sums of twelve uniform ones by SplitMix64 (Steele, Lea & Flood 2014).
+struct Normal(u64);
+
+impl Normal {
+    fn next(&mut self) -> f64 {
+        let mut uniform = || {
+            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+    }
+}

@@ -1,0 +1,169 @@
+//! Four whole numbers of 32 bits at once, with the same operations natively and as WebAssembly's SIMD.
+
+use super::Lanes;
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+use std::arch::wasm32::*;
+
+/// Four whole numbers, or four pairs of 16 bits: the first of a pair is the lower half.
+#[derive(Clone, Copy)]
+pub(crate) struct Whole(Vector);
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+type Vector = v128;
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+type Vector = [i32; 4];
+
+#[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+impl Whole {
+    pub fn splat(value: i32) -> Self {
+        Self(i32x4_splat(value))
+    }
+
+    /// Numbers without their decimals; what is beyond 32 bits becomes the nearest that is not, and NaN 0.
+    #[inline(always)]
+    pub fn truncated(numbers: Lanes) -> Self {
+        Self(i32x4_trunc_sat_f32x4(numbers.0))
+    }
+
+    #[inline(always)]
+    pub fn to_lanes(self) -> Lanes {
+        Lanes(f32x4_convert_i32x4(self.0))
+    }
+
+    pub fn to_array(self) -> [i32; 4] {
+        [i32x4_extract_lane::<0>(self.0), i32x4_extract_lane::<1>(self.0), i32x4_extract_lane::<2>(self.0), i32x4_extract_lane::<3>(self.0)]
+    }
+
+    /// Not below `least` nor above `most`.
+    #[inline(always)]
+    pub fn clamp(self, least: Self, most: Self) -> Self {
+        Self(i32x4_min(i32x4_max(self.0, least.0), most.0))
+    }
+
+    /// The pairs of values that begin at four places.
+    ///
+    /// # Panics
+    /// Where there are fewer values.
+    #[inline(always)]
+    pub fn pairs(values: &[i16], places: [usize; 4]) -> Self {
+        let pair = |place: usize| values[place..][..2].as_ptr().cast::<u32>();
+        // SAFETY: each slice holds the 4 bytes that are read; the instructions need no alignment.
+        unsafe {
+            let first = v128_load32_zero(pair(places[0]));
+            let second = v128_load32_lane::<1>(first, pair(places[1]));
+            let third = v128_load32_lane::<2>(second, pair(places[2]));
+            Self(v128_load32_lane::<3>(third, pair(places[3])))
+        }
+    }
+
+    /// Of pairs: the sum of the products of their numbers with those of the other's.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> Self {
+        Self(i32x4_dot_i16x8(self.0, other.0))
+    }
+}
+
+#[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+impl Whole {
+    pub fn splat(value: i32) -> Self {
+        Self([value; 4])
+    }
+
+    /// Numbers without their decimals; what is beyond 32 bits becomes the nearest that is not, and NaN 0.
+    #[inline(always)]
+    pub fn truncated(numbers: Lanes) -> Self {
+        Self(numbers.0.map(|v| v as i32))
+    }
+
+    #[inline(always)]
+    pub fn to_lanes(self) -> Lanes {
+        Lanes(self.0.map(|v| v as f32))
+    }
+
+    pub fn to_array(self) -> [i32; 4] {
+        self.0
+    }
+
+    /// Not below `least` nor above `most`.
+    #[inline(always)]
+    pub fn clamp(self, least: Self, most: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k].max(least.0[k]).min(most.0[k])))
+    }
+
+    /// The pairs of values that begin at four places.
+    ///
+    /// # Panics
+    /// Where there are fewer values.
+    #[inline(always)]
+    pub fn pairs(values: &[i16], places: [usize; 4]) -> Self {
+        let half = |value: i16| i32::from(value as u16);
+        Self(places.map(|place| half(values[place]) | (half(values[place + 1]) << 16)))
+    }
+
+    /// Of pairs: the sum of the products of their numbers with those of the other's.
+    #[inline(always)]
+    pub fn dot(self, other: Self) -> Self {
+        let product = |a: i32, b: i32| i32::from(a as i16) * i32::from(b as i16);
+        Self(std::array::from_fn(|k| product(self.0[k], other.0[k]).wrapping_add(product(self.0[k] >> 16, other.0[k] >> 16))))
+    }
+}
+
+/// One operator, of both kinds of vectors; what is beyond 32 bits is cut off.
+macro_rules! operator {
+    ($name:ident, $method:ident, $simd:ident, $plain:ident) => {
+        impl std::ops::$name for Whole {
+            type Output = Self;
+
+            #[cfg(all(target_arch = "wasm32", target_feature = "simd128"))]
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self($simd(self.0, other.0))
+            }
+
+            #[cfg(not(all(target_arch = "wasm32", target_feature = "simd128")))]
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self(std::array::from_fn(|k| self.0[k].$plain(other.0[k])))
+            }
+        }
+    };
+}
+
+operator!(Add, add, i32x4_add, wrapping_add);
+operator!(Sub, sub, i32x4_sub, wrapping_sub);
+operator!(Mul, mul, i32x4_mul, wrapping_mul);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test;
+
+    /// Every operation against the same on single numbers.
+    #[cfg_attr(target_arch = "wasm32", wasm_bindgen_test)]
+    #[cfg_attr(not(target_arch = "wasm32"), test)]
+    fn whole_lanes_are_single_numbers() {
+        let numbers = [[1.9f32, -2.9, 0.0, 1e10], [f32::NAN, -1e10, 32_767.5, -7.0], [3.0, 4.0, -5.5, 65_536.0]];
+        for a in numbers {
+            let x = Whole::truncated(Lanes::new(a));
+            let whole = a.map(|v| v as i32);
+            assert_eq!(x.to_array(), whole);
+            assert_eq!(x.to_lanes().to_array(), whole.map(|v| v as f32));
+            assert_eq!(x.clamp(Whole::splat(-3), Whole::splat(9)).to_array(), whole.map(|v| v.clamp(-3, 9)));
+            for b in numbers {
+                let y = Whole::truncated(Lanes::new(b));
+                let each = |of: &dyn Fn(i32, i32) -> i32| std::array::from_fn::<i32, 4, _>(|k| of(whole[k], b[k] as i32));
+                assert_eq!((x + y).to_array(), each(&i32::wrapping_add));
+                assert_eq!((x - y).to_array(), each(&i32::wrapping_sub));
+                assert_eq!((x * y).to_array(), each(&i32::wrapping_mul));
+            }
+        }
+        let values = [5i16, -7, 32_767, -32_768, 100, 3, 9];
+        let (a, b) = (Whole::pairs(&values, [0, 1, 2, 5]), Whole::pairs(&values, [3, 2, 1, 0]));
+        let product =
+            |p: usize, q: usize| i32::from(values[p]) * i32::from(values[q]) + i32::from(values[p + 1]) * i32::from(values[q + 1]);
+        assert_eq!(a.dot(b).to_array(), [product(0, 3), product(1, 2), product(2, 1), product(5, 0)]);
+        assert_eq!(a.dot(Whole::splat(1)).to_array(), [5, -7, 32_767, 3]);
+        assert_eq!(a.dot(Whole::splat(1 << 16)).to_array(), [-7, 32_767, -32_768, 9]);
+    }
+}
