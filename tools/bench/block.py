@@ -11,6 +11,7 @@ centres of both are compared with it after a similarity. With --json the last li
 import argparse
 import json
 import re
+import resource
 import statistics
 import subprocess
 import tempfile
@@ -22,6 +23,12 @@ import pycolmap
 
 ROOT = Path(__file__).resolve().parents[2]
 IMAGES = {'.jpg', '.jpeg', '.png', '.tif', '.tiff'}
+
+
+def processor(who: int) -> float:
+    """Seconds of all processors spent so far."""
+    used = resource.getrusage(who)
+    return used.ru_utime + used.ru_stime
 
 
 def ours(photos: list[Path], out: Path, threads: int) -> tuple[float, dict[str, float], dict, dict[str, np.ndarray]]:
@@ -104,10 +111,14 @@ def main() -> None:
     ratios = []
     for _ in range(given.runs):
         with tempfile.TemporaryDirectory() as temporary:
+            before = processor(resource.RUSAGE_CHILDREN)
             own_seconds, stages, summary, own = ours(photos, Path(temporary) / 'ours', given.threads)
+            own_cpu = processor(resource.RUSAGE_CHILDREN) - before
+            before = processor(resource.RUSAGE_SELF)
             their_seconds, model = theirs(photos, Path(temporary), given.threads)
+            their_cpu = processor(resource.RUSAGE_SELF) - before
         ratios.append(own_seconds / their_seconds)
-        print(f'tiepoint {own_seconds:.1f} s {stages}, COLMAP {their_seconds:.1f} s, ratio {ratios[-1]:.3f}')
+        print(f'tiepoint {own_seconds:.1f} s {stages}, COLMAP {their_seconds:.1f} s, ratio {ratios[-1]:.3f}; processor {own_cpu:.1f} s, {their_cpu:.1f} s, ratio {own_cpu / their_cpu:.3f}')
     print(f'median ratio {statistics.median(ratios):.3f} of {given.runs} runs, {len(photos)} images, {given.threads} threads')
     print('tiepoint:', json.dumps(summary.get('orientation', summary)))
     print(f'  centres beside the reference: {deviation(own, reference)}')
@@ -117,8 +128,8 @@ def main() -> None:
     if given.json:
         orientation = summary['orientation']
         rmse = orientation['models'][0]['rmse_px'] if orientation.get('models') else float('nan')
-        command = {'seconds': own_seconds, 'stages': stages, 'oriented': orientation['oriented'], 'rmsePx': rmse, 'centres': deviation(own, reference)}
-        colmap = {'seconds': their_seconds, 'version': pycolmap.__version__, 'oriented': model.num_reg_images(), 'residual_px': error, 'centres': deviation(centres_of(model), reference)}
+        command = {'seconds': own_seconds, 'cpu': own_cpu, 'stages': stages, 'oriented': orientation['oriented'], 'rmsePx': rmse, 'centres': deviation(own, reference)}
+        colmap = {'seconds': their_seconds, 'cpu': their_cpu, 'version': pycolmap.__version__, 'oriented': model.num_reg_images(), 'residual_px': error, 'centres': deviation(centres_of(model), reference)}
         print(json.dumps({'command': command, 'colmap': colmap}))
 
 

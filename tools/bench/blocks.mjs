@@ -16,7 +16,7 @@ import { numberOption } from './options.mjs';
 const NAME = 'block_caliterra';
 const WORKERS = 2;
 
-/** @typedef {{ seconds: number, stages: Record<string, number>, oriented: number, rmsePx: number, centres: string }} Ours */
+/** `cpu`: seconds of all processors, where they are known.  @typedef {{ seconds: number, cpu?: number, stages: Record<string, number>, oriented: number, rmsePx: number, centres: string }} Ours */
 
 /** @param {number[]} values */
 const median = (values) => [...values].sort((a, b) => a - b)[values.length >> 1] ?? NaN;
@@ -34,7 +34,7 @@ async function besideColmap(rounds) {
   if (lacks.status !== 0) console.log(`COLMAP: skipped: ${why} (TIEPOINT_PYTHON names a Python that has it)`);
   console.log(`${NAME}, ${WORKERS} workers or threads each, seconds from the files to the adjusted block (medians of ${rounds})`);
   const page = await pageOf();
-  /** @type {{ command: Ours[], page: Ours[], colmap: any[] }} */
+  /** @type {{ command: Ours[], page: Ours[], colmap: { seconds: number, cpu: number, version: string, oriented: number, residual_px: number, centres: string }[] }} */
   const found = { command: [], page: [], colmap: [] };
   for (let round = 0; round < rounds; round += 1) {
     if (lacks.status === 0) {
@@ -45,17 +45,27 @@ async function besideColmap(rounds) {
     if (page) found.page.push(await page.run());
   }
   await page?.close();
-  const theirs = median(found.colmap.map(({ seconds }) => seconds));
-  for (const [name, runs] of /** @type {const} */ ([['command', found.command], ['page in Chromium', found.page]])) {
-    if (runs.length === 0) continue;
-    const [{ stages, oriented, rmsePx, centres }] = /** @type {[Ours]} */ (runs);
-    const seconds = median(runs.map((one) => one.seconds));
-    const parts = Object.keys(stages).map((stage) => `${stage} ${median(runs.map((one) => one.stages[stage] ?? NaN)).toFixed(1)}`);
-    console.log(`  ${name}: ${seconds.toFixed(1)} (${parts.join(', ')})${found.colmap.length > 0 ? `; ratio to COLMAP ${median(runs.map((one, i) => one.seconds / found.colmap[i].seconds)).toFixed(3)}` : ''}`);
-    console.log(`    ${oriented} oriented, RMSE ${rmsePx.toFixed(3)} px${centres ? `, centres ${centres} from the reference` : ''}`);
+  const { colmap } = found;
+  tell('command', found.command, colmap);
+  if (page) tell('page in Chromium', found.page, colmap);
+  const [first] = colmap;
+  if (!first) return;
+  console.log(`  COLMAP ${first.version}: ${median(colmap.map(({ seconds }) => seconds)).toFixed(1)}, processor ${median(colmap.map(({ cpu }) => cpu)).toFixed(1)}`);
+  console.log(`    ${first.oriented} oriented, mean residual ${first.residual_px.toFixed(3)} px, centres ${first.centres} from the reference`);
+}
+
+/** @param {string} name @param {Ours[]} runs @param {{ seconds: number, cpu: number }[]} colmap of the same rounds, or none */
+function tell(name, runs, colmap) {
+  const [{ stages, oriented, rmsePx, centres }] = /** @type {[Ours]} */ (runs);
+  const parts = Object.keys(stages).map((stage) => `${stage} ${median(runs.map((one) => one.stages[stage] ?? NaN)).toFixed(1)}`);
+  const cpu = runs.flatMap((one) => one.cpu ?? []);
+  const spent = cpu.length > 0 ? `, processor ${median(cpu).toFixed(1)}` : '';
+  console.log(`  ${name}: ${median(runs.map(({ seconds }) => seconds)).toFixed(1)}${spent} (${parts.join(', ')})`);
+  if (colmap.length > 0) {
+    const ratio = (/** @type {(one: { seconds: number, cpu?: number }) => number} */ of) => median(runs.map((one, i) => of(one) / of(/** @type {Ours} */ (colmap[i])))).toFixed(3);
+    console.log(`    ratio to COLMAP ${ratio(({ seconds }) => seconds)}${cpu.length > 0 ? `, of processor time ${ratio((one) => one.cpu ?? NaN)}` : ''}`);
   }
-  const [first] = found.colmap;
-  if (first) console.log(`  COLMAP ${first.version}: ${theirs.toFixed(1)}\n    ${first.oriented} oriented, mean residual ${first.residual_px.toFixed(3)} px, centres ${first.centres} from the reference`);
+  console.log(`    ${oriented} oriented, RMSE ${rmsePx.toFixed(3)} px${centres ? `, centres ${centres} from the reference` : ''}`);
 }
 
 /** The last line that a program writes, which must succeed.  @param {string} program @param {string[]} args @returns {Promise<string>} */
@@ -103,7 +113,7 @@ async function pageOf() {
     await tab.waitForFunction(() => /Press Run/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''));
     const began = performance.now();
     await part('block-run').click();
-    await tab.waitForFunction(() => /^Done|⚠|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 600_000 });
+    await tab.waitForFunction(() => /^Done|Kept:|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 600_000 });
     const seconds = (performance.now() - began) / 1000;
     const text = async (/** @type {string} */ id) => (await part(id).textContent()) ?? '';
     /** @type {Record<string, number>} */

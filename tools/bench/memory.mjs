@@ -82,5 +82,7 @@ function residentKb(pid) {
 
 /** The peaks of ten equal parts of a list.  @param {number[]} list */
 function tenths(list) {
-  return Array.from({ length: Math.min(10, list.length) }, (_, k) => Math.max(...list.slice(Math.floor((k * list.length) / 10), Math.max(Math.floor(((k + 1) * list.length) / 10), 1 + Math.floor((k * list.length) / 10)))));
+  const parts = Math.min(10, list.length);
+  const from = (/** @type {number} */ k) => Math.floor((k * list.length) / parts);
+  return Array.from({ length: parts }, (_, k) => list.slice(from(k), from(k + 1)).reduce((a, b) => Math.max(a, b)));
 }

@@ -111,8 +111,9 @@ export class Matrix {
       const [a, b] = connection.images;
       const matches = matchesOf(connection);
       const tried = connection.outcome.kind === 'connected';
-      context.globalAlpha = tried ? 0.15 + 0.85 * Math.sqrt(matches / most) : 0.9;
-      context.fillStyle = tried ? colours.bars : colours.problem;
+      context.globalAlpha = tried ? 0.15 + 0.85 * Math.sqrt(matches / most) : 0.6;
+      // Images without common ground are nothing wrong.
+      context.fillStyle = tried ? colours.bars : connection.outcome.kind === 'failed' ? colours.problem : colours.muted;
       for (const [row, column] of [[a, b], [b, a]] as const) paintCell(context, HEAD + column * side, HEAD + row * side, side, tried);
       context.globalAlpha = 1;
       if (tried && side >= NUMBERED) paintNumbers(context, colours, [a, b], side, matches);

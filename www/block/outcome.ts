@@ -56,7 +56,7 @@ function viewOf(
   const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => ({
     images, rule, outcome, reason: reasons[i] ?? '', geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0, chosen: chosen.get(images.join()) ?? 0,
   }));
-  const images = imagesOf(model);
+  const images = imagesOf(model).map((image, i) => ({ ...image, exifOrientation: exif[i]?.orientation ?? null }));
   return {
     partial: false,
     images,
@@ -93,7 +93,7 @@ function imagesOf(model: BlockModel): ViewImage[] {
   for (const point of model.points) for (const { image } of point.rays) rays[image] = (rays[image] ?? 0) + 1;
   return model.images.map(({ name, camera, pose }, i) => {
     const { width_px: width = 0, height_px: height = 0 } = model.cameras[camera] ?? {};
-    return { name, camera, width, height, features: null, places: null, rays: rays[i] ?? 0, rmsePx: null, oriented: pose != null, why: pose == null ? 'not oriented' : '' };
+    return { name, camera, width, height, features: null, places: null, rays: rays[i] ?? 0, rmsePx: null, oriented: pose != null, exifOrientation: null, why: pose == null ? 'not oriented' : '' };
   });
 }
 

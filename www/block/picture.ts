@@ -203,10 +203,10 @@ function paintLines(context: CanvasRenderingContext2D, colours: Colours, view: B
 /** Pairs that were tried in vain, dashed: those of the image that is chosen, and the pair that is chosen itself. */
 function paintRefused(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: PlanView, marked: readonly Choice[]): void {
   context.setLineDash([4, 4]);
-  context.strokeStyle = colours.problem;
   context.lineWidth = 1;
   for (const { images, outcome } of view.connections) {
     if (outcome.kind === 'connected' || !marked.some((choice) => isOf(choice, images))) continue;
+    context.strokeStyle = outcome.kind === 'failed' ? colours.problem : colours.muted;
     context.beginPath();
     context.moveTo(...placeOf(view, plan, images[0]));
     context.lineTo(...placeOf(view, plan, images[1]));

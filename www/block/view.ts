@@ -15,6 +15,8 @@ export interface ViewImage {
   rays: number;
   rmsePx: number | null;
   oriented: boolean;
+  /** Of EXIF, 1 to 8: how the stored rows and columns lie; they are taken as they are stored. Null where it is not told. */
+  exifOrientation: number | null;
   /** Why it is not oriented, in words; empty where it is. */
   why: string;
 }

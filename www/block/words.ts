@@ -40,6 +40,8 @@ function describeImage(view: BlockView, index: number): string {
     `connected with ${count(partners)} of ${count(view.images.length - 1)} images`,
     image.rmsePx === null ? '' : `RMSE ${fixed(image.rmsePx, 2)} px`,
     image.oriented ? 'oriented' : image.why,
+    // 1 is the usual one.
+    image.exifOrientation === null || image.exifOrientation === 1 ? '' : `taken as stored, EXIF orientation ${String(image.exifOrientation)}`,
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
 }
