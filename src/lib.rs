@@ -74,8 +74,8 @@ pub use orientation::{
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PhotoInput,
-    VerifiedMatches, describe_image, epipolar_line, match_features, match_in_rounds, match_pair, match_weights, observations,
-    orient_matches, photo_interior,
+    VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair, match_weights,
+    observations, orient_matches, photo_interior,
 };
 pub use parameters::{
     ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,

@@ -16,8 +16,9 @@ pub use rounds::{PairMatching, match_in_rounds};
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 
 use crate::{
-    Camera, Degeneracy, Error, ExifCamera, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet, MultiscaleOptions,
-    OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, TwoView, TwoViewOptions, WindowOptions, estimate_offset,
+    Camera, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
+    MultiscaleOptions, NearestTable, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, TwoView, TwoViewOptions,
+    WindowOptions, estimate_offset,
 };
 use serde::{Deserialize, Serialize};
 
@@ -96,8 +97,25 @@ pub struct PairImage<'a> {
 /// As the stages: [`Error::InvalidOption`], [`Error::ImageTooSmall`]; [`Error::InvalidInput`] for a camera or fiducials that do not fit.
 pub fn match_pair(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput, settings: &PairSettings) -> Result<PairResult, Error> {
     // What is wrong with the camera is told before the images are searched.
-    let interior = geometry::pair_interior(left, right, input)?;
+    geometry::pair_interior(left, right, input)?.ok();
     let described = [describe_image(left.grey, left.mask, settings)?, describe_image(right.grey, right.mask, settings)?];
+    match_described_pair(left, right, described, None, input, settings)
+}
+
+/// The rest of [`match_pair`], once both images are described: for callers that do so at the same time, and that may also have searched for
+/// the nearest right descriptors of all left ones. Masks have had their effect.
+///
+/// # Errors
+/// As [`match_pair`].
+pub fn match_described_pair(
+    left: PairImage<'_>,
+    right: PairImage<'_>,
+    described: [DescribedImage; 2],
+    nearest: Option<&NearestTable>,
+    input: &PairInput,
+    settings: &PairSettings,
+) -> Result<PairResult, Error> {
+    let interior = geometry::pair_interior(left, right, input)?;
     let strategy = settings.matching.strategy;
     let offset = match input.offset {
         Some([dx, dy]) => Some(OffsetField::constant(dx, dy)),
@@ -105,7 +123,8 @@ pub fn match_pair(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput, 
     };
     let images = [described[0].match_image(left.grey, strategy), described[1].match_image(right.grey, strategy)];
     let expected = offset.clone().unwrap_or(OffsetField::constant(0.0, 0.0));
-    let PairMatching { set: matching, geometry } = match_in_rounds(images, &expected, interior.as_ref().ok(), settings)?;
+    let PairMatching { set: matching, geometry } =
+        match_in_rounds(images, Expectation { nearest, ..Expectation::from(&expected) }, interior.as_ref().ok(), settings)?;
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
     let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));

@@ -8,7 +8,8 @@ use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions,
     MatchSet, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PointCounts, PointSet, Reduced, Rule,
     TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
-    gradient_candidates as nearest_by_gradients, match_in_rounds, match_pair as match_images, match_points as match_described,
+    gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
+    match_points as match_by_moments,
 };
 use js_sys::{Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -44,9 +45,13 @@ export type GivenPoints = Pick<DescribedPoints, "points"> & Partial<Pick<Describ
 
 
 /** The outcome of a whole pair. */
-export interface PairOutput {
+export interface PairOutput extends MatchedPair {
     left: DetectedPoints;
     right: DetectedPoints;
+}
+
+/** What becomes of the points of a pair. */
+export interface MatchedPair {
     /** Absent where the strategy needs none. */
     offset: OffsetField | null;
     match: MatchResult;
@@ -94,7 +99,7 @@ pub fn match_points(
 ) -> JsResult<JsValue> {
     let (left, right) = (Described::read(left_points, left_descriptors)?, Described::read(right_points, right_descriptors)?);
     let (offset, options) = (read_offset(offset)?, read_options::<MatchOptions>("matching", options)?);
-    let set = match_described(left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
+    let set = match_by_moments(left.parts(), right.parts(), &offset, &options).map_err(thrown)?;
     Ok(pack_matching(&PairMatching { set, geometry: None }))
 }
 
@@ -201,10 +206,35 @@ pub fn match_pair(
     match_images(left, right, &input, &settings).map(|result| pack_pair(&result)).map_err(thrown)
 }
 
+/// Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may
+/// have been searched for already: the pieces that `nearest_piece` made of all left points, in their order.
+#[wasm_bindgen(unchecked_return_type = "MatchedPair")]
+pub fn match_described_pair(
+    left: &Photo,
+    right: &Photo,
+    #[wasm_bindgen(unchecked_param_type = "GivenPoints")] left_points: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenPoints")] right_points: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairInput>")] input: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "NearestPiece[]")] nearest: &JsValue,
+) -> JsResult<JsValue> {
+    let (input, settings) = (read_options::<PairInput>("input", input)?, read_options::<PairSettings>("settings", settings)?);
+    let described = [read_points(left_points)?, read_points(right_points)?];
+    let nearest = if nearest.is_undefined() { None } else { read_pieces(nearest)? };
+    let (left, right) = (left.pair_image(&None)?, right.pair_image(&None)?);
+    let result = match_described(left, right, described, nearest.as_ref(), &input, &settings).map_err(thrown)?;
+    Ok(pack_matched(&result))
+}
+
 fn pack_pair(result: &PairResult) -> JsValue {
+    let packed = pack_matched(result);
+    set(&packed, "left", &pack_points(&result.left));
+    set(&packed, "right", &pack_points(&result.right));
+    packed
+}
+
+fn pack_matched(result: &PairResult) -> JsValue {
     object([
-        ("left", pack_points(&result.left)),
-        ("right", pack_points(&result.right)),
         ("offset", pack(&result.offset)),
         ("match", pack_matching(&PairMatching { set: result.matching.clone(), geometry: result.geometry.clone() })),
         ("interior", pack(&result.interior)),
