@@ -230,6 +230,6 @@ mod tests {
             [p.x, p.y, p.scale_px, p.weight, f.orientation_rad].iter().for_each(|v| v.to_le_bytes().into_iter().for_each(&mut take));
             f.descriptor.into_iter().for_each(&mut take);
         }
-        assert_eq!((found.len(), format!("{sum:016x}")), (111, "d221da70348b7036".to_string()));
+        assert_eq!((found.len(), format!("{sum:016x}")), (111, "6a92b594068afb3b".to_string()));
     }
 }

@@ -12,7 +12,7 @@ pub(super) const PADDED: usize = SIDE + 2;
 /// Values a row, a whole number of four at once.
 pub(super) const ROW: usize = PADDED.next_multiple_of(4);
 
-/// Parts of a pixel between which samples do not differ. With these, sums stay within 28 bits.
+/// Parts of a pixel between which samples do not differ. With these, sums stay within 30 bits.
 const PARTS: i32 = 128;
 
 /// Where the grid lies, in pixels of the level with the centre of the top-left one at (0, 0).
@@ -88,7 +88,7 @@ mod tests {
             for (i, found) in line[..PADDED].iter().enumerate() {
                 let (u, v) = (1.5 * (i as f64 - 8.5), 1.5 * (j as f64 - 8.5));
                 let (x, y) = (40.25 + u * 0.6 - v * 0.8, 39.5 + u * 0.8 + v * 0.6);
-                let grey = f64::from(*found) / 64.0 / f64::from(PARTS * PARTS);
+                let grey = f64::from(*found) / 128.0 / f64::from(PARTS * PARTS);
                 assert!((grey - (20.0 + 2.0 * x + (y - 0.5) / 2.0)).abs() < 0.3, "{grey} at {x}, {y}");
             }
         }

@@ -1,11 +1,11 @@
-//! A blurred image of the scale space as it is kept: grey values in 64ths.
+//! A blurred image of the scale space as it is kept: grey values in 128ths.
 
 use crate::math::Lanes;
 
 /// Units of a level's values in one grey value.
-pub(super) const UNITS: f32 = 64.0;
+pub(super) const UNITS: f32 = 128.0;
 
-/// Grey values in units of 1/64, row by row; rows are filled up to a multiple of 8 values.
+/// Grey values in units of 1/128, which leaves none of 16 bits unused, row by row; rows are filled up to a multiple of 8 values.
 pub(crate) struct Level {
     width: usize,
     height: usize,

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum PointPosition {
-    /// The maximum of a quadratic through responses half a pixel apart.
+    /// The maximum of a quadratic through responses half a pixel apart, at the point's own scale.
     Quadratic,
     /// The corner or circle's centre that fits the gradients best by least squares (Förstner); the scale by the quadratic.
     Forstner,
