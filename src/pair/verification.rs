@@ -13,9 +13,10 @@ use serde::{Deserialize, Serialize};
 /// Candidates lie within this many thresholds of the geometry: those beyond one tell how many wrong ones are within.
 const REACH: f64 = 3.0;
 
-/// Standard errors within which a match is kept: distances are normal in their middle only, and beyond this poor positions are as many as
-/// good ones (Rousseeuw & Leroy 1987, Robust Regression and Outlier Detection).
-const TRUSTED: f64 = 2.5;
+/// Standard errors of a coordinate within which a match is kept, from a line and from a place: all but one good match in eighty. Distances
+/// are normal in their middle only, and beyond this poor positions are as many as good ones (Rousseeuw & Leroy 1987, Robust Regression and
+/// Outlier Detection).
+const TRUSTED: [f64; 2] = [2.5, 2.96];
 
 /// Options of [`match_features`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -118,7 +119,11 @@ fn trusted(
     positions: impl Fn(&[DescriptorMatch]) -> Vec<[f64; 4]>,
     options: &TwoViewOptions,
 ) -> (TwoView, Vec<DescriptorMatch>) {
-    let within = TRUSTED * found.sigma_px;
+    let trusted = match guide(&found) {
+        Guide::Lines(_) => TRUSTED[0],
+        Guide::Places(_) => TRUSTED[1],
+    };
+    let within = trusted * found.sigma_px;
     if within >= found.threshold_px || options.threshold_px.is_some() {
         return (found, matches);
     }
@@ -126,7 +131,8 @@ fn trusted(
     match two_view(&positions(&matches), &nearer) {
         Ok(better) => {
             let matches = better.inliers.iter().map(|k| matches[*k]).collect();
-            (as_degenerate(better, &found), matches)
+            // Beyond the threshold there is nothing left by which strangers could be told from poor positions.
+            (TwoView { sigma_px: found.sigma_px, ..as_degenerate(better, &found) }, matches)
         }
         Err(_) => (found, matches),
     }
