@@ -239,18 +239,18 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
   assert.equal(await page.evaluate(() => window.isSecureContext), false);
   await part(page, 'mode-block').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
-  await photograph(page, { ...FLIGHT, strips: 1 });
+  await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 3 images/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
   await browser.close();
   await server.close();
 });
 
 test('the page in one file runs a block offline', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block({ url: pathToFileURL(join(DIST, 'tiepoint.html')).href, options: { offline: true } });
-  await photograph(page, { ...FLIGHT, strips: 1 });
+  await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 3 images/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
   assert.deepEqual(complaints, []);
   await close();
 });
