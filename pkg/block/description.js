@@ -45,8 +45,7 @@ export function describeBlock(images, cameras, useGps, control) {
 /** @param {import('../wasm/tiepoint.js').ExifPosition} position @returns {ObservedPosition} */
 function observed({ longitude_deg, latitude_deg, height_m, error_m }) {
   const { across, up } = error_m ? { across: error_m, up: UP_TO_ACROSS * error_m } : RECEIVER_M;
-  // A height that is not known holds nothing.
-  return { system: 'geographic', longitude_deg, latitude_deg, height_m: height_m ?? 0, sigma_m: [across, across, height_m === null ? 1e6 : up] };
+  return { system: 'geographic', longitude_deg, latitude_deg, height_m, sigma_m: [across, across, up] };
 }
 
 /** @param {ControlText} control @param {BlockImage[]} images @returns {AssemblyControl[]} */

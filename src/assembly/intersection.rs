@@ -35,7 +35,7 @@ impl Net<'_> {
         }
         let rays = self.rays.of_point(point);
         for ray in rays.clone() {
-            self.accepted[ray] = self.residual(ray).is_some_and(|r| r <= self.limit_px);
+            self.accepted[ray] = self.residual(ray).is_some_and(|r| r <= self.limit_of(ray));
         }
         let oriented = rays.clone().filter(|ray| self.poses[self.rays.image[*ray] as usize].is_some()).count();
         let agreeing: Vec<Sight> = rays.clone().filter(|ray| self.accepted[*ray]).filter_map(|ray| self.sight(ray)).collect();
@@ -57,9 +57,11 @@ impl Net<'_> {
                 }
                 let Some(place) = meeting(a, b) else { continue };
                 let (mut count, mut sum) = (0, 0.0);
-                for r in sights.iter().filter_map(|sight| self.residual_to(sight.ray, &place)).filter(|r| *r <= self.limit_px) {
-                    count += 1;
-                    sum += r * r;
+                for sight in sights {
+                    if let Some(r) = self.residual_to(sight.ray, &place).filter(|r| *r <= self.limit_of(sight.ray)) {
+                        count += 1;
+                        sum += r * r;
+                    }
                 }
                 let better = best.is_none_or(|(_, most, least)| count > most || (count == most && sum < least));
                 if count >= 2 && better {
@@ -71,8 +73,7 @@ impl Net<'_> {
     }
 
     fn agreeing(&self, sights: &[Sight], place: &[f64; 3]) -> Vec<Sight> {
-        let fits = |sight: &&Sight| self.residual_to(sight.ray, place).is_some_and(|r| r <= self.limit_px);
-        sights.iter().filter(fits).copied().collect()
+        sights.iter().filter(|sight| self.fits(sight.ray, place)).copied().collect()
     }
 
     /// Least squares of the residuals of the rays that agree.
@@ -80,7 +81,7 @@ impl Net<'_> {
         let mut place = start;
         for _ in 0..REFINEMENTS {
             let (mut normal, mut right) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
-            for sight in sights.iter().filter(|s| self.residual_to(s.ray, &place).is_some_and(|r| r <= self.limit_px)) {
+            for sight in sights.iter().filter(|sight| self.fits(sight.ray, &place)) {
                 let image = self.rays.image[sight.ray] as usize;
                 let (pose, at) = (self.poses[image].as_ref()?, self.rays.at[sight.ray]);
                 let line = linearise(&values_of(self.camera(image)), pose, &place);

@@ -26,6 +26,10 @@ pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, fea
     }
     for (index, control) in description.control.iter().enumerate() {
         check_position(&control.position, || format!("control point {index}"))?;
+        if matches!(control.position, ObservedPosition::Geographic { height_m: None, .. }) {
+            let got = format!("none of control point {index} (counted from 0)");
+            return Err(Error::InvalidInput { what: "height", got, allowed: "-100000 to 1000000".into() });
+        }
         for ray in &control.rays {
             let place = || format!("control point {index}");
             if ray.image >= description.images.len() {
@@ -68,7 +72,7 @@ fn check_position(position: &ObservedPosition, place: impl Fn() -> String) -> Re
         ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m } => {
             check_values("longitude", &[*longitude_deg], -180.0..=180.0, &place)?;
             check_values("latitude", &[*latitude_deg], -90.0..=90.0, &place)?;
-            check_values("height", &[*height_m], -1e5..=1e6, &place)?;
+            height_m.map_or(Ok(()), |height| check_values("height", &[height], -1e5..=1e6, &place))?;
             check_values("sigma of a position", sigma_m, 1e-9..=1e9, &place)
         }
     }

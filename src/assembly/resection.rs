@@ -42,8 +42,7 @@ pub(super) fn resect(net: &Net<'_>, image: usize, limit_px: f64, least_rays: usi
     if agreeing.len() < least_rays || (agreeing.len() as f64) < LEAST_SHARE * known.len() as f64 {
         return Err(disagreement(agreeing.len()));
     }
-    let (spread, longer) = (least_spread(&agreeing), 2.0 * camera.principal_point_px[0].max(camera.principal_point_px[1]));
-    if spread < LEAST_SPREAD * longer {
+    if least_spread(&agreeing) < LEAST_SPREAD * net.longer_side_px[net.camera_of[image]] {
         return Err(UnorientedReason::Narrow { agreeing: agreeing.len() });
     }
     Ok((pose, agreeing.len()))

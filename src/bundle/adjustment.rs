@@ -8,7 +8,7 @@ use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
 use crate::Error;
-use crate::math::median;
+use crate::math::{MEDIAN_LENGTH, median};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -46,9 +46,6 @@ const LEAST_DAMPING: f64 = 1e-9;
 const STIFFEST: f64 = 1e8;
 /// A damped step says nothing of convergence above this.
 const SLACK: f64 = 1e-3;
-
-/// The median length of a two-dimensional normal error, in standard errors of a coordinate.
-const MEDIAN_LENGTH: f64 = 1.177_41;
 
 /// Residuals below this are rounding.
 pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
@@ -99,8 +96,8 @@ impl Problem<'_> {
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
     pub fn redundancy(&self) -> i64 {
-        let positions = self.gps.iter().chain(self.control).flatten().count();
-        (2 * self.network.sights.len() + 3 * positions) as i64 - self.unknowns() as i64
+        let positions: usize = self.gps.iter().chain(self.control).flatten().map(Weighted::observed).sum();
+        (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
     }
 
     fn robust_for(&self, demand: &Demand, squares: &[f64]) -> Robust {
@@ -189,7 +186,8 @@ impl Problem<'_> {
         let reason = match singular {
             Singular::Image(refused) => {
                 let what = if refused.unknown < 3 { "rotation" } else { "position" };
-                format!("the {what} of image {} (counted from 0) follows from nothing", refused.node)
+                let reason = format!("the {what} of image {} (counted from 0) follows from nothing", refused.node);
+                return Error::UndeterminedImage { what: WHAT, image: refused.node, reason };
             }
             Singular::Camera(column) => {
                 let (camera, parameter) = self.columns.parameter[column];

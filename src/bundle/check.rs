@@ -25,8 +25,10 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
         check_rotation(&image.rotation, || place("rotation"))?;
         check_position(&image.position, || place("position"))?;
         if let Some(gps) = image.gps {
-            check_position(&gps.position, || place("GPS position"))?;
-            check_values("sigma of a position", &gps.sigma, 1e-9..=1e9, || place("GPS sigma"))?;
+            for (value, sigma) in gps.position.iter().zip(gps.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
+                check_values("position", &[*value], -LARGEST..=LARGEST, || place("GPS position"))?;
+                check_values("sigma of a position", &[sigma], 1e-9..=1e9, || place("GPS sigma"))?;
+            }
         }
     }
     for (index, point) in block.points.iter().enumerate() {
@@ -129,7 +131,7 @@ pub(super) fn check_network(network: &Network, datum: Datum) -> Result<(), Error
         if rays < LEAST_RAYS {
             let reason =
                 format!("image {image} (counted from 0) has {rays} rays to points that others see; at least {LEAST_RAYS} are needed");
-            return Err(Error::Degenerate { what: super::adjustment::WHAT, reason });
+            return Err(Error::UndeterminedImage { what: super::adjustment::WHAT, image, reason });
         }
     }
     let parts = parts(network);
