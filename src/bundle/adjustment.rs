@@ -144,7 +144,7 @@ impl Problem<'_> {
                         Freedoms::new(self.network, &state)?.constrain(&state, &mut step);
                     }
                     last_step = (step.square.max(0.0) / self.unknowns() as f64).sqrt() / sigma.max(LEAST_SIGMA_PX);
-                    let trial = step.applied_to(&state, self.columns);
+                    let trial = self.after(&state, &step);
                     let after = self.squares(&trial);
                     let converged = last_step < demand.tolerance && (damping <= SLACK || sigma < LEAST_SIGMA_PX);
                     if converged || cost(&trial, &after) <= before {

@@ -4,7 +4,7 @@ use super::block::{Block, PositionPrior};
 use super::consensus::{Pair, consensus};
 use super::network::Network;
 use super::options::Datum;
-use super::reduced::dot3;
+use super::reduced::{Problem, dot3};
 use super::similarity::{Similarity, middle, minus};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
@@ -196,6 +196,28 @@ impl Freedoms {
         Similarity { scale: 1.0 + s / self.extent, rotation, from: self.centre, to }
     }
 }
+
+impl Problem<'_> {
+    /// The values after a step. Where nothing is held, what of the step moves the block as a whole is done as a similarity, which leaves the
+    /// residuals of all rays as they are: along straight lines a block that is hardly levelled would creep round its arc.
+    pub fn after(&self, state: &State, step: &Step) -> State {
+        let straight = || step.applied_to(state, self.columns);
+        if self.held.is_some() || self.network.fixed.contains(&true) {
+            return straight();
+        }
+        let Ok(freedoms) = Freedoms::new(self.network, state) else { return straight() };
+        let similarity = freedoms.similarity(&freedoms.motion(state, &step.images));
+        if similarity.scale < LEAST_SCALE {
+            return straight();
+        }
+        let mut rest = step.clone();
+        freedoms.constrain(state, &mut rest);
+        similarity.state(&rest.applied_to(state, self.columns))
+    }
+}
+
+/// A step that makes the block smaller than this share of itself is none to first order.
+const LEAST_SCALE: f64 = 0.1;
 
 /// Moves a free network as a whole to where the constraints want it beside `reference`: what steps leave to second order.
 pub(super) fn moved_onto(network: &Network, mut state: State, reference: &State) -> Result<State, Error> {
