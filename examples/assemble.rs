@@ -1,4 +1,5 @@
-//! From a folder of images to an oriented block, with its figures: `cargo run --release --example assemble -- FOLDER [POINTS_AN_IMAGE]`.
+//! From a folder of images to an oriented block, with its figures:
+//! `cargo run --release --example assemble -- FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]`.
 //!
 //! Beside a `truth.json` with reference orientations, tells how far the positions and rotations are from these after a similarity.
 
@@ -26,8 +27,9 @@ struct Photo {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: assemble FOLDER [POINTS_AN_IMAGE]")?);
+    let folder = PathBuf::from(arguments.next().ok_or("usage: assemble FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]")?);
     let per_image = arguments.next().map(|word| word.parse()).transpose()?;
+    let growing_rays = arguments.next().map(|word| word.parse()).transpose()?.unwrap_or(AssemblyOptions::default().growing_rays);
     let start = Instant::now();
     let mut names: Vec<PathBuf> = fs::read_dir(&folder)?.map(|entry| entry.map(|entry| entry.path())).collect::<Result<_, _>>()?;
     names.retain(|name| {
@@ -51,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     let description = description(&photos);
     let selection = per_image.map(|per_image| SelectOptions { per_image, ..SelectOptions::default() });
-    let options = AssemblyOptions { selection, ..AssemblyOptions::default() };
+    let options = AssemblyOptions { selection, growing_rays, ..AssemblyOptions::default() };
     let before = start.elapsed().as_secs_f64();
     let assembly = assemble_block(&description, &points, &located, &options)?;
     println!("{} points of {} rays, assembled in {:.1} s", points.len(), points.ray_count(), start.elapsed().as_secs_f64() - before);

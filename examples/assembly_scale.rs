@@ -8,7 +8,9 @@ use tiepoint::{
 
 fn main() -> Result<(), tiepoint::Error> {
     let asked: Vec<usize> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
-    println!("images points rays join_s assemble_s oriented models adjusted_points rmse_px sigma0_px position_m peak_mb_before peak_mb");
+    println!(
+        "images points rays join_s assemble_s oriented models adjusted_points rmse_px sigma0_px position_m rounds iterations peak_mb_before peak_mb"
+    );
     for images in if asked.is_empty() { vec![200, 1000, 5000] } else { asked } {
         let strips = (images as f64 / 2.0).sqrt().round() as usize;
         let flight = BlockFlight { strips, exposures: images / strips, features: 600, wrong: 0.1, ..BlockFlight::default() };
@@ -38,7 +40,7 @@ fn main() -> Result<(), tiepoint::Error> {
             (0..3).map(|i| (at[i] - to[i]) * (at[i] - to[i])).sum::<f64>()
         };
         println!(
-            "{} {} {} {joined:.1} {seconds:.1} {} {} {} {:.3} {:.3} {:.3} {before} {}",
+            "{} {} {} {joined:.1} {seconds:.1} {} {} {} {:.3} {:.3} {:.3} {} {} {before} {}",
             block.exposures.len(),
             points.len(),
             points.ray_count(),
@@ -48,6 +50,8 @@ fn main() -> Result<(), tiepoint::Error> {
             model.adjusted.rmse_px,
             model.adjusted.sigma0_px.unwrap_or(f64::NAN),
             (pairs.iter().map(square).sum::<f64>() / pairs.len() as f64).sqrt(),
+            model.adjusted.rounds,
+            model.adjusted.iterations,
             peak_mb()
         );
     }

@@ -43,11 +43,14 @@ impl Growth<'_> {
         let mut image_of = vec![u32::MAX; net.poses.len()];
         let mut block = Block { cameras: net.cameras.clone(), ..Block::default() };
         let (mut points, mut images) = (Vec::new(), Vec::new());
-        let sees = |point: usize| rays.of_point(point).any(|ray| net.accepted[ray] && is_free[rays.image[ray] as usize]);
-        for point in (0..rays.points()).filter(|point| net.points[*point].is_some()).filter(|point| sees(*point)) {
+        let seen = free.iter().flat_map(|image| rays.of_image(*image)).filter(|ray| net.accepted[**ray as usize]);
+        let mut seen: Vec<usize> = seen.map(|ray| rays.point[*ray as usize] as usize).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        for point in seen {
+            let Some(position) = net.points[point] else { continue };
             point_of[point] = points.len() as u32;
             points.push(point);
-            let Some(position) = net.points[point] else { continue };
             block.points.push(BlockPoint { position });
             for ray in rays.of_point(point).filter(|ray| net.accepted[*ray]) {
                 let image = rays.image[ray] as usize;

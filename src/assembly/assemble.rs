@@ -17,8 +17,8 @@ use crate::bundle::BlockCamera;
 
 /// A focal length that is not known is taken for this many times the longer side of the image.
 const GUESSED_FOCAL: f64 = 1.2;
-/// Common points that a pair of images keeps while the block grows.
-const GROWING_CONNECTION: usize = 15;
+/// Common points that a pair of images keeps while the block grows and is adjusted.
+pub(super) const GROWING_CONNECTION: usize = 15;
 /// Starts that are compared, and the images that each grows to for that.
 const STARTS: usize = 4;
 const COMPARED_AT: usize = 5;
@@ -27,8 +27,9 @@ const COMPARED_AT: usize = 5;
 ///
 /// Two images with many common points at a wide angle are oriented to each other; images are added by three points and consensus, points
 /// by the intersection of rays, and the block is adjusted by a robust loss now and then, with its cameras. Then all points are intersected,
-/// those that `options.selection` chooses are kept, the block is taken into the system of observed positions and adjusted as
-/// [`adjust_block`](crate::adjust_block) does. Images that do not belong to the largest model make models of their own or are given with the
+/// the block is taken into the system of observed positions and adjusted as [`adjust_block`](crate::adjust_block) does. Where
+/// `options.selection` chooses points, the block is adjusted by as many as it grew by, and those that are chosen of them are given: their
+/// standard errors, and those of images and cameras, are of that adjustment. Images that do not belong to the largest model make models of their own or are given with the
 /// reason why they are not oriented. `features` are those of the images, in their order.
 ///
 /// # Errors

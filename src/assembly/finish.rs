@@ -1,6 +1,7 @@
-//! From a grown model to an adjusted block: all points, the choice among them, the bundle adjustment.
+//! From a grown model to an adjusted block: all points, those that it is adjusted by, the bundle adjustment, those that are given.
 
 use super::adjusting::CameraPrior;
+use super::choosing::{adjusting_points, given};
 use super::description::BlockDescription;
 use super::frame::Frame;
 use super::growth::Growth;
@@ -10,7 +11,7 @@ use super::rays::Rays;
 use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay, UnorientedReason};
 use super::weaknesses::weaknesses;
 use crate::Error;
-use crate::block::{ImageFeatures, MultiRayPoints, select_points};
+use crate::block::{ImageFeatures, MultiRayPoints};
 use crate::bundle::{Block, BlockImage, BlockPoint, BundleOptions, BundleResult, ControlPoint, Datum, Ray, adjust_block};
 
 /// What models are finished with.
@@ -81,7 +82,7 @@ fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<Unori
         drop_images(net, LEAST_RAYS, lost);
         let draft = Draft::new(material, net)?;
         match draft.adjust(material) {
-            Ok((adjusted, in_system, complaint)) => return Ok(draft.model(material, adjusted, in_system, complaint)),
+            Ok((adjusted, in_system, complaint)) => return given(material, draft.model(material, adjusted, in_system, complaint)),
             // What an image hangs by may fall in data snooping.
             Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;
@@ -134,7 +135,7 @@ impl Draft {
             let gps = material.frame.images[*image];
             draft.block.images.push(BlockImage { camera, rotation: pose.rotation, position: pose.position, gps });
         }
-        for point in chosen_points(material, net)? {
+        for point in adjusting_points(material, net)? {
             draft.add_point(material, net, point);
         }
         Ok(draft)
@@ -212,18 +213,4 @@ impl Draft {
         model.weaknesses = weaknesses(&model, material.description, material.frame, complaint);
         model
     }
-}
-
-/// Intersected points: all, or those that are chosen by their accepted rays; surveyed ones in any case.
-fn chosen_points(material: &Material<'_>, net: &Net<'_>) -> Result<Vec<usize>, Error> {
-    let intersected = (0..net.rays.points()).filter(|point| net.points[*point].is_some());
-    let (multi_ray, surveyed): (Vec<usize>, Vec<usize>) = intersected.partition(|point| *point < material.points.len());
-    let Some(selection) = &material.options.selection else { return Ok([multi_ray, surveyed].concat()) };
-    let mut good = MultiRayPoints::with_capacity(multi_ray.len(), 0);
-    for point in &multi_ray {
-        let accepted = material.points.rays(*point).iter().zip(net.rays.of_point(*point)).filter(|(_, ray)| net.accepted[*ray]);
-        good.push(accepted.map(|(ray, _)| *ray), material.points.confidence(*point));
-    }
-    let chosen = select_points(&good, material.features, selection)?.points;
-    Ok(chosen.iter().map(|point| multi_ray[*point as usize]).chain(surveyed).collect())
 }

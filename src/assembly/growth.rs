@@ -68,7 +68,7 @@ impl<'a> Growth<'a> {
             if !added.is_empty() {
                 last_chance = false;
                 self.settle(&added);
-            } else if last_chance {
+            } else if last_chance || (self.adjusted == self.net.oriented() && !self.is_any_left()) {
                 break;
             } else {
                 // With better orientations all around, what failed may succeed.
@@ -77,6 +77,12 @@ impl<'a> Growth<'a> {
                 last_chance = true;
             }
         }
+    }
+
+    /// Whether an image is left that sees enough intersected points.
+    fn is_any_left(&self) -> bool {
+        let is_left = |image: usize| self.is_open[image] && self.net.poses[image].is_none();
+        (0..self.net.rays.images()).any(|image| is_left(image) && self.net.known_of(image) >= self.options.least_rays)
     }
 
     /// Orients what is left without any adjustment: for points that were not intersected while the model grew.

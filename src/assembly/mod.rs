@@ -6,6 +6,7 @@
 
 mod adjusting;
 mod assemble;
+mod choosing;
 mod description;
 mod finish;
 mod frame;

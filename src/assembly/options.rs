@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 pub struct AssemblyOptions {
     /// What says where the block lies, in place of that of `bundle`; absent: the observed positions that suffice for it, else none.
     pub datum: Option<Datum>,
-    /// Rays an image has while the block grows: more are safer, fewer are faster.
+    /// Rays an image has while the block grows, and in its adjustment where points are chosen: more are more precise, fewer are faster.
     pub growing_rays: usize,
     /// Least number of rays that agree on the orientation of an image.
     pub least_rays: usize,
@@ -23,7 +23,7 @@ pub struct AssemblyOptions {
     pub largest_residual_px: f64,
     /// Standard error of a coordinate of a mark, where an image shows a surveyed point, in px.
     pub mark_sigma_px: f64,
-    /// The points that the bundle adjustment is given; absent: all.
+    /// The points that are given of the adjusted block; absent: all are adjusted and given.
     pub selection: Option<SelectOptions>,
     /// Models that are given at most where the block falls apart, the largest first.
     pub most_models: usize,

@@ -6,8 +6,9 @@ use super::datum::observed;
 use super::options::BundleOptions;
 use super::precision::image_errors;
 use super::reliability::of_position;
-use super::result::{BundleResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, RayCountRmse, RayStatistics, RayVerdict};
+use super::result::{BundleResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, RayStatistics, RayVerdict};
 use super::snooping::{Settled, settle};
+use super::squares::{Squares, Sums};
 use crate::Error;
 use crate::math::normal_spread_within;
 
@@ -51,24 +52,6 @@ struct Description<'a> {
     residuals: Vec<[f64; 2]>,
 }
 
-/// Sum of squares and number of rays.
-#[derive(Debug, Clone, Copy, Default)]
-struct Squares {
-    sum: f64,
-    rays: usize,
-}
-
-impl Squares {
-    fn add(&mut self, [x, y]: [f64; 2]) {
-        self.sum += x * x + y * y;
-        self.rays += 1;
-    }
-
-    fn rmse(self) -> f64 {
-        (self.sum / self.rays.max(1) as f64).sqrt()
-    }
-}
-
 impl<'a> Description<'a> {
     fn new(block: &'a Block, options: &'a BundleOptions, settled: Settled) -> Self {
         let cut = if options.snooping { normal_spread_within(options.limit()) } else { 1.0 };
@@ -86,16 +69,10 @@ impl<'a> Description<'a> {
 
     fn result(&self) -> BundleResult {
         let (settled, block) = (&self.settled, self.block);
-        let mut all = Squares::default();
-        let mut of_images = vec![Squares::default(); block.images.len()];
-        let mut of_points = vec![Squares::default(); block.points.len()];
-        for ((ray, residual), verdict) in block.rays.iter().zip(&self.residuals).zip(&settled.verdicts) {
-            if *verdict == RayVerdict::Accepted {
-                all.add(*residual);
-                of_images[ray.image].add(*residual);
-                of_points[ray.point].add(*residual);
-            }
-        }
+        let of_rays = block.rays.iter().zip(&self.residuals).zip(&settled.verdicts);
+        let accepted = of_rays.filter(|(_, verdict)| **verdict == RayVerdict::Accepted).map(|((ray, residual), _)| (ray, *residual));
+        let sums = Sums::new(block, accepted);
+        let (of_images, of_points) = (&sums.of_images, &sums.of_points);
         let (gps, control) = observed(block, self.options.datum, settled.weighted_by);
         let state = &settled.adjusted.state;
         let of_control = |c: &super::block::ControlPoint| {
@@ -110,8 +87,8 @@ impl<'a> Description<'a> {
             sigma0_px: self.estimated,
             sigma0_a_priori_px: self.options.sigma0_px,
             degrees_of_freedom: settled.redundancy,
-            rmse_px: all.rmse(),
-            rmse_by_rays: by_rays(&of_points),
+            rmse_px: sums.all.rmse(),
+            rmse_by_rays: sums.by_rays(),
             iterations: settled.iterations,
             last_step: settled.adjusted.last_step,
             rounds: settled.rounds,
@@ -166,18 +143,4 @@ impl<'a> Description<'a> {
             w: judged.map(|j| j.map(|j| w(j.standardised))),
         }
     }
-}
-
-/// Residuals by the number of rays of their point.
-fn by_rays(of_points: &[Squares]) -> Vec<RayCountRmse> {
-    let most = of_points.iter().map(|s| s.rays).max().unwrap_or(0);
-    let mut groups = vec![(0, Squares::default()); most + 1];
-    for squares in of_points {
-        let (points, group) = &mut groups[squares.rays];
-        *points += 1;
-        group.sum += squares.sum;
-        group.rays += squares.rays;
-    }
-    let described = groups.iter().enumerate().skip(1).filter(|(_, (points, _))| *points > 0);
-    described.map(|(rays, (points, group))| RayCountRmse { rays, points: *points, rmse_px: group.rmse() }).collect()
 }

@@ -100,6 +100,18 @@ impl Problem<'_> {
         (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
     }
 
+    fn step(&self, state: &State, damping: f64, robust: Robust, nearby: &mut Option<Factored>) -> Result<Step, Singular> {
+        let mut reduced = self.reduce(state, damping, robust);
+        let is_heavy = self.network.pattern.is_heavy();
+        if let Some(step) = nearby.as_ref().filter(|_| is_heavy).and_then(|nearby| Step::near(self, &reduced, nearby)) {
+            return Ok(step);
+        }
+        let factored = Factored::new(&self.network.pattern, &mut reduced)?;
+        let step = Step::new(self, &reduced, &factored);
+        *nearby = Some(factored).filter(|_| is_heavy);
+        Ok(step)
+    }
+
     fn robust_for(&self, demand: &Demand, squares: &[f64]) -> Robust {
         if demand.loss == Loss::Squares {
             return Robust::squares();
@@ -108,14 +120,15 @@ impl Problem<'_> {
         Robust::new(demand.loss, middle.max(demand.sigma).max(LEAST_SIGMA_PX))
     }
 
-    /// Adjusts from a start.
+    /// Adjusts from a start. `nearby` is the factor of equations of the same pattern and cameras, if there is one; where factorisations are
+    /// what takes the time, it serves as long as it leads to the steps, and a new one is put in its place where it does not.
     ///
     /// # Errors
     /// [`Error::NotConverged`]; [`Error::Degenerate`] where the equations are singular.
     ///
     /// # Source
     /// Levenberg 1944; Marquardt 1963; Triggs et al. 2000, Bundle adjustment: a modern synthesis.
-    pub fn adjust(&self, start: State, demand: &Demand) -> Result<Adjusted, Error> {
+    pub fn adjust(&self, start: State, demand: &Demand, nearby: &mut Option<Factored>) -> Result<Adjusted, Error> {
         let mut state = start;
         let mut damping = if demand.warm { 0.0 } else { FIRST_DAMPING };
         let mut squares = self.squares(&state);
@@ -132,14 +145,12 @@ impl Problem<'_> {
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
             loop {
-                let mut reduced = self.reduce(&state, damping, robust);
-                let factored = match Factored::new(&self.network.pattern, &mut reduced) {
-                    Ok(factored) => Some(factored),
+                let step = match self.step(&state, damping, robust, nearby) {
+                    Ok(step) => Some(step),
                     Err(singular) if damping >= 1.0 => return Err(self.singular(singular)),
                     Err(_) => None,
                 };
-                if let Some(factored) = factored {
-                    let mut step = Step::new(self, &reduced, &factored);
+                if let Some(mut step) = step {
                     if self.held.is_some() {
                         Freedoms::new(self.network, &state)?.constrain(&state, &mut step);
                     }

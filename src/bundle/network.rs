@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::collinearity::CAMERA_PARAMETERS;
 use super::sparse::Pattern;
+use std::rc::Rc;
 
 /// A ray that takes part.
 #[derive(Debug, Clone, Copy)]
@@ -27,15 +28,16 @@ pub(super) struct Network {
     pub image_start: Vec<usize>,
     /// Images that keep their orientation: they couple nothing and have no unknowns.
     pub fixed: Vec<bool>,
-    pub pattern: Pattern,
+    pub pattern: Rc<Pattern>,
 }
 
 impl Network {
-    pub fn new(block: &Block, accepted: &[bool]) -> Self {
-        Self::with_fixed(block, accepted, vec![false; block.images.len()])
+    /// All images free; a pattern of other rays is kept where it serves for these, too.
+    pub fn new(block: &Block, accepted: &[bool], earlier: Option<&Rc<Pattern>>) -> Self {
+        Self::with_fixed(block, accepted, vec![false; block.images.len()], earlier)
     }
 
-    pub fn with_fixed(block: &Block, accepted: &[bool], fixed: Vec<bool>) -> Self {
+    pub fn with_fixed(block: &Block, accepted: &[bool], fixed: Vec<bool>, earlier: Option<&Rc<Pattern>>) -> Self {
         let kept = block.rays.iter().enumerate().zip(accepted).filter(|(_, accepted)| **accepted).map(|(ray, _)| ray);
         let mut sights: Vec<Sight> = kept
             .map(|(index, ray)| Sight {
@@ -52,7 +54,11 @@ impl Network {
         let mut by_image: Vec<u32> = (0..sights.len() as u32).collect();
         by_image.sort_by_key(|s| sights[*s as usize].image);
         let image_start = starts(block.images.len(), by_image.iter().map(|s| sights[*s as usize].image));
-        let pattern = Pattern::of(neighbours(&sights, &point_start, &by_image, &image_start, &fixed));
+        let neighbours = neighbours(&sights, &point_start, &by_image, &image_start, &fixed);
+        let pattern = earlier.filter(|pattern| pattern.serves(&neighbours)).cloned().unwrap_or_else(|| {
+            let places: Vec<[f64; 3]> = block.images.iter().map(|image| image.position).collect();
+            Rc::new(Pattern::of(neighbours, &places))
+        });
         Self { sights, point_start, by_image, image_start, fixed, pattern }
     }
 

@@ -6,15 +6,20 @@ use super::solution::Factored;
 use super::sparse::{Block6, Inverse, N, inverse};
 use super::state::{Pose, State};
 
-/// The inverse at the places of the factor, with what the cameras add.
-pub(super) struct Cofactors<'a> {
-    problem: &'a Problem<'a>,
-    reduced: &'a Reduced,
+/// Cofactors of images and cameras: the inverse at the places of the factor, with what the cameras add.
+pub(super) struct Orientations {
     images: Inverse,
     /// Cofactors of images (six numbers a place) with each camera column.
     across: Vec<Vec<f64>>,
     /// Of the camera columns, row by row.
     pub cameras: Vec<f64>,
+}
+
+/// Cofactors of everything: those of images and cameras, of the same rays or of nearly the same, and what the points follow by.
+pub(super) struct Cofactors<'a> {
+    pub problem: &'a Problem<'a>,
+    pub reduced: &'a Reduced,
+    pub orientations: &'a Orientations,
 }
 
 /// A symmetric matrix of the coordinates of a point.
@@ -29,8 +34,8 @@ pub(super) struct PointCofactors {
     pub middle: Matrix3,
 }
 
-impl<'a> Cofactors<'a> {
-    pub fn new(problem: &'a Problem<'a>, reduced: &'a Reduced, factored: &Factored) -> Self {
+impl Orientations {
+    pub fn new(problem: &Problem<'_>, factored: &Factored) -> Self {
         let pattern = &problem.network.pattern;
         let mut images = inverse(pattern, &factored.images);
         let cameras = factored.cameras.inverse();
@@ -64,17 +69,19 @@ impl<'a> Cofactors<'a> {
                 add(&mut images.0.below[at], pattern.rows[at] as usize, column);
             }
         }
-        Self { problem, reduced, images, across, cameras }
+        Self { images, across, cameras }
     }
+}
 
+impl Cofactors<'_> {
     /// Cofactors of the six unknowns of two images that see a common point, the rows those of the first; zero where they see none.
     pub fn of_images(&self, first: usize, second: usize) -> Block6 {
-        self.images.block(&self.problem.network.pattern, first, second).unwrap_or([0.0; N * N])
+        self.orientations.images.block(&self.problem.network.pattern, first, second).unwrap_or([0.0; N * N])
     }
 
     /// Cofactors of the six unknowns of an image with a camera column.
     pub fn across(&self, image: usize, column: usize) -> &[f64] {
-        &self.across[column][self.problem.network.pattern.place[image] as usize * N..][..N]
+        &self.orientations.across[column][self.problem.network.pattern.place[image] as usize * N..][..N]
     }
 
     /// The camera columns that a point touches, with Z.
@@ -113,7 +120,7 @@ impl<'a> Cofactors<'a> {
         }
         for (column, share) in self.camera_shares(point) {
             for (row, sum) in of_columns.iter_mut().enumerate() {
-                (0..3).for_each(|k| sum[k] += self.cameras[row * q + *column as usize] * share[k]);
+                (0..3).for_each(|k| sum[k] += self.orientations.cameras[row * q + *column as usize] * share[k]);
             }
         }
         let mut middle = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];

@@ -68,12 +68,7 @@ const LEAST_SHARE: f64 = 1e-12;
 impl Problem<'_> {
     /// Sums up the normal equations at `state`, every own diagonal raised by the share `damping`.
     pub fn reduce(&self, state: &State, damping: f64, robust: Robust) -> Reduced {
-        let mut reduced = self.empty();
-        let mut lines = Vec::new();
-        for point in 0..self.network.points() {
-            self.eliminate(point, state, damping, robust, &mut lines, &mut reduced);
-            reduced.camera_start.push(reduced.camera_shares.len());
-        }
+        let mut reduced = self.eliminated(state, damping, robust);
         self.add_gps(state, &mut reduced);
         self.add_known(state, &mut reduced);
         self.hold(state, &mut reduced);
@@ -84,6 +79,17 @@ impl Problem<'_> {
         let q = self.columns.number();
         (0..q).for_each(|k| reduced.corner[k * q + k] += damping * reduced.corner_scale[k]);
         self.couple(&mut reduced);
+        reduced
+    }
+
+    /// The points eliminated, and nothing else: what tells a point's place and cofactors once those of images and cameras are known.
+    pub fn eliminated(&self, state: &State, damping: f64, robust: Robust) -> Reduced {
+        let mut reduced = self.empty();
+        let mut lines = Vec::new();
+        for point in 0..self.network.points() {
+            self.eliminate(point, state, damping, robust, &mut lines, &mut reduced);
+            reduced.camera_start.push(reduced.camera_shares.len());
+        }
         reduced
     }
 

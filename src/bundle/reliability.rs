@@ -6,7 +6,7 @@
 use super::collinearity::{Linearised, linearise};
 use super::datum::Weighted;
 use super::precision::{Cofactors, Matrix3, PointCofactors};
-use super::reduced::{Problem, Reduced, forward3};
+use super::reduced::forward3;
 use super::result::PriorStatistics;
 use super::sparse::{Block6, N};
 use super::state::State;
@@ -35,8 +35,6 @@ impl Judged {
 
 /// What judging needs to know of an adjustment.
 pub(super) struct Judgement<'a> {
-    pub problem: &'a Problem<'a>,
-    pub reduced: &'a Reduced,
     pub cofactors: &'a Cofactors<'a>,
     pub state: &'a State,
 }
@@ -48,12 +46,12 @@ impl Judgement<'_> {
 
     /// Column and row of each sight of a point, with the factors that the robust loss left to their weights.
     pub fn of_sights(&self, point: usize, common: &PointCofactors, factors: &[f64]) -> Vec<[Judged; 2]> {
-        let network = self.problem.network;
-        let factor = &self.reduced.points[point].factor;
+        let network = self.cofactors.problem.network;
+        let factor = &self.cofactors.reduced.points[point].factor;
         let judge = |(k, sight): (usize, &super::network::Sight)| {
             let line = self.line(sight.camera as usize, sight.image as usize, point);
             let own = self.cofactors.of_images(sight.image as usize, sight.image as usize);
-            let columns = &self.problem.columns.of_camera[sight.camera as usize];
+            let columns = &self.cofactors.problem.columns.of_camera[sight.camera as usize];
             [0, 1].map(|row| {
                 let f = forward3(factor, line.by_point[row]);
                 let mut h = form3(&f, &common.middle) + self.of_orientation(&line, row, sight.image as usize, columns, &own);
@@ -75,7 +73,7 @@ impl Judgement<'_> {
     pub fn of_outsider(&self, ray: &super::block::Ray, camera: usize, coordinates: &Matrix3) -> [Judged; 2] {
         let line = self.line(camera, ray.image, ray.point);
         let own = self.cofactors.of_images(ray.image, ray.image);
-        let columns = &self.problem.columns.of_camera[camera];
+        let columns = &self.cofactors.problem.columns.of_camera[camera];
         let at = [ray.x_px, ray.y_px];
         [0, 1].map(|row| {
             let h = form3(&line.by_point[row], coordinates) + self.of_orientation(&line, row, ray.image, columns, &own);
@@ -87,12 +85,12 @@ impl Judgement<'_> {
     fn of_orientation(&self, line: &Linearised, row: usize, image: usize, columns: &[(usize, usize)], own: &Block6) -> f64 {
         let (a, c) = (&line.by_image[row], &line.by_camera[row]);
         let mut h: f64 = (0..N * N).map(|k| a[k % N] * own[k] * a[k / N]).sum();
-        let q = self.problem.columns.number();
+        let q = self.cofactors.problem.columns.number();
         for (parameter, column) in columns {
             let across: f64 = self.cofactors.across(image, *column).iter().zip(a).map(|(q, a)| q * a).sum();
             h += 2.0 * c[*parameter] * across;
             for (other, second) in columns {
-                h += c[*parameter] * c[*other] * self.cofactors.cameras[column * q + second];
+                h += c[*parameter] * c[*other] * self.cofactors.orientations.cameras[column * q + second];
             }
         }
         h

@@ -10,14 +10,17 @@ use super::loss::Robust;
 use super::misplaced::placed_now;
 use super::network::{Columns, Network};
 use super::options::{BundleOptions, Datum, Loss};
+use super::precision::Orientations;
 use super::reduced::Problem;
 use super::reliability::{Judged, of_position};
 use super::result::{CameraParameter, FixedParameter, RayVerdict};
 use super::solution::{Factored, Singular};
+use super::sparse::Pattern;
 use super::state::{State, free_of};
-use super::statistics::{Statistics, statistics};
+use super::statistics::{Statistics, judge_by, statistics};
 use crate::Error;
 use crate::math::{median, normal_median_within};
+use std::rc::Rc;
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
@@ -75,6 +78,11 @@ struct Course<'a> {
     /// Standard error of a coordinate as the last round saw it; 0 at first.
     sigma: f64,
     iterations: usize,
+    /// What of earlier rounds serves as long as the rays are nearly the same: the pattern of the equations, a factor, the cofactors of
+    /// orientations. The cofactors are those of one loss.
+    pattern: Option<Rc<Pattern>>,
+    nearby: Option<Factored>,
+    orientations: Option<(Loss, Orientations)>,
 }
 
 /// Adjusts a block until nothing changes any more.
@@ -86,8 +94,21 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
     let verdicts = block.rays.iter().map(|ray| in_front(&start, ray.image, ray.point)).collect();
     let free = block.cameras.iter().map(free_of).collect();
     let fixed = vec![Vec::new(); block.cameras.len()];
-    let placed = vec![true; block.images.len()];
-    let mut course = Course { block, options, verdicts, free, fixed, placed, state: start.clone(), start, sigma: 0.0, iterations: 0 };
+    let mut course = Course {
+        block,
+        options,
+        verdicts,
+        free,
+        fixed,
+        placed: vec![true; block.images.len()],
+        state: start.clone(),
+        start,
+        sigma: 0.0,
+        iterations: 0,
+        pattern: None,
+        nearby: None,
+        orientations: None,
+    };
     course.lose_points();
     if options.datum != Datum::Free {
         let network = course.network()?;
@@ -109,7 +130,6 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
                 let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
                 robust &= !(options.snooping && (few || rounds - fixing >= ROBUST_ROUNDS));
             }
-            Outcome::Settled(_) if robust && options.snooping => robust = false,
             Outcome::Settled(mut settled) => {
                 settled.rounds = rounds;
                 return Ok(*settled);
@@ -138,11 +158,20 @@ fn in_front(state: &State, image: usize, point: usize) -> RayVerdict {
 }
 
 impl Course<'_> {
-    fn network(&self) -> Result<Network, Error> {
+    fn network(&mut self) -> Result<Network, Error> {
         let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == RayVerdict::Accepted).collect();
-        let network = Network::new(self.block, &accepted);
+        let network = Network::new(self.block, &accepted, self.pattern.as_ref());
+        if !self.pattern.as_ref().is_some_and(|pattern| Rc::ptr_eq(pattern, &network.pattern)) {
+            self.pattern = Some(network.pattern.clone());
+            self.forget();
+        }
         check_network(&network, self.options.datum)?;
         Ok(network)
+    }
+
+    /// Forgets what equations of another pattern or of other cameras left.
+    fn forget(&mut self) {
+        (self.nearby, self.orientations) = (None, None);
     }
 
     /// The standard error of a ray that weights observed positions.
@@ -173,7 +202,7 @@ impl Course<'_> {
             let needed = problem.unknowns();
             return Err(Error::TooFew { what: "observed coordinates", got: (needed as i64 + redundancy) as usize, needed });
         }
-        let mut adjusted = problem.adjust(self.state.clone(), &demand)?;
+        let mut adjusted = problem.adjust(self.state.clone(), &demand, &mut self.nearby)?;
         self.iterations += adjusted.iterations;
         if is_free {
             adjusted.state = moved_onto(&network, adjusted.state, &self.start)?;
@@ -182,35 +211,42 @@ impl Course<'_> {
         if self.drop_impossible(&problem, adjusted.robust) {
             return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
         }
-        let statistics = if self.options.statistics || self.options.snooping {
-            Some(statistics(&problem, &adjusted, self.block, &self.verdicts)?)
-        } else {
-            None
-        };
         let before = self.sigma;
-        self.sigma = match &statistics {
-            Some(statistics) => self.scale(statistics, &adjusted, redundancy),
-            None => adjusted.sigma,
-        };
-        let snooped = self.options.snooping && statistics.as_ref().is_some_and(|s| self.snoop(s, loss, calm_rounds));
+        if self.options.snooping && self.snoop_by_earlier(&problem, &adjusted, loss, calm_rounds) {
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
+        }
+        let mut by_statistics = None;
+        let mut snooped = false;
+        if self.options.statistics || self.options.snooping {
+            let (found, factored, orientations) = statistics(&problem, &adjusted, self.block, &self.verdicts)?;
+            self.sigma = self.scale(&found.rays, &adjusted, redundancy);
+            snooped = self.options.snooping && self.snoop(&found.rays, loss, calm_rounds);
+            self.nearby = Some(factored);
+            self.orientations = Some((loss, orientations));
+            by_statistics = Some(found);
+        } else {
+            self.sigma = adjusted.sigma;
+        }
+        // What a robust loss leaves is judged again without it.
+        let is_last = !self.options.snooping || loss == Loss::Squares;
         let reweighted = !is_free && self.options.sigma0_px.is_none() && (self.sigma - before).abs() > SETTLED_SIGMA * self.sigma;
-        let replaced = self.options.snooping && statistics.as_ref().is_some_and(|s| self.snoop_positions(s, weighted_by, calm_rounds));
-        if snooped || replaced || reweighted {
-            let what = if snooped {
-                RAYS
-            } else if replaced {
+        let replaced = self.options.snooping && by_statistics.as_ref().is_some_and(|s| self.snoop_positions(s, weighted_by, calm_rounds));
+        if snooped || replaced || reweighted || !is_last {
+            let what = if replaced {
                 POSITIONS
-            } else {
+            } else if reweighted && !snooped {
                 WEIGHTS
+            } else {
+                RAYS
             };
             return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what });
         }
-        if self.fix_weakest(&problem, loss)? {
+        if self.fix_weakest(&problem)? {
             return Ok(Outcome::Fixed);
         }
         let settled = Settled {
             adjusted,
-            statistics: statistics.filter(|_| self.options.statistics),
+            statistics: by_statistics.filter(|_| self.options.statistics),
             verdicts: self.verdicts.clone(),
             columns: columns.clone(),
             fixed: self.fixed.clone(),
@@ -235,9 +271,19 @@ impl Course<'_> {
         accepted.saturating_sub(self.verdicts.iter().filter(|v| **v == RayVerdict::Accepted).count())
     }
 
+    /// Snoops by the cofactors that an earlier round left, as long as the loss is the same; whether that settles what to do next. What they
+    /// find nothing wrong with is judged by its own cofactors.
+    fn snoop_by_earlier(&mut self, problem: &Problem<'_>, adjusted: &Adjusted, loss: Loss, calm_rounds: usize) -> bool {
+        let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
+        let is_robust = *of_loss != Loss::Squares;
+        let judged = judge_by(orientations, problem, adjusted, self.block, &self.verdicts);
+        self.sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        self.snoop(&judged.rays, loss, calm_rounds) || is_robust
+    }
+
     /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise.
-    fn scale(&self, statistics: &Statistics, adjusted: &Adjusted, redundancy: i64) -> f64 {
-        let accepted = statistics.rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
+    fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
+        let accepted = rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
         let judged = accepted.filter_map(|(judged, _)| *judged).flatten();
         let mut standardised: Vec<f64> = judged.map(|j| j.standardised.abs()).filter(|s| *s > 0.0).collect();
         let from_median = median(&mut standardised).unwrap_or(0.0) / normal_median_within(self.options.limit());
@@ -246,12 +292,12 @@ impl Course<'_> {
     }
 
     /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does; whether anything changed.
-    fn snoop(&mut self, statistics: &Statistics, loss: Loss, calm_rounds: usize) -> bool {
+    fn snoop(&mut self, rays: &[Option<[Judged; 2]>], loss: Loss, calm_rounds: usize) -> bool {
         let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
         let size = |judged: &[Judged; 2]| judged[0].standardised.abs().max(judged[1].standardised.abs());
         let before = self.verdicts.clone();
         let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
-        for (ray, judged) in statistics.rays.iter().enumerate() {
+        for (ray, judged) in rays.iter().enumerate() {
             let Some(size) = judged.as_ref().map(size) else { continue };
             match before[ray] {
                 RayVerdict::Accepted if size > limit => {
@@ -282,7 +328,12 @@ impl Course<'_> {
         let judged: Vec<_> = gps.iter().enumerate().map(judge).collect();
         let surveyed = control.iter().flatten().count();
         let now = placed_now(&judged, &self.placed, surveyed, self.options.limit(), calm_rounds < FREE_ROUNDS);
-        now != std::mem::replace(&mut self.placed, now.clone())
+        let changed = now != self.placed;
+        if changed {
+            self.placed = now;
+            self.forget();
+        }
+        changed
     }
 
     /// Rejects rays to points behind their images and of points that their rays do not determine; whether there were any.
@@ -340,8 +391,8 @@ impl Course<'_> {
     }
 
     /// Fixes of each camera the parameter that is determined worst, where that is too badly; whether there were any.
-    fn fix_weakest(&mut self, problem: &Problem<'_>, loss: Loss) -> Result<bool, Error> {
-        if problem.columns.number() == 0 || (self.options.snooping && loss != Loss::Squares) {
+    fn fix_weakest(&mut self, problem: &Problem<'_>) -> Result<bool, Error> {
+        if problem.columns.number() == 0 {
             return Ok(false);
         }
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma);
@@ -351,21 +402,26 @@ impl Course<'_> {
     }
 
     /// Of each camera the column determined worst, where its effect in px (absent: unbounded) exceeds a limit.
-    fn worse_than(&self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Vec<(usize, Option<f64>)>, Error> {
-        let mut reduced = problem.reduce(&self.state, 0.0, Robust::squares());
-        match Factored::new(&problem.network.pattern, &mut reduced) {
-            Err(Singular::Camera(column)) => Ok(vec![(column, None)]),
-            Err(singular) => Err(problem.singular(singular)),
-            Ok(factored) => {
-                let effects = effects(problem.network, &self.state);
-                let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma).into_iter();
-                Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))).collect())
+    fn worse_than(&mut self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Vec<(usize, Option<f64>)>, Error> {
+        // The statistics of least squares leave the factor of just these equations.
+        let is_known = self.orientations.as_ref().is_some_and(|(loss, _)| *loss == Loss::Squares) && self.nearby.is_some();
+        if !is_known {
+            let mut reduced = problem.reduce(&self.state, 0.0, Robust::squares());
+            match Factored::new(&problem.network.pattern, &mut reduced) {
+                Err(Singular::Camera(column)) => return Ok(vec![(column, None)]),
+                Err(singular) => return Err(problem.singular(singular)),
+                Ok(factored) => self.nearby = Some(factored),
             }
         }
+        let Some(factored) = &self.nearby else { return Ok(Vec::new()) };
+        let effects = effects(problem.network, &self.state);
+        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma).into_iter();
+        Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))).collect())
     }
 
     /// Fixes a camera parameter at the value that was given.
     fn fix(&mut self, (camera, parameter): (usize, usize), effect_px: Option<f64>) {
+        self.forget();
         self.free[camera][parameter] = false;
         self.state.cameras[camera][parameter] = self.start.cameras[camera][parameter];
         self.fixed[camera].push(FixedParameter { parameter: CameraParameter::ALL[parameter], effect_px });

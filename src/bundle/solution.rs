@@ -55,7 +55,7 @@ impl Factored {
     }
 }
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
@@ -74,9 +74,14 @@ pub(super) struct Step {
 impl Step {
     /// The step that the equations give.
     pub fn new(problem: &Problem<'_>, reduced: &Reduced, factored: &Factored) -> Self {
-        let pattern = &problem.network.pattern;
         let (mut images, mut cameras) = (reduced.right.clone(), reduced.corner_right.clone());
-        factored.solve(pattern, &mut images, &mut cameras);
+        factored.solve(&problem.network.pattern, &mut images, &mut cameras);
+        Self::of(problem, reduced, images, cameras)
+    }
+
+    /// The step of which images (six numbers a place) and cameras are known.
+    pub fn of(problem: &Problem<'_>, reduced: &Reduced, images: Vec<f64>, cameras: Vec<f64>) -> Self {
+        let pattern = &problem.network.pattern;
         let mut square = dot(&images, &reduced.right) + dot(&cameras, &reduced.corner_right);
         square += reduced.points.iter().map(|p| super::reduced::dot3(&p.right, &p.right)).sum::<f64>();
         let points = (0..problem.network.points())

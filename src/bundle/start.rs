@@ -30,7 +30,7 @@ const TOLERANCE: f64 = 0.05;
 /// # Errors
 /// [`Error::Degenerate`] where an image follows from nothing.
 pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Error> {
-    let network = Network::with_fixed(&block, start.accepted, start.fixed.to_vec());
+    let network = Network::with_fixed(&block, start.accepted, start.fixed.to_vec(), None);
     let state = State::of(&block);
     let free: Vec<[bool; CAMERA_PARAMETERS]> = start.cameras.iter().map(|known| known.map(|(_, sigma)| sigma > 0.0)).collect();
     let columns = Columns::new(&free);
@@ -51,7 +51,7 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
         warm: false,
         passing: true,
     };
-    problem.adjust(state, &demand).map(|adjusted| adjusted.state.put_into(block))
+    problem.adjust(state, &demand, &mut None).map(|adjusted| adjusted.state.put_into(block))
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use super::adjustment::Adjusted;
 use super::block::Block;
 use super::datum::Freedoms;
-use super::precision::{Cofactors, Inner, Matrix3};
+use super::precision::{Cofactors, Inner, Matrix3, Orientations};
 use super::reduced::Problem;
 use super::reliability::{Judged, Judgement};
 use super::result::RayVerdict;
@@ -22,28 +22,25 @@ pub(super) struct Statistics {
     pub rays: Vec<Option<[Judged; 2]>>,
 }
 
-/// Computes the statistics at adjusted values.
-///
-/// # Errors
-/// [`Error::Degenerate`] where the undamped normal equations are singular.
-pub(super) fn statistics(problem: &Problem<'_>, adjusted: &Adjusted, block: &Block, verdicts: &[RayVerdict]) -> Result<Statistics, Error> {
-    let (state, network) = (&adjusted.state, problem.network);
-    let mut reduced = problem.reduce(state, 0.0, adjusted.robust);
-    let factored = Factored::new(&network.pattern, &mut reduced).map_err(|singular| problem.singular(singular))?;
-    let cofactors = Cofactors::new(problem, &reduced, &factored);
-    let inner = match problem.held {
-        Some(_) => Some(Inner::new(problem, &reduced, &factored, Freedoms::new(network, state)?, state)),
-        None => None,
-    };
+/// What the rays of a block are told by cofactors.
+pub(super) struct JudgedRays {
+    /// Column and row of each ray of the block; absent where its point has no accepted rays.
+    pub rays: Vec<Option<[Judged; 2]>>,
+    /// Cofactors of each point while the block is held: rays do not see the datum.
+    coordinates: Vec<Option<Matrix3>>,
+}
+
+/// Judges all rays at adjusted values.
+fn judge(cofactors: &Cofactors<'_>, adjusted: &Adjusted, block: &Block, verdicts: &[RayVerdict]) -> JudgedRays {
+    let (state, network) = (&adjusted.state, cofactors.problem.network);
     let factors: Vec<f64> = network
         .sights
         .iter()
-        .zip(problem.residuals(state))
+        .zip(cofactors.problem.residuals(state))
         .map(|(sight, [x, y])| adjusted.robust.factor(sight.weight * (x * x + y * y)))
         .collect();
-    let judgement = Judgement { problem, reduced: &reduced, cofactors: &cofactors, state };
+    let judgement = Judgement { cofactors, state };
     let mut rays = vec![None; block.rays.len()];
-    // As they are while the block is held: rays do not see the datum.
     let mut coordinates = vec![None; network.points()];
     for point in 0..network.points() {
         let Some(common) = cofactors.of_point(point) else { continue };
@@ -59,6 +56,41 @@ pub(super) fn statistics(problem: &Problem<'_>, adjusted: &Adjusted, block: &Blo
             *judged = Some(judgement.of_outsider(ray, block.images[ray.image].camera, coordinates));
         }
     }
+    JudgedRays { rays, coordinates }
+}
+
+/// Judges all rays by the cofactors that orientations had with nearly the same rays: without a factorisation and its inverse.
+pub(super) fn judge_by(
+    orientations: &Orientations,
+    problem: &Problem<'_>,
+    adjusted: &Adjusted,
+    block: &Block,
+    verdicts: &[RayVerdict],
+) -> JudgedRays {
+    let reduced = problem.eliminated(&adjusted.state, 0.0, adjusted.robust);
+    judge(&Cofactors { problem, reduced: &reduced, orientations }, adjusted, block, verdicts)
+}
+
+/// Computes the statistics at adjusted values; gives them with the factor and the cofactors of orientations that they are from.
+///
+/// # Errors
+/// [`Error::Degenerate`] where the undamped normal equations are singular.
+pub(super) fn statistics(
+    problem: &Problem<'_>,
+    adjusted: &Adjusted,
+    block: &Block,
+    verdicts: &[RayVerdict],
+) -> Result<(Statistics, Factored, Orientations), Error> {
+    let (state, network) = (&adjusted.state, problem.network);
+    let mut reduced = problem.reduce(state, 0.0, adjusted.robust);
+    let factored = Factored::new(&network.pattern, &mut reduced).map_err(|singular| problem.singular(singular))?;
+    let orientations = Orientations::new(problem, &factored);
+    let cofactors = Cofactors { problem, reduced: &reduced, orientations: &orientations };
+    let inner = match problem.held {
+        Some(_) => Some(Inner::new(problem, &reduced, &factored, Freedoms::new(network, state)?, state)),
+        None => None,
+    };
+    let JudgedRays { rays, coordinates } = judge(&cofactors, adjusted, block, verdicts);
     let of_image = |image: usize| {
         let q = cofactors.of_images(image, image);
         inner.as_ref().map_or(q, |inner| inner.of_image(image, &state.images[image], &q))
@@ -66,12 +98,13 @@ pub(super) fn statistics(problem: &Problem<'_>, adjusted: &Adjusted, block: &Blo
     let in_datum =
         |(point, q): (usize, Option<Matrix3>)| q.map(|q| inner.as_ref().map_or(q, |inner| inner.of_point(point, &state.points[point], &q)));
     let q = problem.columns.number();
-    Ok(Statistics {
+    let statistics = Statistics {
         images: (0..network.images()).map(of_image).collect(),
-        cameras: (0..q).map(|k| cofactors.cameras[k * q + k]).collect(),
+        cameras: (0..q).map(|k| orientations.cameras[k * q + k]).collect(),
         points: coordinates.into_iter().enumerate().map(in_datum).collect(),
         rays,
-    })
+    };
+    Ok((statistics, factored, orientations))
 }
 
 impl Statistics {

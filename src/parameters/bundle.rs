@@ -64,7 +64,7 @@ pub const ASSEMBLY_PARAMETERS: &[Parameter] = &[
         "Rays while it grows",
         "",
         integer(30.0, 10000.0),
-        "Rays of an image by which the block is put together: more are safer, fewer are faster.",
+        "Rays of an image by which the block is put together and adjusted: more are more precise, fewer are faster.",
     ),
     parameter("assembly.least_rays", "Least rays", "", integer(6.0, 1000.0), "That agree on the orientation of an image."),
     parameter(

@@ -81,7 +81,7 @@ mod tests {
             neighbours[b].push(a as u32);
         }
         neighbours.iter_mut().for_each(|list| list.sort_unstable());
-        let pattern = Pattern::of(neighbours);
+        let pattern = Pattern::of(neighbours, &[[0.0; 3]; 9]);
         let mut dense = vec![0.0; nodes * N * nodes * N];
         let mut matrix = SparseMatrix::zeros(&pattern);
         let side = nodes * N;

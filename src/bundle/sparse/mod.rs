@@ -6,6 +6,7 @@
 mod block;
 mod cholesky;
 mod dense;
+mod dissection;
 mod inverse;
 mod ordering;
 mod pattern;
