@@ -1,7 +1,7 @@
 //! The places of points by the rays of oriented images: consensus of two rays, then all that agree.
 
-use super::net::{Net, Sight, dot, minus};
-use crate::bundle::{linearise, values_of};
+use super::net::{Net, Sight};
+use crate::bundle::{dot3, linearise, minus, values_of};
 use nalgebra::{Matrix3, Vector3};
 
 /// Rays of which every two are tried.
@@ -52,7 +52,7 @@ impl Net<'_> {
         let mut best: Option<([f64; 3], usize, f64)> = None;
         for (k, a) in tried.iter().enumerate() {
             for b in &tried[k + 1..] {
-                if dot(&a.along, &b.along) >= most_cosine {
+                if dot3(&a.along, &b.along) >= most_cosine {
                     continue;
                 }
                 let Some(place) = meeting(a, b) else { continue };
@@ -101,8 +101,8 @@ impl Net<'_> {
 /// The middle of the shortest connection of two rays. `None` for parallel ones.
 fn meeting(a: &Sight, b: &Sight) -> Option<[f64; 3]> {
     let base = minus(&b.from, &a.from);
-    let c = dot(&a.along, &b.along);
-    let (on_a, on_b) = (dot(&a.along, &base), dot(&b.along, &base));
+    let c = dot3(&a.along, &b.along);
+    let (on_a, on_b) = (dot3(&a.along, &base), dot3(&b.along, &base));
     let sine2 = 1.0 - c * c;
     if !(sine2 > 1e-12) {
         return None;
@@ -114,5 +114,5 @@ fn meeting(a: &Sight, b: &Sight) -> Option<[f64; 3]> {
 
 /// Whether two of the rays make an angle whose cosine is below the limit.
 fn is_wide(sights: &[Sight], most_cosine: f64) -> bool {
-    sights.iter().enumerate().any(|(k, a)| sights[k + 1..].iter().any(|b| dot(&a.along, &b.along) < most_cosine))
+    sights.iter().enumerate().any(|(k, a)| sights[k + 1..].iter().any(|b| dot3(&a.along, &b.along) < most_cosine))
 }

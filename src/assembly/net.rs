@@ -157,10 +157,27 @@ pub(super) fn residual(camera: &BlockCamera, pose: &Pose, place: &[f64; 3], at: 
     length.is_finite().then_some(length)
 }
 
-pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-pub(super) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+    #[test]
+    fn a_point_that_an_image_leaves_with_one_ray_is_lost_with_it() {
+        let seen_by: [&[u32]; 3] = [&[0, 1], &[0, 1, 2], &[1, 2]];
+        let rays = Rays::new(seen_by.iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 3);
+        let mut net = Net::new(&rays, &[0, 0, 0], &[100.0], Vec::new(), &AssemblyOptions::default());
+        net.points.iter_mut().for_each(|point| *point = Some([0.0; 3]));
+        net.accepted.iter_mut().for_each(|accepted| *accepted = true);
+        net.lose(0);
+        assert_eq!(net.points, [None, Some([0.0; 3]), Some([0.0; 3])]);
+        assert_eq!(net.accepted, [false, false, false, true, true, true, true]);
+    }
+
+    #[test]
+    fn marks_have_a_limit_of_their_own() {
+        let rays = Rays::new([0, 1].into_iter().map(|_| [(0, [1.0, 1.0])]), 1).with_surveyed(1);
+        let options = AssemblyOptions { mark_sigma_px: 0.5, ..AssemblyOptions::default() };
+        let net = Net::new(&rays, &[0], &[100.0], Vec::new(), &options);
+        assert_eq!([0, 1].map(|ray| net.limit_of(ray)), [8.0, 2.5]);
+    }
 }

@@ -4,7 +4,7 @@ use super::block::{Block, BlockCamera};
 use super::network::Network;
 use super::options::Datum;
 use crate::Error;
-use std::ops::RangeInclusive;
+use crate::parameters::{FOCAL_PX, check_values};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -51,7 +51,7 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
 
 fn check_camera(index: usize, camera: &BlockCamera) -> Result<(), Error> {
     let place = |what: &str| format!("{what} of camera {index} (counted from 0)");
-    check_values("focal length of a camera", &[camera.focal_px], 1.0..=1e7, || place("focal_px"))?;
+    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || place("focal_px"))?;
     check_values("principal point of a camera", &camera.principal_point_px, -1e7..=1e7, || place("principal_point_px"))?;
     check_values("distortion of a camera", &camera.radial, -1e3..=1e3, || place("radial"))?;
     check_values("distortion of a camera", &camera.tangential, -1e3..=1e3, || place("tangential"))?;
@@ -96,16 +96,6 @@ fn check_index(what: &'static str, index: usize, number: usize, place: impl Fn()
     }
     let allowed = if number == 0 { "none: there are none".into() } else { format!("0 to {}", number - 1) };
     Err(Error::InvalidInput { what, got: format!("{index} as {}", place()), allowed })
-}
-
-fn check_values(what: &'static str, values: &[f64], allowed: RangeInclusive<f64>, place: impl Fn() -> String) -> Result<(), Error> {
-    match values.iter().find(|v| !allowed.contains(v)) {
-        Some(wrong) => {
-            let allowed = format!("{} to {}", allowed.start(), allowed.end());
-            Err(Error::InvalidInput { what, got: format!("{wrong} in {}", place()), allowed })
-        }
-        None => Ok(()),
-    }
 }
 
 fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(), Error> {

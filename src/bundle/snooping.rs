@@ -193,7 +193,8 @@ impl Course<'_> {
             sigma: self.options.sigma0_px.unwrap_or(0.0),
             max_iterations: self.options.max_iterations,
             warm: self.iterations > 0,
-            passing: false,
+            // Parameters that are hardly determined creep; which they are, what was reached tells.
+            passing: columns.number() > 0,
             tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
         };
         let accepted = network.sights.len();
@@ -204,6 +205,11 @@ impl Course<'_> {
         }
         let mut adjusted = problem.adjust(self.state.clone(), &demand, &mut self.nearby)?;
         self.iterations += adjusted.iterations;
+        if adjusted.unsettled.is_some() {
+            self.forget();
+            (self.state, self.sigma) = (adjusted.state.clone(), adjusted.sigma);
+            return if self.fix_weakest(&problem)? { Ok(Outcome::Fixed) } else { adjusted.converged().map(|_| Outcome::Fixed) };
+        }
         if is_free {
             adjusted.state = moved_onto(&network, adjusted.state, &self.start)?;
         }
