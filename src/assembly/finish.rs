@@ -86,15 +86,19 @@ fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<Unori
             // What an image hangs by may fall in data snooping.
             Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;
-                let weakest = || draft.images.iter().copied().min_by_key(|image| net.accepted_of(*image));
-                let named = if let Error::UndeterminedImage { image, .. } = &error { draft.images.get(*image).copied() } else { None };
-                let Some(image) = named.or_else(weakest) else { return Err(error) };
+                let Some(image) = undetermined(&error, &draft.images, net) else { return Err(error) };
                 lost[image] = Some(UnorientedReason::Undetermined { rays: net.accepted_of(image) });
                 net.lose(image);
             }
             Err(error) => return Err(error),
         }
     }
+}
+
+/// Which of the images of an adjustment its error names, and otherwise the one with fewest rays.
+fn undetermined(error: &Error, images: &[usize], net: &Net<'_>) -> Option<usize> {
+    let weakest = images.iter().copied().min_by_key(|image| net.accepted_of(*image));
+    if let Error::UndeterminedImage { image, .. } = error { images.get(*image).copied().or(weakest) } else { weakest }
 }
 
 /// Takes out images with fewer accepted rays, as long as there are any.
@@ -212,5 +216,22 @@ impl Draft {
         };
         model.weaknesses = weaknesses(&model, material.description, material.frame, complaint);
         model
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {
+        let rays = Rays::new([[0, 2], [0, 2], [0, 3]].iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 4);
+        let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &AssemblyOptions::default());
+        net.accepted.iter_mut().for_each(|accepted| *accepted = true);
+        let images = [0, 2, 3];
+        let named = Error::UndeterminedImage { what: "the bundle adjustment", image: 1, reason: String::new() };
+        assert_eq!(undetermined(&named, &images, &net), Some(2));
+        let unnamed = Error::Degenerate { what: "the bundle adjustment", reason: String::new() };
+        assert_eq!(undetermined(&unnamed, &images, &net), Some(3));
     }
 }

@@ -40,6 +40,9 @@ const FIRST_TOLERANCE: f64 = 50.0;
 /// A σ₀ that weights observed positions has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
 
+/// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
+const ALIKE_SIGMA: f64 = 0.03;
+
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
 
@@ -283,7 +286,12 @@ impl Course<'_> {
         let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
         let is_robust = *of_loss != Loss::Squares;
         let judged = judge_by(orientations, problem, adjusted, self.block, &self.verdicts);
-        self.sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        let sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        // Where something is hardly determined, small steps make large cofactors others: then they no longer serve.
+        if (sigma - self.sigma).abs() > ALIKE_SIGMA * self.sigma {
+            return false;
+        }
+        self.sigma = sigma;
         self.snoop(&judged.rays, loss, calm_rounds) || is_robust
     }
 
