@@ -108,12 +108,12 @@ impl Sums {
         self.dropped.add(right_rays(&block, &fewer), fewer.ray_count());
         let options = AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() };
         let assembly = assemble_block(&describe(&block, flight.seed), &points, &block.image_features(), &options)?;
-        self.compare(&block, &assembly, &points);
+        self.compare(&block, &assembly);
         Ok(())
     }
 
     /// The largest model beside the truth; one that is not in the system of the observed positions has no errors to be told.
-    fn compare(&mut self, block: &SimulatedBlock, assembly: &Assembly, joined: &MultiRayPoints) {
+    fn compare(&mut self, block: &SimulatedBlock, assembly: &Assembly) {
         let Some(model) = assembly.models.first().filter(|model| model.in_system) else {
             return self.images.add(0, block.exposures.len());
         };
@@ -141,12 +141,14 @@ impl Sums {
             }
         }
         for (k, known) in model.points.iter().enumerate() {
-            let (AssembledPoint::MultiRay(index), Some(told)) = (known, &model.adjusted.points[k]) else { continue };
+            let (AssembledPoint::MultiRay(_), Some(told)) = (known, &model.adjusted.points[k]) else { continue };
             let pure = together(block, accepted[k].iter().copied());
             self.adjusted.add(usize::from(pure), 1);
-            let first = joined.rays(*index as usize)[0];
+            let Some(owner) = accepted[k].first().map(|(image, feature)| block.owners[*image as usize][*feature as usize]) else {
+                continue;
+            };
             // Of a point with a ray that does not belong to it the truth is not one place.
-            if let (true, Some(owner), Some(told)) = (pure, block.owners[first.image as usize][first.feature as usize], told.errors) {
+            if let (true, Some(owner), Some(told)) = (pure, owner, told.errors) {
                 let (at, wanted) = (model.adjusted.block.points[k].position, block.ground[owner as usize]);
                 self.points.add((0..3).map(|i| (at[i] - wanted[i]) / told[i]));
             }

@@ -213,9 +213,11 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     assert_eq!((exported.images.len(), exported.origin), (30, assembly.origin));
     let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == RayVerdict::Accepted).count();
     assert_eq!(exported.points.iter().map(|point| point.rays.len()).sum::<usize>(), accepted);
-    // There and back: what is exchanged adjusts to the same residuals.
+    // There and back: alone, the chosen points adjust to somewhat smaller residuals than with those that determined the block, too.
     let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &BundleOptions::default()).unwrap();
-    assert!((again.rmse_px - model.adjusted.rmse_px).abs() < 0.01, "{} {}", again.rmse_px, model.adjusted.rmse_px);
+    let smaller = model.adjusted.rmse_px - again.rmse_px;
+    assert!((0.0..0.1 * model.adjusted.rmse_px).contains(&smaller), "{} {}", again.rmse_px, model.adjusted.rmse_px);
+    assert!(model.adjusted.degrees_of_freedom > 2 * again.degrees_of_freedom);
 }
 
 #[test]

@@ -49,6 +49,11 @@ const STIFFEST: f64 = 1e8;
 /// A damped step says nothing of convergence above this.
 const SLACK: f64 = 1e-3;
 
+/// After so many iterations steps creep along what is hardly determined: they have converged where no unknown can have moved by more than
+/// this share of its standard error.
+const PATIENCE: usize = 20;
+const CREEPING: f64 = 1e-2;
+
 /// Residuals below this are rounding.
 pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
 
@@ -162,6 +167,7 @@ impl Problem<'_> {
                 return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
+            let creeping = if iteration > PATIENCE { CREEPING / (self.unknowns() as f64).sqrt() } else { 0.0 };
             loop {
                 let step = match self.step(&state, damping, robust, nearby) {
                     Ok(step) => Some(step),
@@ -175,7 +181,7 @@ impl Problem<'_> {
                     last_step = (step.square.max(0.0) / self.unknowns() as f64).sqrt() / sigma.max(LEAST_SIGMA_PX);
                     let trial = self.after(&state, &step);
                     let after = self.squares(&trial);
-                    let converged = last_step < demand.tolerance && (damping <= SLACK || sigma < LEAST_SIGMA_PX);
+                    let converged = last_step < demand.tolerance.max(creeping) && (damping <= SLACK || sigma < LEAST_SIGMA_PX);
                     if converged || cost(&trial, &after) <= before {
                         (state, squares) = (trial, after);
                         damping = if damping * EASE < LEAST_DAMPING { 0.0 } else { damping * EASE };
