@@ -113,7 +113,7 @@ fn description(photos: &[Photo]) -> BlockDescription {
         let position = photo.position.as_ref().map(|position| ObservedPosition::Geographic {
             longitude_deg: position.longitude_deg,
             latitude_deg: position.latitude_deg,
-            height_m: position.height_m.unwrap_or(0.0),
+            height_m: position.height_m,
             sigma_m: GPS_SIGMA_M,
         });
         description.images.push(AssemblyImage { name: photo.name.clone(), camera, position });

@@ -40,6 +40,9 @@ pub enum Error {
     /// Observations whose geometry does not determine the unknowns.
     #[error("{what} is not determined by these observations: {reason}")]
     Degenerate { what: &'static str, reason: String },
+    /// An image of a block whose orientation its observations do not determine; images count from 0.
+    #[error("{what} is not determined by these observations: {reason}")]
+    UndeterminedImage { what: &'static str, image: usize, reason: String },
     /// An adjustment that did not settle.
     #[error("{what} did not converge in {iterations} iterations: {reason}")]
     NotConverged { what: &'static str, iterations: usize, reason: String },
@@ -66,7 +69,7 @@ impl Error {
             Error::WindowOutside { .. } => "window-outside",
             Error::ConstantWindow { .. } => "constant-window",
             Error::TooFew { .. } => "too-few",
-            Error::Degenerate { .. } => "degenerate",
+            Error::Degenerate { .. } | Error::UndeterminedImage { .. } => "degenerate",
             Error::NotConverged { .. } => "not-converged",
             Error::UnreadableFile { .. } => "unreadable-file",
             Error::NotWritten { .. } => "not-written",

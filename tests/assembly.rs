@@ -1,84 +1,13 @@
 //! The assembly of simulated blocks: everything from the rays alone.
 
+mod scene;
+
+use scene::{Scene, scene, selected};
 use tiepoint::{
-    AssembledPoint, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions,
-    BlockView, BundleOptions, ControlRay, Datum, FreeParameters, MultiRayPoints, ObservedPosition, OrientedPart, RayVerdict, SelectOptions,
-    Similarity, SimulatedBlock, UnorientedReason, adjust_block, assemble_block, geographic_from_local, local_from_geographic,
-    multi_ray_points, simulate_block,
+    AssembledPoint, Assembly, AssemblyControl, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, BundleOptions,
+    ControlRay, Datum, FreeParameters, MultiRayPoints, ObservedPosition, OrientedPart, RayVerdict, UnorientedReason, adjust_block,
+    assemble_block, geographic_from_local, local_from_geographic, multi_ray_points, simulate_block,
 };
-
-struct Scene {
-    block: SimulatedBlock,
-    points: MultiRayPoints,
-    description: BlockDescription,
-}
-
-/// A block whose focal lengths are known up to a factor.
-fn scene(flight: &BlockFlight, focal_factor: f64) -> Scene {
-    let block = simulate_block(flight).unwrap();
-    let (points, _) = multi_ray_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
-    let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap();
-    let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).unwrap().focal_px * focal_factor;
-    let camera = |camera: usize| AssemblyCamera::of_size(block.width_px, block.height_px, Some(focal(camera)));
-    let image = |(index, e): (usize, &tiepoint::Exposure)| AssemblyImage {
-        name: format!("{index:04}.jpg"),
-        camera: e.camera as usize,
-        position: None,
-    };
-    let description = BlockDescription {
-        cameras: (0..cameras).map(camera).collect(),
-        images: block.exposures.iter().enumerate().map(image).collect(),
-        control: Vec::new(),
-    };
-    Scene { block, points, description }
-}
-
-impl Scene {
-    fn assemble(&self, options: &AssemblyOptions) -> Assembly {
-        assemble_block(&self.description, &self.points, &self.block.image_features(), options).unwrap()
-    }
-
-    /// Root mean square error of the positions in m after a similarity, and of the rotations in degrees.
-    fn errors(&self, assembly: &Assembly, model: usize) -> (f64, f64) {
-        let model = &assembly.models[model];
-        let images = || model.images.iter().zip(&model.adjusted.block.images);
-        let pairs: Vec<_> = images().map(|(k, image)| (image.position, self.block.exposures[*k].centre)).collect();
-        let onto = Similarity::between(&pairs).unwrap();
-        let (mut square, mut turns) = (0.0, 0.0);
-        for (k, image) in images() {
-            let (at, exposure) = (onto.point(&image.position), &self.block.exposures[*k]);
-            square += (0..3).map(|i| (at[i] - exposure.centre[i]) * (at[i] - exposure.centre[i])).sum::<f64>();
-            // The angle of M Rᵀ against the true rotation, by the trace.
-            let turned = image.rotation.map(|row| [0, 1, 2].map(|c| (0..3).map(|j| row[j] * onto.rotation[c][j]).sum::<f64>()));
-            let trace: f64 = (0..3).flat_map(|r| (0..3).map(move |c| (r, c))).map(|(r, c)| turned[r][c] * exposure.rotation[(r, c)]).sum();
-            turns += (0.5 * (trace - 1.0)).clamp(-1.0, 1.0).acos().to_degrees().powi(2);
-        }
-        let n = model.images.len() as f64;
-        ((square / n).sqrt(), (turns / n).sqrt())
-    }
-
-    fn report(&self, what: &str, assembly: &Assembly) {
-        for (k, model) in assembly.models.iter().enumerate() {
-            let (position, angle) = self.errors(assembly, k);
-            println!(
-                "{what}, model {k}: {} of {} images, {} points, {} rays, {} left out, RMSE {:.3} px, sigma0 {:?}, positions {position:.3} m, angles {angle:.4} deg, {:?}",
-                model.images.len(),
-                self.description.images.len(),
-                model.points.len(),
-                model.rays.len(),
-                model.rejected.len(),
-                model.adjusted.rmse_px,
-                model.adjusted.sigma0_px,
-                model.weaknesses,
-            );
-        }
-        assembly.unoriented.iter().for_each(|image| println!("{what}: {}", image.text));
-    }
-}
-
-fn selected() -> AssemblyOptions {
-    AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() }
-}
 
 /// One model of all images, as precise as the rays: σ₀ is the noise of the features.
 fn assert_whole(scene: &Scene, assembly: &Assembly, most_off_m: f64) {
@@ -247,7 +176,8 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let origin = [8.0, 50.0, 200.0];
     for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
         let [longitude_deg, latitude_deg, height_m] = geographic_from_local(exposure.centre, origin);
-        image.position = Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [3.0, 3.0, 5.0] });
+        image.position =
+            Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [3.0, 3.0, 5.0] });
     }
     // A surveyed point is measured wherever it was found.
     let target = (0..scene.points.len()).find(|point| scene.points.rays(*point).len() >= 6).unwrap();
@@ -260,7 +190,7 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     };
     let control = AssemblyControl {
         name: "church".into(),
-        position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [0.02; 3] },
+        position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
         rays: rays.iter().map(ray).collect(),
     };
     scene.description.control.push(control);
@@ -309,7 +239,7 @@ fn what_does_not_fit_together_is_refused() {
         assert!(error.to_string().contains(words), "{error}");
     };
     let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
-    let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 0.0, sigma_m: [1.0; 3] };
+    let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(0.0), sigma_m: [1.0; 3] };
     refused(&|d, _| d.images[2].camera = 1, "camera 1 of image 2");
     refused(&|d, _| d.cameras[0].focal_px = Some(f64::NAN), "focal length of a camera: got NaN");
     refused(&|d, _| d.cameras[0].focal_px = Some(0.0), "focal length of a camera: got 0");

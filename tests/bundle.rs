@@ -200,6 +200,7 @@ fn a_surveyed_point_with_one_ray_still_counts() {
     let result = adjust_block(block, &BundleOptions { datum: Datum::Control, ..squares() }).unwrap();
     assert_eq!(result.rays.last().unwrap().verdict, RayVerdict::Accepted);
     assert!(result.control[5].is_some());
+    assert!(result.rmse_by_rays[0].rays == 1 && result.rmse_by_rays[0].points == 1, "{:?}", result.rmse_by_rays[0]);
     let free = adjust_block(block, &squares()).unwrap();
     assert_eq!(free.rays.last().unwrap().verdict, RayVerdict::LostPoint);
     assert!(free.control.iter().all(Option::is_none));

@@ -46,8 +46,7 @@ export function describeBlock(images, cameras, useGps, placing, control) {
 function observed({ longitude_deg, latitude_deg, height_m, error_m }, { receiver_across_m, receiver_up_m }) {
   const across = error_m || receiver_across_m;
   const up = receiver_up_m * (across / receiver_across_m);
-  // A height that is not known holds nothing.
-  return { system: 'geographic', longitude_deg, latitude_deg, height_m: height_m ?? 0, sigma_m: [across, across, height_m === null ? 1e6 : up] };
+  return { system: 'geographic', longitude_deg, latitude_deg, height_m, sigma_m: [across, across, up] };
 }
 
 /**

@@ -11,8 +11,8 @@ const LEAST_CALIBRATING: usize = 3;
 const ITERATIONS: usize = 12;
 const ITERATIONS_OF_MANY: usize = 4;
 /// Standard errors of a focal length that is known approximately and of a guessed one, as shares, and of k1 and k2.
-const KNOWN_FOCAL: f64 = 0.03;
-const GUESSED_FOCAL: f64 = 0.3;
+const KNOWN_FOCAL_SHARE: f64 = 0.03;
+const GUESSED_FOCAL_SHARE: f64 = 0.3;
 const RADIAL: f64 = 0.05;
 
 /// What is known of the cameras beforehand.
@@ -25,7 +25,7 @@ pub(super) struct CameraPrior {
 /// What is known of a camera: of a given focal length within some percent, of a guessed one hardly anything.
 pub(super) fn camera_prior(camera: &BlockCamera, is_guessed: bool) -> CameraPrior {
     let (values, free) = (values_of(camera), free_of(camera));
-    let focal = camera.focal_px * if is_guessed { GUESSED_FOCAL } else { KNOWN_FOCAL };
+    let focal = camera.focal_px * if is_guessed { GUESSED_FOCAL_SHARE } else { KNOWN_FOCAL_SHARE };
     // The principal point waits for the adjustment of the finished block.
     let sigmas = [focal, 0.0, 0.0, RADIAL, RADIAL, 0.0, 0.0, 0.0];
     let known = std::array::from_fn(|k| (values[k], if free[k] { sigmas[k] } else { 0.0 }));

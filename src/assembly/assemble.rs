@@ -1,7 +1,7 @@
 //! The assembly as it is called: one model after another, until no images are left that make one.
 
 use super::adjusting::{CameraPrior, camera_prior};
-use super::description::BlockDescription;
+use super::description::{AssemblyCamera, BlockDescription};
 use super::finish::{Finished, Material, finish};
 use super::frame::Frame;
 use super::growth::Growth;
@@ -51,6 +51,8 @@ pub fn assemble_block(
     let priors: Vec<CameraPrior> =
         cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
+    let longer_side = |camera: &AssemblyCamera| f64::from(camera.width_px.max(camera.height_px));
+    let longer_side_px: Vec<f64> = description.cameras.iter().map(longer_side).collect();
     let growing = SelectOptions { per_image: options.growing_rays, per_connection: GROWING_CONNECTION };
     let chosen = select_points(points, features, &growing)?.points;
     let place = |image: u32, feature: u32| features[image as usize].positions[feature as usize].map(f64::from);
@@ -60,13 +62,14 @@ pub fn assemble_block(
         images,
     );
     let shared: Vec<SharedPoints> = shared_points(&subset(points, &chosen), images);
-    let mut material =
-        Material { description, points, features, options, frame: &frame, camera_of: &camera_of, priors: &priors, all: None };
+    let (camera_of, longer_side_px) = (&camera_of[..], &longer_side_px[..]);
+    let frame = &frame;
+    let mut material = Material { description, points, features, options, frame, camera_of, longer_side_px, priors: &priors, all: None };
     let mut is_open = vec![true; images];
     let mut refused: Vec<Option<UnorientedReason>> = vec![None; images];
     let mut models: Vec<AssembledModel> = Vec::new();
     while models.len() < options.most_models {
-        let net = Net::new(&rays, &camera_of, cameras.clone(), options.largest_residual_px);
+        let net = Net::new(&rays, camera_of, longer_side_px, cameras.clone(), options);
         let Some(mut growth) = best_start(Growth::new(net, options, &priors, is_open.clone()), &shared) else { break };
         growth.grow(usize::MAX);
         if growth.net.oriented() < 2 {

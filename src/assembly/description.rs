@@ -90,8 +90,10 @@ pub enum ObservedPosition {
     Geographic {
         longitude_deg: f64,
         latitude_deg: f64,
-        /// Above the ellipsoid, or above any level that is the same for all positions of the block.
-        height_m: f64,
+        /// Above the ellipsoid, or above any level that is the same for all positions of the block; absent: not known. Surveyed points
+        /// have one.
+        #[serde(default)]
+        height_m: Option<f64>,
         /// Standard errors to the east, to the north and up in m, above 0.
         sigma_m: [f64; 3],
     },

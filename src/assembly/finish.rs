@@ -22,6 +22,7 @@ pub(super) struct Material<'a> {
     pub options: &'a AssemblyOptions,
     pub frame: &'a Frame,
     pub camera_of: &'a [usize],
+    pub longer_side_px: &'a [f64],
     pub priors: &'a [CameraPrior],
     /// The rays of all points, the surveyed ones last; made with the first model.
     pub all: Option<Rays>,
@@ -29,8 +30,10 @@ pub(super) struct Material<'a> {
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
-/// Times that the block is adjusted without its weakest image.
-const WITHOUT: usize = 3;
+/// Times that the block is adjusted without an image that it does not determine.
+const WITHOUT: usize = 8;
+/// Standard error of a coordinate in px below which marks weigh no less.
+const LEAST_SIGMA_PX: f64 = 0.01;
 
 /// A finished model, with the reasons why images that were open to it are not in it.
 pub(super) struct Finished {
@@ -44,20 +47,18 @@ pub(super) struct Finished {
 /// As [`adjust_block`].
 pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>, is_open: &[bool]) -> Result<Finished, Error> {
     let rays = material.all.take().unwrap_or_else(|| all_rays(material));
-    let mut net = Net::new(&rays, material.camera_of, grown.cameras.clone(), grown.limit_px);
-    net.poses = grown.poses.clone();
+    let mut net = Net::new(&rays, material.camera_of, material.longer_side_px, grown.cameras.clone(), material.options);
+    (net.limit_px, net.poses) = (grown.limit_px, grown.poses.clone());
     let mut growth = Growth::new(net, material.options, material.priors, is_open.to_vec());
     let most_cosine = growth.most_cosine();
     (0..rays.points()).for_each(|point| {
         growth.net.intersect(point, most_cosine);
     });
     growth.orient_rest();
-    let finished = adjusted(material, &mut growth.net).map(|model| {
+    let mut lost = vec![None; is_open.len()];
+    let finished = adjusted(material, &mut growth.net, &mut lost).map(|model| {
         let left = (0..is_open.len()).filter(|image| is_open[*image] && model.images.binary_search(image).is_err());
-        let reason = |image: usize| match growth.net.poses[image] {
-            Some(_) => UnorientedReason::Lost { rays: growth.net.accepted_of(image) },
-            None => growth.reason(image),
-        };
+        let reason = |image: usize| lost[image].unwrap_or_else(|| growth.reason(image));
         Finished { unoriented: left.map(|image| (image, reason(image))).collect(), model }
     });
     material.all = Some(rays);
@@ -71,40 +72,40 @@ fn all_rays(material: &Material<'_>) -> Rays {
         material.points.iter().map(|rays| rays.iter().map(|ray| (ray.image, place(ray.image, ray.feature))).collect::<Vec<_>>());
     let of_control = material.description.control.iter();
     let of_control = of_control.map(|control| control.rays.iter().map(|ray| (ray.image as u32, [ray.x_px, ray.y_px])).collect::<Vec<_>>());
-    Rays::new(of_points.chain(of_control), material.description.images.len())
+    Rays::new(of_points.chain(of_control), material.description.images.len()).with_surveyed(material.points.len())
 }
 
-fn adjusted(material: &Material<'_>, net: &mut Net<'_>) -> Result<AssembledModel, Error> {
+/// Adjusts the model, without images that it does not determine; `lost` says of each why it is not in it.
+fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<UnorientedReason>]) -> Result<AssembledModel, Error> {
     let mut attempt = 0;
     loop {
-        drop_images(net, LEAST_RAYS);
+        drop_images(net, LEAST_RAYS, lost);
         let draft = Draft::new(material, net)?;
         match draft.adjust(material) {
             Ok((adjusted, in_system, complaint)) => return given(material, draft.model(material, adjusted, in_system, complaint)),
-            Err(Error::Degenerate { .. }) if attempt < WITHOUT && net.oriented() > 2 => {
-                // What an image hangs by may fall in data snooping.
+            // What an image hangs by may fall in data snooping.
+            Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;
-                let oriented = (0..net.poses.len()).filter(|image| net.poses[*image].is_some());
-                if let Some(weakest) = oriented.min_by_key(|image| net.accepted_of(*image)) {
-                    net.lose(weakest);
-                }
+                let Some(image) = undetermined(&error, &draft.images, net) else { return Err(error) };
+                lost[image] = Some(UnorientedReason::Undetermined { rays: net.accepted_of(image) });
+                net.lose(image);
             }
             Err(error) => return Err(error),
         }
     }
 }
 
+/// Which of the images of an adjustment its error names, and otherwise the one with fewest rays.
+fn undetermined(error: &Error, images: &[usize], net: &Net<'_>) -> Option<usize> {
+    let weakest = images.iter().copied().min_by_key(|image| net.accepted_of(*image));
+    if let Error::UndeterminedImage { image, .. } = error { images.get(*image).copied().or(weakest) } else { weakest }
+}
+
 /// Takes out images with fewer accepted rays, as long as there are any.
-fn drop_images(net: &mut Net<'_>, least: usize) {
+fn drop_images(net: &mut Net<'_>, least: usize, lost: &mut [Option<UnorientedReason>]) {
     while let Some(image) = (0..net.poses.len()).find(|image| net.poses[*image].is_some() && net.accepted_of(*image) < least) {
+        lost[image] = Some(UnorientedReason::Lost { rays: net.accepted_of(image) });
         net.lose(image);
-        for point in 0..net.rays.points() {
-            let rays = net.rays.of_point(point);
-            if rays.clone().filter(|ray| net.accepted[*ray]).count() < 2 {
-                net.points[point] = None;
-                rays.for_each(|ray| net.accepted[ray] = false);
-            }
-        }
     }
 }
 
@@ -116,6 +117,8 @@ struct Draft {
     points: Vec<AssembledPoint>,
     rays: Vec<AssembledRay>,
     rejected: Vec<RejectedRay>,
+    /// Of a mark beside that of any other ray.
+    mark_weight: f64,
 }
 
 impl Draft {
@@ -125,7 +128,10 @@ impl Draft {
         cameras.sort_unstable();
         cameras.dedup();
         let place = |list: &[usize], index: usize| list.binary_search(&index).unwrap_or_default();
-        let mut draft = Self { block: Block::default(), images, cameras, points: Vec::new(), rays: Vec::new(), rejected: Vec::new() };
+        let sigma_px = material.options.bundle.sigma0_px.unwrap_or_else(|| net.sigma_px()).max(LEAST_SIGMA_PX);
+        let mark_weight = sigma_px / material.options.mark_sigma_px * (sigma_px / material.options.mark_sigma_px);
+        let mut draft =
+            Self { block: Block::default(), images, cameras, points: Vec::new(), rays: Vec::new(), rejected: Vec::new(), mark_weight };
         draft.block.cameras = draft.cameras.iter().map(|camera| net.cameras[*camera]).collect();
         for image in &draft.images {
             let Some(pose) = net.poses[*image] else { continue };
@@ -148,14 +154,15 @@ impl Draft {
         self.points.push(control.map_or(AssembledPoint::MultiRay(point as u32), AssembledPoint::Control));
         self.block.points.push(BlockPoint { position });
         if let Some(control) = control {
-            let prior = material.frame.control[control];
-            self.block.control.push(ControlPoint { point: index, position: prior.position, sigma: prior.sigma });
+            let (position, sigma) = material.frame.control[control];
+            self.block.control.push(ControlPoint { point: index, position, sigma });
         }
         for (k, ray) in net.rays.of_point(point).enumerate() {
             let Ok(image) = self.images.binary_search(&(net.rays.image[ray] as usize)) else { continue };
             let [x_px, y_px] = net.rays.at[ray];
             if net.accepted[ray] {
-                self.block.rays.push(Ray { image, point: index, x_px, y_px, weight: 1.0 });
+                let weight = if control.is_some() { self.mark_weight } else { 1.0 };
+                self.block.rays.push(Ray { image, point: index, x_px, y_px, weight });
                 let known = multi_ray.get(k);
                 self.rays.push(AssembledRay { feature: known.map(|r| r.feature), confidence: known.map_or(1.0, |r| r.confidence) });
             } else {
@@ -183,8 +190,11 @@ impl Draft {
         match with(datum) {
             Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
             Err(Error::Degenerate { what: "the datum", reason }) => with(Datum::Free).map(|adjusted| (adjusted, false, Some(reason))),
-            // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end.
-            Err(error @ Error::NotConverged { .. }) if datum != Datum::Free => {
+            // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end. Wrong ones pull images
+            // off their rays.
+            Err(error @ (Error::NotConverged { .. } | Error::Degenerate { .. } | Error::UndeterminedImage { .. }))
+                if datum != Datum::Free =>
+            {
                 with(Datum::Free).map(|adjusted| (adjusted, false, Some(error.to_string())))
             }
             Err(error) => Err(error),
@@ -204,7 +214,24 @@ impl Draft {
             in_system,
             weaknesses: Vec::new(),
         };
-        model.weaknesses = weaknesses(&model, material.description, complaint);
+        model.weaknesses = weaknesses(&model, material.description, material.frame, complaint);
         model
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {
+        let rays = Rays::new([[0, 2], [0, 2], [0, 3]].iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 4);
+        let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &AssemblyOptions::default());
+        net.accepted.iter_mut().for_each(|accepted| *accepted = true);
+        let images = [0, 2, 3];
+        let named = Error::UndeterminedImage { what: "the bundle adjustment", image: 1, reason: String::new() };
+        assert_eq!(undetermined(&named, &images, &net), Some(2));
+        let unnamed = Error::Degenerate { what: "the bundle adjustment", reason: String::new() };
+        assert_eq!(undetermined(&unnamed, &images, &net), Some(3));
     }
 }

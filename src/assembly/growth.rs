@@ -143,6 +143,7 @@ impl<'a> Growth<'a> {
                 self.refused[image] = None;
                 for ray in self.net.rays.of_image(image) {
                     let ray = *ray as usize;
+                    let limit = if self.net.rays.is_mark(ray) { self.net.mark_limit_px } else { limit };
                     self.net.accepted[ray] = self.net.residual(ray).is_some_and(|r| r <= limit);
                 }
                 self.intersect_of(&[image]);

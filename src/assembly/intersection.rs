@@ -1,7 +1,7 @@
 //! The places of points by the rays of oriented images: consensus of two rays, then all that agree.
 
-use super::net::{Net, Sight, dot, minus};
-use crate::bundle::{linearise, values_of};
+use super::net::{Net, Sight};
+use crate::bundle::{dot3, linearise, minus, values_of};
 use nalgebra::{Matrix3, Vector3};
 
 /// Rays of which every two are tried.
@@ -35,7 +35,7 @@ impl Net<'_> {
         }
         let rays = self.rays.of_point(point);
         for ray in rays.clone() {
-            self.accepted[ray] = self.residual(ray).is_some_and(|r| r <= self.limit_px);
+            self.accepted[ray] = self.residual(ray).is_some_and(|r| r <= self.limit_of(ray));
         }
         let oriented = rays.clone().filter(|ray| self.poses[self.rays.image[*ray] as usize].is_some()).count();
         let agreeing: Vec<Sight> = rays.clone().filter(|ray| self.accepted[*ray]).filter_map(|ray| self.sight(ray)).collect();
@@ -52,14 +52,16 @@ impl Net<'_> {
         let mut best: Option<([f64; 3], usize, f64)> = None;
         for (k, a) in tried.iter().enumerate() {
             for b in &tried[k + 1..] {
-                if dot(&a.along, &b.along) >= most_cosine {
+                if dot3(&a.along, &b.along) >= most_cosine {
                     continue;
                 }
                 let Some(place) = meeting(a, b) else { continue };
                 let (mut count, mut sum) = (0, 0.0);
-                for r in sights.iter().filter_map(|sight| self.residual_to(sight.ray, &place)).filter(|r| *r <= self.limit_px) {
-                    count += 1;
-                    sum += r * r;
+                for sight in sights {
+                    if let Some(r) = self.residual_to(sight.ray, &place).filter(|r| *r <= self.limit_of(sight.ray)) {
+                        count += 1;
+                        sum += r * r;
+                    }
                 }
                 let better = best.is_none_or(|(_, most, least)| count > most || (count == most && sum < least));
                 if count >= 2 && better {
@@ -71,8 +73,7 @@ impl Net<'_> {
     }
 
     fn agreeing(&self, sights: &[Sight], place: &[f64; 3]) -> Vec<Sight> {
-        let fits = |sight: &&Sight| self.residual_to(sight.ray, place).is_some_and(|r| r <= self.limit_px);
-        sights.iter().filter(fits).copied().collect()
+        sights.iter().filter(|sight| self.fits(sight.ray, place)).copied().collect()
     }
 
     /// Least squares of the residuals of the rays that agree.
@@ -80,7 +81,7 @@ impl Net<'_> {
         let mut place = start;
         for _ in 0..REFINEMENTS {
             let (mut normal, mut right) = (Matrix3::<f64>::zeros(), Vector3::<f64>::zeros());
-            for sight in sights.iter().filter(|s| self.residual_to(s.ray, &place).is_some_and(|r| r <= self.limit_px)) {
+            for sight in sights.iter().filter(|sight| self.fits(sight.ray, &place)) {
                 let image = self.rays.image[sight.ray] as usize;
                 let (pose, at) = (self.poses[image].as_ref()?, self.rays.at[sight.ray]);
                 let line = linearise(&values_of(self.camera(image)), pose, &place);
@@ -100,8 +101,8 @@ impl Net<'_> {
 /// The middle of the shortest connection of two rays. `None` for parallel ones.
 fn meeting(a: &Sight, b: &Sight) -> Option<[f64; 3]> {
     let base = minus(&b.from, &a.from);
-    let c = dot(&a.along, &b.along);
-    let (on_a, on_b) = (dot(&a.along, &base), dot(&b.along, &base));
+    let c = dot3(&a.along, &b.along);
+    let (on_a, on_b) = (dot3(&a.along, &base), dot3(&b.along, &base));
     let sine2 = 1.0 - c * c;
     if !(sine2 > 1e-12) {
         return None;
@@ -113,5 +114,5 @@ fn meeting(a: &Sight, b: &Sight) -> Option<[f64; 3]> {
 
 /// Whether two of the rays make an angle whose cosine is below the limit.
 fn is_wide(sights: &[Sight], most_cosine: f64) -> bool {
-    sights.iter().enumerate().any(|(k, a)| sights[k + 1..].iter().any(|b| dot(&a.along, &b.along) < most_cosine))
+    sights.iter().enumerate().any(|(k, a)| sights[k + 1..].iter().any(|b| dot3(&a.along, &b.along) < most_cosine))
 }

@@ -1,9 +1,10 @@
 //! A block on its way: what is oriented and intersected so far.
 
+use super::options::AssemblyOptions;
 use super::rays::Rays;
 use crate::bundle::{BlockCamera, Pose, in_photo, project, values_of};
 use crate::camera::undistorted;
-use crate::math::median;
+use crate::math::{MEDIAN_LENGTH, median};
 
 /// The present values of a block.
 #[derive(Clone)]
@@ -11,6 +12,8 @@ pub(super) struct Net<'a> {
     pub rays: &'a Rays,
     /// The camera of each image.
     pub camera_of: &'a [usize],
+    /// The longer side of the images of each camera in px.
+    pub longer_side_px: &'a [f64],
     pub cameras: Vec<BlockCamera>,
     pub poses: Vec<Option<Pose>>,
     pub points: Vec<Option<[f64; 3]>>,
@@ -18,6 +21,8 @@ pub(super) struct Net<'a> {
     pub accepted: Vec<bool>,
     /// Longest residual of a ray that fits, in px.
     pub limit_px: f64,
+    /// The same of a mark.
+    pub mark_limit_px: f64,
 }
 
 /// A line of sight in the object space.
@@ -33,14 +38,29 @@ pub(super) struct Sight {
 const LEAST_LIMIT_PX: f64 = 1.0;
 /// A ray fits within so many standard errors of a coordinate.
 const LIMIT_SIGMAS: f64 = 5.0;
-/// The median length of a two-dimensional normal error, in standard errors of a coordinate.
-const MEDIAN_LENGTH: f64 = 1.177_41;
 
 impl<'a> Net<'a> {
     /// Nothing oriented yet.
-    pub fn new(rays: &'a Rays, camera_of: &'a [usize], cameras: Vec<BlockCamera>, limit_px: f64) -> Self {
-        let (poses, points) = (vec![None; rays.images()], vec![None; rays.points()]);
-        Self { rays, camera_of, cameras, poses, points, accepted: vec![false; rays.len()], limit_px }
+    pub fn new(
+        rays: &'a Rays,
+        camera_of: &'a [usize],
+        longer_side_px: &'a [f64],
+        cameras: Vec<BlockCamera>,
+        options: &AssemblyOptions,
+    ) -> Self {
+        let (poses, points, accepted) = (vec![None; rays.images()], vec![None; rays.points()], vec![false; rays.len()]);
+        let (limit_px, mark_limit_px) = (options.largest_residual_px, LIMIT_SIGMAS * options.mark_sigma_px);
+        Self { rays, camera_of, longer_side_px, cameras, poses, points, accepted, limit_px, mark_limit_px }
+    }
+
+    /// Longest residual with which a ray fits, in px.
+    pub fn limit_of(&self, ray: usize) -> f64 {
+        if self.rays.is_mark(ray) { self.mark_limit_px } else { self.limit_px }
+    }
+
+    /// Whether a ray fits to a place of its point.
+    pub fn fits(&self, ray: usize, place: &[f64; 3]) -> bool {
+        self.residual_to(ray, place).is_some_and(|r| r <= self.limit_of(ray))
     }
 
     pub fn oriented(&self) -> usize {
@@ -91,10 +111,30 @@ impl<'a> Net<'a> {
         self.rays.of_image(image).iter().filter(|ray| self.points[self.rays.point[**ray as usize] as usize].is_some()).count()
     }
 
-    /// Takes an image out again.
+    /// Takes an image out again, and the points that are left with less than two rays.
     pub fn lose(&mut self, image: usize) {
+        let rays = self.rays;
         self.poses[image] = None;
-        self.rays.of_image(image).iter().for_each(|ray| self.accepted[*ray as usize] = false);
+        rays.of_image(image).iter().for_each(|ray| self.accepted[*ray as usize] = false);
+        for ray in rays.of_image(image) {
+            let point = rays.point[*ray as usize] as usize;
+            if rays.of_point(point).filter(|ray| self.accepted[*ray]).count() < 2 {
+                self.points[point] = None;
+                rays.of_point(point).for_each(|ray| self.accepted[ray] = false);
+            }
+        }
+    }
+
+    /// Standard error of a coordinate of a ray that is no mark, in px, by the residuals of those that fit; 0 without any.
+    pub fn sigma_px(&self) -> f64 {
+        let fit = || (0..self.rays.len()).filter(|ray| self.accepted[*ray] && !self.rays.is_mark(*ray));
+        let mut lengths: Vec<f64> = fit().filter_map(|ray| self.residual(ray)).collect();
+        let mut points: Vec<u32> = fit().map(|ray| self.rays.point[ray]).collect();
+        points.dedup();
+        // Points follow their rays: residuals are as much shorter.
+        let (observed, unknown) = (2.0 * lengths.len() as f64, 3.0 * points.len() as f64);
+        let share = (observed - unknown) / observed;
+        median(&mut lengths).filter(|_| share > 0.0).map_or(0.0, |middle| middle / MEDIAN_LENGTH / share.sqrt())
     }
 
     /// Lets the limit follow the residuals of the rays that fit.
@@ -117,10 +157,27 @@ pub(super) fn residual(camera: &BlockCamera, pose: &Pose, place: &[f64; 3], at: 
     length.is_finite().then_some(length)
 }
 
-pub(super) fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-pub(super) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+    #[test]
+    fn a_point_that_an_image_leaves_with_one_ray_is_lost_with_it() {
+        let seen_by: [&[u32]; 3] = [&[0, 1], &[0, 1, 2], &[1, 2]];
+        let rays = Rays::new(seen_by.iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 3);
+        let mut net = Net::new(&rays, &[0, 0, 0], &[100.0], Vec::new(), &AssemblyOptions::default());
+        net.points.iter_mut().for_each(|point| *point = Some([0.0; 3]));
+        net.accepted.iter_mut().for_each(|accepted| *accepted = true);
+        net.lose(0);
+        assert_eq!(net.points, [None, Some([0.0; 3]), Some([0.0; 3])]);
+        assert_eq!(net.accepted, [false, false, false, true, true, true, true]);
+    }
+
+    #[test]
+    fn marks_have_a_limit_of_their_own() {
+        let rays = Rays::new([0, 1].into_iter().map(|_| [(0, [1.0, 1.0])]), 1).with_surveyed(1);
+        let options = AssemblyOptions { mark_sigma_px: 0.5, ..AssemblyOptions::default() };
+        let net = Net::new(&rays, &[0], &[100.0], Vec::new(), &options);
+        assert_eq!([0, 1].map(|ray| net.limit_of(ray)), [8.0, 2.5]);
+    }
 }

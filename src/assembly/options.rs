@@ -21,6 +21,8 @@ pub struct AssemblyOptions {
     pub least_angle_deg: f64,
     /// Largest residual of a ray in px while the block grows; it follows the residuals down from there.
     pub largest_residual_px: f64,
+    /// Standard error of a coordinate of a mark, where an image shows a surveyed point, in px.
+    pub mark_sigma_px: f64,
     /// The points that are given of the adjusted block; absent: all are adjusted and given.
     pub selection: Option<SelectOptions>,
     /// Models that are given at most where the block falls apart, the largest first.
@@ -42,6 +44,7 @@ impl Default for AssemblyOptions {
             least_rays: 12,
             least_angle_deg: 1.5,
             largest_residual_px: 8.0,
+            mark_sigma_px: 1.0,
             selection: None,
             most_models: 10,
             seed: 1,
@@ -57,6 +60,7 @@ impl AssemblyOptions {
         check("assembly.least_rays", self.least_rays as f64)?;
         check("assembly.least_angle_deg", self.least_angle_deg)?;
         check("assembly.largest_residual_px", self.largest_residual_px)?;
+        check("assembly.mark_sigma_px", self.mark_sigma_px)?;
         check("assembly.most_models", self.most_models as f64)?;
         self.selection.as_ref().map_or(Ok(()), SelectOptions::check)?;
         self.bundle.check()

@@ -1,7 +1,7 @@
 //! The orientations of an image by three points.
 
-use super::net::{dot, minus};
 use crate::bundle::Pose;
+use crate::bundle::{dot3, minus};
 use crate::math::{MAX_DEGREE, real_roots};
 
 /// Steps that make the distances exact.
@@ -16,10 +16,10 @@ const FITTING: f64 = 1e-6;
 /// Grunert 1841, Das Pothenotische Problem in erweiterter Gestalt; the quartic as Haralick, Lee, Ottenberg & Nölle 1994 print it, IJCV 13(3).
 pub(super) fn p3p(directions: &[[f64; 3]; 3], points: &[[f64; 3]; 3]) -> Vec<Pose> {
     let [d1, d2, d3] = directions;
-    let cosines = [dot(d2, d3), dot(d1, d3), dot(d1, d2)];
+    let cosines = [dot3(d2, d3), dot3(d1, d3), dot3(d1, d2)];
     let side = |a: usize, b: usize| {
         let d = minus(&points[a], &points[b]);
-        dot(&d, &d)
+        dot3(&d, &d)
     };
     let sides = [side(1, 2), side(0, 2), side(0, 1)];
     if !(sides.iter().all(|s| *s > 0.0 && s.is_finite())) {
@@ -97,12 +97,12 @@ fn pose(directions: &[[f64; 3]; 3], points: &[[f64; 3]; 3], distances: &[f64; 3]
 /// Right-handed axes of unit length of a triangle: along its first side, in its plane, across. `None` for points on a line.
 fn axes(corners: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     let unit = |v: [f64; 3]| {
-        let length = dot(&v, &v).sqrt();
+        let length = dot3(&v, &v).sqrt();
         (length > 0.0 && length.is_finite()).then(|| v.map(|x| x / length))
     };
     let (first, second) = (unit(minus(&corners[1], &corners[0]))?, unit(minus(&corners[2], &corners[0]))?);
     let across = cross(&first, &second);
-    if !(dot(&across, &across) > 1e-12) {
+    if !(dot3(&across, &across) > 1e-12) {
         return None;
     }
     let across = unit(across)?;
@@ -131,12 +131,12 @@ mod tests {
             let pose = Pose { rotation, position: [50.0 * uniform(), 50.0 * uniform(), 50.0 * uniform()] };
             let seen = [0, 1, 2].map(|_| [40.0 * uniform(), 40.0 * uniform(), -100.0 + 20.0 * uniform()]);
             let points = seen.map(|p| [0, 1, 2].map(|c| pose.position[c] + (0..3).map(|r| rotation[r][c] * p[r]).sum::<f64>()));
-            let directions = seen.map(|p| p.map(|v| v / dot(&p, &p).sqrt()));
+            let directions = seen.map(|p| p.map(|v| v / dot3(&p, &p).sqrt()));
             let poses = p3p(&directions, &points);
             for candidate in &poses {
                 for k in 0..3 {
                     let at = in_photo(candidate, &points[k]);
-                    let length = dot(&at, &at).sqrt();
+                    let length = dot3(&at, &at).sqrt();
                     assert!((0..3).all(|i| (at[i] / length - directions[k][i]).abs() < 1e-6), "{at:?} {:?}", directions[k]);
                 }
             }
@@ -148,7 +148,7 @@ mod tests {
 
     #[test]
     fn points_on_a_line_give_no_pose() {
-        let directions = [[0.1, 0.0, -1.0], [0.0, 0.0, -1.0], [-0.1, 0.0, -1.0]].map(|d: [f64; 3]| d.map(|v| v / dot(&d, &d).sqrt()));
+        let directions = [[0.1, 0.0, -1.0], [0.0, 0.0, -1.0], [-0.1, 0.0, -1.0]].map(|d: [f64; 3]| d.map(|v| v / dot3(&d, &d).sqrt()));
         assert!(p3p(&directions, &[[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]]).is_empty());
         assert!(p3p(&directions, &[[0.0; 3]; 3]).is_empty());
     }

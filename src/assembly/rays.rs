@@ -10,6 +10,8 @@ pub(super) struct Rays {
     pub point: Vec<u32>,
     /// Column and row in px.
     pub at: Vec<[f64; 2]>,
+    /// The first point that was surveyed; all after it were, too.
+    surveyed: u32,
     image_start: Vec<u32>,
     of_image: Vec<u32>,
 }
@@ -17,8 +19,15 @@ pub(super) struct Rays {
 impl Rays {
     /// `points` gives the images and places of each point's rays.
     pub fn new<P: IntoIterator<Item = (u32, [f64; 2])>>(points: impl Iterator<Item = P>, images: usize) -> Self {
-        let mut rays =
-            Self { start: vec![0], image: vec![], point: vec![], at: vec![], image_start: vec![0; images + 1], of_image: vec![] };
+        let mut rays = Self {
+            start: vec![0],
+            image: vec![],
+            point: vec![],
+            at: vec![],
+            surveyed: u32::MAX,
+            image_start: vec![0; images + 1],
+            of_image: vec![],
+        };
         for (point, of_point) in points.enumerate() {
             for (image, at) in of_point {
                 rays.image.push(image);
@@ -38,6 +47,16 @@ impl Rays {
             places[*image as usize] += 1;
         }
         rays
+    }
+
+    /// The same with the points from one on being surveyed ones.
+    pub fn with_surveyed(self, first: usize) -> Self {
+        Self { surveyed: first as u32, ..self }
+    }
+
+    /// Whether a ray is a mark: that of a surveyed point.
+    pub fn is_mark(&self, ray: usize) -> bool {
+        self.point[ray] >= self.surveyed
     }
 
     /// Number of rays.

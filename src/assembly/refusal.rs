@@ -3,7 +3,7 @@
 use super::description::{AssemblyCamera, BlockDescription, ObservedPosition};
 use crate::Error;
 use crate::block::{ImageFeatures, MultiRayPoints, check_features};
-use std::ops::RangeInclusive;
+use crate::parameters::{FOCAL_PX, check_values};
 
 /// Refuses indices of nothing, values that are none, and rays outside their images.
 pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, features: &[ImageFeatures<'_>]) -> Result<(), Error> {
@@ -22,12 +22,16 @@ pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, fea
             let allowed = format!("cameras below {}", description.cameras.len());
             return Err(Error::InvalidInput { what: "camera of an image", got, allowed });
         }
-        image.position.iter().try_for_each(|position| check_position(position, || format!("image {index}")))?;
+        image.position.iter().try_for_each(|position| check_position(position, || format!("image {index} (counted from 0)")))?;
     }
     for (index, control) in description.control.iter().enumerate() {
-        check_position(&control.position, || format!("control point {index}"))?;
+        check_position(&control.position, || format!("control point {index} (counted from 0)"))?;
+        if matches!(control.position, ObservedPosition::Geographic { height_m: None, .. }) {
+            let got = format!("none of control point {index} (counted from 0)");
+            return Err(Error::InvalidInput { what: "height", got, allowed: "-100000 to 1000000".into() });
+        }
         for ray in &control.rays {
-            let place = || format!("control point {index}");
+            let place = || format!("control point {index} (counted from 0)");
             if ray.image >= description.images.len() {
                 let got = format!("image {} of {}", ray.image, place());
                 return Err(Error::InvalidInput {
@@ -49,9 +53,9 @@ pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, fea
 }
 
 fn check_camera(index: usize, camera: &AssemblyCamera) -> Result<(), Error> {
-    let place = || format!("camera {index}");
+    let place = || format!("camera {index} (counted from 0)");
     check_values("size of the images", &[f64::from(camera.width_px), f64::from(camera.height_px)], 1.0..=1e7, place)?;
-    camera.focal_px.map_or(Ok(()), |focal| check_values("focal length of a camera", &[focal], 1.0..=1e7, place))?;
+    camera.focal_px.map_or(Ok(()), |focal| check_values("focal length of a camera", &[focal], FOCAL_PX, place))?;
     camera.principal_point_px.map_or(Ok(()), |at| check_values("principal point of a camera", &at, -1e7..=1e7, place))?;
     check_values("distortion of a camera", &camera.radial, -1e3..=1e3, place)?;
     check_values("distortion of a camera", &camera.tangential, -1e3..=1e3, place)?;
@@ -68,18 +72,8 @@ fn check_position(position: &ObservedPosition, place: impl Fn() -> String) -> Re
         ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m } => {
             check_values("longitude", &[*longitude_deg], -180.0..=180.0, &place)?;
             check_values("latitude", &[*latitude_deg], -90.0..=90.0, &place)?;
-            check_values("height", &[*height_m], -1e5..=1e6, &place)?;
+            height_m.map_or(Ok(()), |height| check_values("height", &[height], -1e5..=1e6, &place))?;
             check_values("sigma of a position", sigma_m, 1e-9..=1e9, &place)
         }
-    }
-}
-
-fn check_values(what: &'static str, values: &[f64], allowed: RangeInclusive<f64>, place: impl Fn() -> String) -> Result<(), Error> {
-    match values.iter().find(|v| !allowed.contains(v)) {
-        Some(wrong) => {
-            let got = format!("{wrong} of {} (counted from 0)", place());
-            Err(Error::InvalidInput { what, got, allowed: format!("{} to {}", allowed.start(), allowed.end()) })
-        }
-        None => Ok(()),
     }
 }

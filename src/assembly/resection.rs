@@ -42,8 +42,7 @@ pub(super) fn resect(net: &Net<'_>, image: usize, limit_px: f64, least_rays: usi
     if agreeing.len() < least_rays || (agreeing.len() as f64) < LEAST_SHARE * known.len() as f64 {
         return Err(disagreement(agreeing.len()));
     }
-    let (spread, longer) = (least_spread(&agreeing), 2.0 * camera.principal_point_px[0].max(camera.principal_point_px[1]));
-    if spread < LEAST_SPREAD * longer {
+    if least_spread(&agreeing) < LEAST_SPREAD * net.longer_side_px[net.camera_of[image]] {
         return Err(UnorientedReason::Narrow { agreeing: agreeing.len() });
     }
     Ok((pose, agreeing.len()))
@@ -147,4 +146,34 @@ fn least_spread(known: &[&Known]) -> f64 {
     let (a, b, c) = (moment(0, 0), moment(0, 1), moment(1, 1));
     let half = 0.5 * (a + c);
     (half - (0.25 * (a - c) * (a - c) + b * b).sqrt()).max(0.0).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assembly::options::AssemblyOptions;
+    use crate::assembly::rays::Rays;
+    use crate::bundle::{BlockCamera, FreeParameters};
+
+    #[test]
+    fn an_image_cut_from_the_edge_of_a_large_one_is_oriented() {
+        let camera = BlockCamera {
+            focal_px: 3000.0,
+            principal_point_px: [6000.0, 400.0],
+            radial: [0.0; 3],
+            tangential: [0.0; 2],
+            free: FreeParameters::default(),
+        };
+        let at = |k: usize| [(k * 37 % 40) as f64 * 25.0 + 10.0, (k * 13 % 40) as f64 * 20.0 + 10.0];
+        let place = |k: usize| {
+            let ([col, row], depth) = (at(k), 500.0 + 40.0 * (k % 7) as f64);
+            [depth * (col - 6000.0) / 3000.0, -depth * (row - 400.0) / 3000.0, 700.0 - depth]
+        };
+        let rays = Rays::new((0..40).map(|k| [(0, at(k))]), 1);
+        let mut net = Net::new(&rays, &[0], &[1000.0], vec![camera], &AssemblyOptions::default());
+        (0..40).for_each(|k| net.points[k] = Some(place(k)));
+        let (pose, agreeing) = resect(&net, 0, 1.0, 12, 1).unwrap();
+        assert_eq!(agreeing, 40);
+        assert!(pose.position.iter().zip([0.0, 0.0, 700.0]).all(|(a, b)| (a - b).abs() < 1e-3), "{:?}", pose.position);
+    }
 }

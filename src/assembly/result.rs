@@ -101,4 +101,6 @@ pub enum UnorientedReason {
     NoPartner,
     /// It was oriented, and then lost nearly all of its rays.
     Lost { rays: usize },
+    /// It was oriented, and the rays it had left did not determine its orientation in the bundle adjustment.
+    Undetermined { rays: usize },
 }

@@ -1,9 +1,9 @@
 //! The two images that a model starts from.
 
-use super::net::{Net, dot, minus};
+use super::net::Net;
 use super::rays::Rays;
 use crate::block::SharedPoints;
-use crate::bundle::Pose;
+use crate::bundle::{Pose, dot3, minus};
 use crate::geometry::{Pinhole, TwoViewModel, TwoViewOptions, two_view};
 use crate::math::median;
 
@@ -69,7 +69,7 @@ fn orient(net: &Net<'_>, images: [u32; 2], seed: u32) -> Option<StartPair> {
 fn angle([a, b]: &[[f64; 3]; 2], rotation: &[[f64; 3]; 3]) -> f64 {
     let turned = [0, 1, 2].map(|k| rotation[0][k] * b[0] + rotation[1][k] * b[1] + rotation[2][k] * b[2]);
     let d = minus(a, &turned);
-    2.0 * libm::asin((0.5 * dot(&d, &d).sqrt()).min(1.0))
+    2.0 * libm::asin((0.5 * dot3(&d, &d).sqrt()).min(1.0))
 }
 
 /// The rays of two images to the points that they have in common.

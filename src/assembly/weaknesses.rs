@@ -1,6 +1,8 @@
 //! What is weak about a model, in words.
 
 use super::description::BlockDescription;
+use super::frame::Frame;
+use super::result::AssembledPoint;
 use super::result::{AssembledModel, UnorientedReason};
 use crate::bundle::RayVerdict;
 
@@ -13,9 +15,11 @@ const MANY_REJECTED: f64 = 0.2;
 /// Images are named one by one up to so many.
 const NAMED: usize = 5;
 
-pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription, complaint: Option<String>) -> Vec<String> {
+pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription, frame: &Frame, complaint: Option<String>) -> Vec<String> {
     let mut found = Vec::new();
     found.extend(of_datum(model, complaint));
+    found.extend(of_positions(model, description, frame));
+    found.extend(of_marks(model, description));
     found.extend(of_cameras(model));
     found.extend(of_images(model, description));
     found.extend(of_rays(model));
@@ -28,6 +32,57 @@ fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String>
     }
     let free = "The place, the turn and the scale of the model are arbitrary: no observed positions determine them";
     Some(complaint.map_or(format!("{free}."), |reason| format!("{free} ({reason}).")))
+}
+
+/// Recorded positions that took no part, and heights that were not recorded.
+fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
+    let mut found = Vec::new();
+    if frame.is_levelled && model.adjusted.datum.uses_gps() {
+        found.push(
+            "The recorded positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted."
+                .into(),
+        );
+    }
+    let refused = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
+        let prior = statistics.gps.filter(|prior| !prior.accepted)?;
+        let [x, y, z] = prior.residual;
+        Some((*image, (x * x + y * y + z * z).sqrt()))
+    });
+    let refused: Vec<(usize, f64)> = refused.collect();
+    let named = refused.iter().take(NAMED).map(|(image, distance)| format!("{} ({distance:.1} m)", description.images[*image].name));
+    if !refused.is_empty() {
+        let named = named.collect::<Vec<_>>().join(", ");
+        let (more, n) = (if refused.len() > NAMED { " and others" } else { "" }, refused.len());
+        found.push(format!("{n} recorded positions do not fit and were left out, with how far they lie off: {named}{more}."));
+    }
+    found
+}
+
+/// Surveyed points whose marks do not fit, each by its name.
+fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<String> {
+    let place = |control: usize| model.points.iter().position(|point| *point == AssembledPoint::Control(control));
+    let name = |image: usize| description.images[model.images[image]].name.clone();
+    let mut found = Vec::new();
+    for (index, control) in description.control.iter().enumerate() {
+        let marks = control.rays.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
+        if marks == 0 {
+            continue;
+        }
+        let Some(point) = place(index) else {
+            found.push(format!("The surveyed point {} was left out: its {marks} marks in oriented images do not meet.", control.name));
+            continue;
+        };
+        let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
+        let after = of_rays.filter(|(ray, statistics)| ray.point == point && statistics.verdict != RayVerdict::Accepted);
+        let mut images: Vec<usize> = after.map(|(ray, _)| ray.image).collect();
+        images.extend(model.rejected.iter().filter(|ray| ray.point == point).map(|ray| ray.image));
+        images.sort_unstable();
+        if !images.is_empty() {
+            let names = images.iter().map(|image| name(*image)).collect::<Vec<_>>().join(", ");
+            found.push(format!("{} of the {marks} marks of the surveyed point {} do not fit: {names}.", images.len(), control.name));
+        }
+    }
+    found
 }
 
 fn of_cameras(model: &AssembledModel) -> Vec<String> {
@@ -92,6 +147,9 @@ impl UnorientedReason {
             Self::Narrow { agreeing } => format!("The {agreeing} rays of {name} that agree lie on a line or in one spot of the image."),
             Self::NoPartner => format!("{name} has too few points in common with any image, or none from another place."),
             Self::Lost { rays } => format!("{name} was oriented and kept only {rays} rays."),
+            Self::Undetermined { rays } => {
+                format!("{name} was oriented with {rays} rays; the bundle adjustment rejected too many of them.")
+            }
         }
     }
 }

@@ -77,7 +77,9 @@ impl<'a> Description<'a> {
         let state = &settled.adjusted.state;
         let of_control = |c: &super::block::ControlPoint| {
             let q = settled.statistics.as_ref().and_then(|s| s.points[c.point]).map(|q| [q[0][0], q[1][1], q[2][2]]);
-            control[c.point].filter(|_| of_points[c.point].rays > 0).map(|prior| of_position(&prior, &state.points[c.point], q, self.sigma))
+            control[c.point]
+                .filter(|_| of_points[c.point].rays > 0)
+                .map(|prior| of_position(&prior, &state.points[c.point], q, self.sigma, true))
         };
         BundleResult {
             block: state.put_into(block.clone()),
@@ -118,7 +120,10 @@ impl<'a> Description<'a> {
             rmse_px: squares.rmse(),
             angle_errors_deg: errors.and_then(|(angles, _)| angles),
             position_errors: errors.map(|(_, position)| position),
-            gps: gps.map(|prior| of_position(&prior, &pose.position, statistics.map(|s| s.of_position(image)), self.sigma)),
+            gps: gps.map(|prior| {
+                let cofactors = statistics.map(|s| s.of_position(image));
+                of_position(&prior, &pose.position, cofactors, self.sigma, self.settled.placed[image])
+            }),
         }
     }
 

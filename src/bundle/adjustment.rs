@@ -8,7 +8,7 @@ use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
 use crate::Error;
-use crate::math::median;
+use crate::math::{MEDIAN_LENGTH, median};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -19,6 +19,8 @@ pub(super) struct Adjusted {
     /// The loss at the end, with its scale.
     pub robust: Robust,
     pub iterations: usize,
+    /// Why the steps did not vanish, where that was allowed.
+    pub unsettled: Option<String>,
     /// Root mean square of the last step in standard errors of the unknowns.
     pub last_step: f64,
 }
@@ -33,7 +35,7 @@ pub(super) struct Demand {
     pub tolerance: f64,
     /// The start is an adjusted one of nearly the same rays: no damping is needed.
     pub warm: bool,
-    /// Where it does not converge, what was reached serves: a start that is adjusted again later.
+    /// Where it does not converge, what was reached serves: it is adjusted again later.
     pub passing: bool,
 }
 
@@ -52,11 +54,24 @@ const SLACK: f64 = 1e-3;
 const PATIENCE: usize = 20;
 const CREEPING: f64 = 1e-2;
 
-/// The median length of a two-dimensional normal error, in standard errors of a coordinate.
-const MEDIAN_LENGTH: f64 = 1.177_41;
-
 /// Residuals below this are rounding.
 pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
+
+impl Adjusted {
+    /// Itself, unless it had to converge and did not.
+    fn passed(self, demand: &Demand) -> Result<Self, Error> {
+        if demand.passing { Ok(self) } else { self.converged() }
+    }
+
+    /// # Errors
+    /// [`Error::NotConverged`] where it did not.
+    pub fn converged(self) -> Result<Self, Error> {
+        match self.unsettled {
+            Some(reason) => Err(Error::NotConverged { what: WHAT, iterations: self.iterations, reason }),
+            None => Ok(self),
+        }
+    }
+}
 
 /// The sums that decide whether a step is taken.
 impl Problem<'_> {
@@ -104,8 +119,8 @@ impl Problem<'_> {
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
     pub fn redundancy(&self) -> i64 {
-        let positions = self.gps.iter().chain(self.control).flatten().count();
-        (2 * self.network.sights.len() + 3 * positions) as i64 - self.unknowns() as i64
+        let positions: usize = self.gps.iter().chain(self.control).flatten().map(Weighted::observed).sum();
+        (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
     }
 
     fn step(&self, state: &State, damping: f64, robust: Robust, nearby: &mut Option<Factored>) -> Result<Step, Singular> {
@@ -164,7 +179,7 @@ impl Problem<'_> {
                         Freedoms::new(self.network, &state)?.constrain(&state, &mut step);
                     }
                     last_step = (step.square.max(0.0) / self.unknowns() as f64).sqrt() / sigma.max(LEAST_SIGMA_PX);
-                    let trial = step.applied_to(&state, self.columns);
+                    let trial = self.after(&state, &step);
                     let after = self.squares(&trial);
                     let converged = last_step < demand.tolerance.max(creeping) && (damping <= SLACK || sigma < LEAST_SIGMA_PX);
                     if converged || cost(&trial, &after) <= before {
@@ -177,28 +192,24 @@ impl Problem<'_> {
                     }
                 }
                 damping = (damping * STIFFEN).max(LEAST_DAMPING);
-                if damping > STIFFEST && demand.passing {
-                    return Ok(self.settled(state, &squares, robust, iteration, last_step));
-                }
                 if damping > STIFFEST {
                     let reason = format!("no step lowers the residuals any more, while the last was {last_step:.1e} standard errors long");
-                    return Err(Error::NotConverged { what: WHAT, iterations: iteration, reason });
+                    let reached = self.settled(state, &squares, robust, iteration, last_step);
+                    return Adjusted { unsettled: Some(reason), ..reached }.passed(demand);
                 }
             }
         }
-        if demand.passing {
-            let robust = self.robust_for(demand, &squares);
-            return Ok(self.settled(state, &squares, robust, demand.max_iterations, last_step));
-        }
+        let robust = self.robust_for(demand, &squares);
         let reason = format!("the last step is {last_step:.1e} standard errors long; {:.0e} counts as converged", demand.tolerance);
-        Err(Error::NotConverged { what: WHAT, iterations: demand.max_iterations, reason })
+        let reached = self.settled(state, &squares, robust, demand.max_iterations, last_step);
+        Adjusted { unsettled: Some(reason), ..reached }.passed(demand)
     }
 
     fn settled(&self, state: State, squares: &[f64], robust: Robust, iterations: usize, last_step: f64) -> Adjusted {
         let sum = squares.iter().map(|s| robust.factor(*s) * s).sum::<f64>() + self.square_sum_of_positions(&state);
         let redundancy = self.redundancy();
         let sigma = if redundancy > 0 { (sum / redundancy as f64).sqrt() } else { 0.0 };
-        Adjusted { state, sigma, robust, iterations, last_step }
+        Adjusted { state, sigma, robust, iterations, unsettled: None, last_step }
     }
 
     /// The error of singular normal equations, by what they do not determine.
@@ -206,7 +217,8 @@ impl Problem<'_> {
         let reason = match singular {
             Singular::Image(refused) => {
                 let what = if refused.unknown < 3 { "rotation" } else { "position" };
-                format!("the {what} of image {} (counted from 0) follows from nothing", refused.node)
+                let reason = format!("the {what} of image {} (counted from 0) follows from nothing", refused.node);
+                return Error::UndeterminedImage { what: WHAT, image: refused.node, reason };
             }
             Singular::Camera(column) => {
                 let (camera, parameter) = self.columns.parameter[column];

@@ -93,8 +93,8 @@ pub struct BlockImage {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PositionPrior {
     pub position: [f64; 3],
-    /// Above 0.
-    pub sigma: [f64; 3],
+    /// Above 0; absent for a coordinate that was not observed: its place in `position` means nothing.
+    pub sigma: [Option<f64>; 3],
 }
 
 /// A point of the object.

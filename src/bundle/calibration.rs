@@ -6,21 +6,23 @@ use super::result::CameraParameter;
 use super::sparse::DenseFactor;
 use super::state::State;
 
-/// The camera parameter that is determined worst, and by how much in px its standard error moves a ray at the edge; `None` where there is
-/// no parameter.
-pub(super) fn weakest(
+/// Of each camera that has any the column of the parameter that is determined worst, and by how much in px its standard error moves a ray at
+/// the edge. `of_camera` are the parameters of each camera with their columns.
+pub(super) fn weakest_of_each(
     cameras: &DenseFactor,
-    columns: &[(usize, usize)],
+    of_camera: &[Vec<(usize, usize)>],
     effects: &[[f64; CAMERA_PARAMETERS]],
     sigma: f64,
-) -> Option<(usize, f64)> {
-    let q = columns.len();
+) -> Vec<(usize, f64)> {
+    let q: usize = of_camera.iter().map(Vec::len).sum();
     let cofactors = cameras.inverse();
-    let effect = |column: usize| {
-        let (camera, parameter) = columns[column];
-        sigma * cofactors[column * q + column].max(0.0).sqrt() * effects[camera][parameter]
+    let effect = |camera: usize, (parameter, column): (usize, usize)| {
+        (column, sigma * cofactors[column * q + column].max(0.0).sqrt() * effects[camera][parameter])
     };
-    (0..q).map(|column| (column, effect(column))).max_by(|a, b| a.1.total_cmp(&b.1))
+    let worst = |(camera, own): (usize, &Vec<(usize, usize)>)| {
+        own.iter().map(|parameter| effect(camera, *parameter)).max_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    of_camera.iter().enumerate().filter_map(worst).collect()
 }
 
 /// For each camera the pixels by which a unit of each parameter moves the ray that is farthest from its principal point.

@@ -4,7 +4,7 @@ use super::block::{Block, BlockCamera};
 use super::network::Network;
 use super::options::Datum;
 use crate::Error;
-use std::ops::RangeInclusive;
+use crate::parameters::{FOCAL_PX, check_values};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -25,8 +25,10 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
         check_rotation(&image.rotation, || place("rotation"))?;
         check_position(&image.position, || place("position"))?;
         if let Some(gps) = image.gps {
-            check_position(&gps.position, || place("GPS position"))?;
-            check_values("sigma of a position", &gps.sigma, 1e-9..=1e9, || place("GPS sigma"))?;
+            for (value, sigma) in gps.position.iter().zip(gps.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
+                check_values("position", &[*value], -LARGEST..=LARGEST, || place("GPS position"))?;
+                check_values("sigma of a position", &[sigma], 1e-9..=1e9, || place("GPS sigma"))?;
+            }
         }
     }
     for (index, point) in block.points.iter().enumerate() {
@@ -49,7 +51,7 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
 
 fn check_camera(index: usize, camera: &BlockCamera) -> Result<(), Error> {
     let place = |what: &str| format!("{what} of camera {index} (counted from 0)");
-    check_values("focal length of a camera", &[camera.focal_px], 1.0..=1e7, || place("focal_px"))?;
+    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || place("focal_px"))?;
     check_values("principal point of a camera", &camera.principal_point_px, -1e7..=1e7, || place("principal_point_px"))?;
     check_values("distortion of a camera", &camera.radial, -1e3..=1e3, || place("radial"))?;
     check_values("distortion of a camera", &camera.tangential, -1e3..=1e3, || place("tangential"))?;
@@ -96,16 +98,6 @@ fn check_index(what: &'static str, index: usize, number: usize, place: impl Fn()
     Err(Error::InvalidInput { what, got: format!("{index} as {}", place()), allowed })
 }
 
-fn check_values(what: &'static str, values: &[f64], allowed: RangeInclusive<f64>, place: impl Fn() -> String) -> Result<(), Error> {
-    match values.iter().find(|v| !allowed.contains(v)) {
-        Some(wrong) => {
-            let allowed = format!("{} to {}", allowed.start(), allowed.end());
-            Err(Error::InvalidInput { what, got: format!("{wrong} in {}", place()), allowed })
-        }
-        None => Ok(()),
-    }
-}
-
 fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(), Error> {
     check_values("position", position, -LARGEST..=LARGEST, place)
 }
@@ -129,7 +121,7 @@ pub(super) fn check_network(network: &Network, datum: Datum) -> Result<(), Error
         if rays < LEAST_RAYS {
             let reason =
                 format!("image {image} (counted from 0) has {rays} rays to points that others see; at least {LEAST_RAYS} are needed");
-            return Err(Error::Degenerate { what: super::adjustment::WHAT, reason });
+            return Err(Error::UndeterminedImage { what: super::adjustment::WHAT, image, reason });
         }
     }
     let parts = parts(network);

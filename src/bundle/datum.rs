@@ -1,16 +1,17 @@
 //! Where the block lies: observed positions, or the seven freedoms of a free network and the constraints that settle them.
 
 use super::block::{Block, PositionPrior};
+use super::consensus::{Pair, consensus};
 use super::network::Network;
 use super::options::Datum;
-use super::reduced::dot3;
+use super::reduced::{Problem, dot3};
 use super::similarity::{Similarity, middle, minus};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::{Pose, State, turn_of};
 use crate::Error;
 
-/// An observed position with the weights of its coordinates.
+/// An observed position with the weights of its coordinates; 0 for one that was not observed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Weighted {
     pub position: [f64; 3],
@@ -19,7 +20,18 @@ pub(super) struct Weighted {
 
 impl Weighted {
     fn new(prior: &PositionPrior, sigma0: f64) -> Self {
-        Self { position: prior.position, weight: prior.sigma.map(|sigma| sigma0 / sigma * (sigma0 / sigma)) }
+        let weight = prior.sigma.map(|sigma| sigma.map_or(0.0, |sigma| sigma0 / sigma * (sigma0 / sigma)));
+        Self { position: [0, 1, 2].map(|k| if weight[k] > 0.0 { prior.position[k] } else { 0.0 }), weight }
+    }
+
+    /// Number of its coordinates.
+    pub fn observed(&self) -> usize {
+        self.weight.iter().filter(|weight| **weight > 0.0).count()
+    }
+
+    /// Standard error of its length, for standard errors that were weighted by 1; `None` where a coordinate was not observed.
+    fn length_error(&self) -> Option<f64> {
+        (self.observed() == 3).then(|| self.weight.iter().map(|weight| 1.0 / weight).sum::<f64>().sqrt())
     }
 }
 
@@ -28,7 +40,7 @@ pub(super) fn observed(block: &Block, datum: Datum, sigma0: f64) -> (Vec<Option<
     let gps = block.images.iter().map(|i| i.gps.filter(|_| datum.uses_gps()).map(|prior| Weighted::new(&prior, sigma0))).collect();
     let mut control = vec![None; block.points.len()];
     for c in block.control.iter().filter(|_| datum.uses_control()) {
-        control[c.point] = Some(Weighted::new(&PositionPrior { position: c.position, sigma: c.sigma }, sigma0));
+        control[c.point] = Some(Weighted::new(&PositionPrior { position: c.position, sigma: c.sigma.map(Some) }, sigma0));
     }
     (gps, control)
 }
@@ -36,37 +48,45 @@ pub(super) fn observed(block: &Block, datum: Datum, sigma0: f64) -> (Vec<Option<
 /// Least width of the observed positions across the line through them, as a share of their length.
 const LEAST_WIDTH: f64 = 1e-3;
 
-/// Takes the approximate values into the system of the observed positions.
+/// The approximate values in the system of the observed positions on which most agree, and for each image whether its position does.
+/// Positions with a coordinate that was not observed tell nothing here.
 ///
 /// # Errors
 /// [`Error::TooFew`] below three observed positions; [`Error::Degenerate`] where they lie on a line.
-pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State, datum: Datum) -> Result<State, Error> {
+pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State, datum: Datum) -> Result<(State, Vec<bool>), Error> {
     let (gps, control) = observed(block, datum, 1.0);
-    let of_images = gps.iter().zip(&state.images).filter_map(|(prior, pose)| prior.map(|prior| (pose.position, prior.position)));
+    let pair = |from: [f64; 3], prior: &Option<Weighted>| {
+        let prior = prior.as_ref()?;
+        Some(Pair { from, to: prior.position, sigma: prior.length_error()? })
+    };
+    let of_images: Vec<Option<Pair>> = gps.iter().zip(&state.images).map(|(prior, pose)| pair(pose.position, prior)).collect();
     let seen = |point: usize| network.of_point(point).len() >= 2;
     let of_points = control.iter().enumerate().filter(|(point, _)| seen(*point));
-    let of_points = of_points.filter_map(|(point, prior)| prior.map(|prior| (state.points[point], prior.position)));
-    let pairs: Vec<_> = of_images.chain(of_points).collect();
+    let of_points = of_points.filter_map(|(point, prior)| pair(state.points[point], prior));
+    let pairs: Vec<Pair> = of_images.iter().flatten().copied().chain(of_points).collect();
     if pairs.len() < 3 {
         return Err(Error::TooFew { what: "GPS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
     }
-    let width = relative_width(&pairs);
+    let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
+    let (similarity, agree) = consensus(&pairs).ok_or_else(undetermined)?;
+    let agreeing: Vec<[f64; 3]> = pairs.iter().zip(&agree).filter(|(_, agrees)| **agrees).map(|(pair, _)| pair.to).collect();
+    let width = relative_width(&agreeing);
     if !(width >= LEAST_WIDTH) {
         let reason =
             format!("the GPS positions and control points lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
         return Err(Error::Degenerate { what: "the datum", reason });
     }
-    let similarity = Similarity::between(&pairs);
-    let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
-    Ok(similarity.ok_or_else(undetermined)?.state(state))
+    let mut judged = agree.iter();
+    let agrees = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
+    Ok((similarity.state(state), agrees))
 }
 
 /// Width of the observed positions across their longest axis by the length along it.
-fn relative_width(pairs: &[([f64; 3], [f64; 3])]) -> f64 {
-    let centre = middle(pairs.iter().map(|pair| pair.1));
+fn relative_width(positions: &[[f64; 3]]) -> f64 {
+    let centre = middle(positions.iter().copied());
     let mut scatter = nalgebra::Matrix3::zeros();
-    for (_, to) in pairs {
-        let d = nalgebra::Vector3::from(minus(to, &centre));
+    for position in positions {
+        let d = nalgebra::Vector3::from(minus(position, &centre));
         scatter += d * d.transpose();
     }
     let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
@@ -176,6 +196,28 @@ impl Freedoms {
         Similarity { scale: 1.0 + s / self.extent, rotation, from: self.centre, to }
     }
 }
+
+impl Problem<'_> {
+    /// The values after a step. Where nothing is held, what of the step moves the block as a whole is done as a similarity, which leaves the
+    /// residuals of all rays as they are: along straight lines a block that is hardly levelled would creep round its arc.
+    pub fn after(&self, state: &State, step: &Step) -> State {
+        let straight = || step.applied_to(state, self.columns);
+        if self.held.is_some() || self.network.fixed.contains(&true) {
+            return straight();
+        }
+        let Ok(freedoms) = Freedoms::new(self.network, state) else { return straight() };
+        let similarity = freedoms.similarity(&freedoms.motion(state, &step.images));
+        if similarity.scale < LEAST_SCALE {
+            return straight();
+        }
+        let mut rest = step.clone();
+        freedoms.constrain(state, &mut rest);
+        similarity.state(&rest.applied_to(state, self.columns))
+    }
+}
+
+/// A step that makes the block smaller than this share of itself is none to first order.
+const LEAST_SCALE: f64 = 0.1;
 
 /// Moves a free network as a whole to where the constraints want it beside `reference`: what steps leave to second order.
 pub(super) fn moved_onto(network: &Network, mut state: State, reference: &State) -> Result<State, Error> {

@@ -9,9 +9,11 @@ mod block;
 mod calibration;
 mod check;
 mod collinearity;
+mod consensus;
 mod datum;
 mod gradients;
 mod loss;
+mod misplaced;
 mod model;
 mod network;
 mod options;
@@ -34,10 +36,12 @@ pub use block::{Block, BlockCamera, BlockImage, BlockPoint, ControlPoint, FreePa
 pub(crate) use collinearity::{CAMERA_PARAMETERS, in_photo, linearise, project};
 pub use model::{CameraLabel, OrientedPart};
 pub use options::{BundleOptions, Datum, Loss};
+pub(crate) use reduced::dot3;
 pub use result::{
     BundleResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, PriorStatistics, RayCountRmse,
     RayStatistics, RayVerdict,
 };
 pub use similarity::Similarity;
+pub(crate) use similarity::minus;
 pub(crate) use start::{Start, adjust_start};
 pub(crate) use state::{Pose, free_of, values_of};

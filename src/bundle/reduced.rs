@@ -346,7 +346,7 @@ impl Line {
     }
 }
 
-pub(super) fn dot3(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+pub(crate) fn dot3(a: &[f64; 3], b: &[f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 

@@ -97,11 +97,15 @@ impl Judgement<'_> {
     }
 }
 
-/// Of an observed position with the cofactors of its adjusted coordinates; `sigma` is that of a ray.
-pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f64; 3]>, sigma: f64) -> PriorStatistics {
-    let residual = [0, 1, 2].map(|k| prior.position[k] - at[k]);
-    let judged = cofactors.map(|q| [0, 1, 2].map(|k| Judged::new(residual[k], prior.weight[k], 1.0, q[k])));
+/// Of an observed position with the cofactors of its adjusted coordinates, which took part or not; `sigma` is that of a ray.
+pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f64; 3]>, sigma: f64, accepted: bool) -> PriorStatistics {
+    let is_observed = [0, 1, 2].map(|k| prior.weight[k] > 0.0);
+    let residual = [0, 1, 2].map(|k| if is_observed[k] { prior.position[k] - at[k] } else { 0.0 });
+    let factor = if accepted { 1.0 } else { 0.0 };
+    let judge = |k: usize, q: f64| if is_observed[k] { Judged::new(residual[k], prior.weight[k], factor, q) } else { Judged::default() };
+    let judged = cofactors.map(|q| [0, 1, 2].map(|k| judge(k, q[k])));
     PriorStatistics {
+        accepted,
         residual,
         redundancy: judged.map(|j| j.map(|j| j.redundancy)),
         w: judged.map(|j| j.map(|j| if sigma > 0.0 { j.standardised / sigma } else { 0.0 })),

@@ -21,7 +21,8 @@ pub struct BundleResult {
     pub degrees_of_freedom: usize,
     /// Root mean square length of the residuals of all accepted rays in px.
     pub rmse_px: f64,
-    /// The same of the points of each number of rays, from 2 on; those without points are left out.
+    /// The same of the points of each number of rays, from 1 on, since a surveyed position counts as a ray; those without points are left
+    /// out.
     pub rmse_by_rays: Vec<RayCountRmse>,
     pub iterations: usize,
     /// Root mean square of the last step in standard errors of the unknowns.
@@ -86,15 +87,17 @@ pub struct ImageStatistics {
     pub gps: Option<PriorStatistics>,
 }
 
-/// What the adjustment says of an observed position.
+/// What the adjustment says of an observed position; 0 for a coordinate that was not observed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PriorStatistics {
+    /// Whether it took part; otherwise it lies too far from where the other observations have it.
+    pub accepted: bool,
     /// Observed minus adjusted.
     pub residual: [f64; 3],
     /// r, 0..1, of each coordinate; absent without statistics.
     pub redundancy: Option<[f64; 3]>,
-    /// Residual by its standard error (Baarda's w); absent without statistics.
+    /// Residual by its standard error (Baarda's w), of a new observation where it took no part; absent without statistics.
     pub w: Option<[f64; 3]>,
 }
 

@@ -69,7 +69,7 @@ impl Similarity {
     }
 }
 
-pub(super) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
+pub(crate) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 

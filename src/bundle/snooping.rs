@@ -2,16 +2,17 @@
 
 use super::adjustment::{Adjusted, Demand, LEAST_SIGMA_PX};
 use super::block::Block;
-use super::calibration::{effects, weakest};
+use super::calibration::{effects, weakest_of_each};
 use super::check::check_network;
 use super::collinearity::{CAMERA_PARAMETERS, in_photo};
-use super::datum::{held_images, moved_onto, moved_to_observed, observed};
+use super::datum::{Weighted, held_images, moved_onto, moved_to_observed, observed};
 use super::loss::Robust;
+use super::misplaced::placed_now;
 use super::network::{Columns, Network};
 use super::options::{BundleOptions, Datum, Loss};
 use super::precision::Orientations;
 use super::reduced::Problem;
-use super::reliability::Judged;
+use super::reliability::{Judged, of_position};
 use super::result::{CameraParameter, FixedParameter, RayVerdict};
 use super::solution::{Factored, Singular};
 use super::sparse::Pattern;
@@ -21,7 +22,7 @@ use crate::Error;
 use crate::math::{median, normal_median_within};
 use std::rc::Rc;
 
-/// Rounds with the robust loss, and in all.
+/// Rounds with the robust loss, and in all but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
 const MAX_ROUNDS: usize = 40;
 /// Where a robust round rejects no more than this share of the rays, least squares can go on.
@@ -39,8 +40,16 @@ const FIRST_TOLERANCE: f64 = 50.0;
 /// A σ₀ that weights observed positions has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
 
+/// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
+const ALIKE_SIGMA: f64 = 0.03;
+
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
+
+/// What may not settle.
+const RAYS: &str = "the rejection of gross errors";
+const POSITIONS: &str = "the rejection of GPS positions";
+const WEIGHTS: &str = "the weight of the observed positions";
 
 /// A settled adjustment.
 pub(super) struct Settled {
@@ -50,6 +59,8 @@ pub(super) struct Settled {
     pub columns: Columns,
     pub fixed: Vec<Vec<FixedParameter>>,
     pub redundancy: usize,
+    /// Whether the GPS position of each image took part, where it has one.
+    pub placed: Vec<bool>,
     /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
     pub weighted_by: f64,
     pub iterations: usize,
@@ -63,6 +74,8 @@ struct Course<'a> {
     verdicts: Vec<RayVerdict>,
     free: Vec<[bool; CAMERA_PARAMETERS]>,
     fixed: Vec<Vec<FixedParameter>>,
+    /// Whether the GPS position of each image takes part.
+    placed: Vec<bool>,
     start: State,
     state: State,
     /// Standard error of a coordinate as the last round saw it; 0 at first.
@@ -90,6 +103,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         verdicts,
         free,
         fixed,
+        placed: vec![true; block.images.len()],
         state: start.clone(),
         start,
         sigma: 0.0,
@@ -101,33 +115,42 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
     course.lose_points();
     if options.datum != Datum::Free {
         let network = course.network()?;
-        course.state = moved_to_observed(block, &network, &course.state, options.datum)?;
+        (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
     }
     course.fix_undetermined()?;
     let mut robust = options.loss != Loss::Squares;
-    let mut calm_rounds = 0;
-    for round in 1..=MAX_ROUNDS {
+    let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
+    let mut last = "";
+    while rounds - fixing < MAX_ROUNDS {
+        rounds += 1;
         let loss = if robust { options.loss } else { Loss::Squares };
         let outcome = course.round(loss, calm_rounds)?;
         calm_rounds += usize::from(!robust);
         match outcome {
-            Outcome::Changed(rejected) => {
+            Outcome::Fixed => fixing += 1,
+            Outcome::Changed { rejected, what } => {
+                last = what;
                 let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
-                robust &= !(options.snooping && (few || round >= ROBUST_ROUNDS));
+                robust &= !(options.snooping && (few || rounds - fixing >= ROBUST_ROUNDS));
             }
             Outcome::Settled(mut settled) => {
-                settled.rounds = round;
+                settled.rounds = rounds;
                 return Ok(*settled);
             }
         }
     }
-    let reason = "the rejection of gross errors did not settle".into();
+    let reason = format!("{last} did not settle in {MAX_ROUNDS} rounds");
     Err(Error::NotConverged { what: super::adjustment::WHAT, iterations: course.iterations, reason })
 }
 
 enum Outcome {
-    /// Rays, camera parameters or weights are others now; so many rays were rejected.
-    Changed(usize),
+    /// Rays, observed positions or weights are others now; so many rays were rejected.
+    Changed {
+        rejected: usize,
+        what: &'static str,
+    },
+    /// Camera parameters were fixed, and nothing else changed.
+    Fixed,
     Settled(Box<Settled>),
 }
 
@@ -164,7 +187,7 @@ impl Course<'_> {
         let network = self.network()?;
         let columns = Columns::new(&self.free);
         let weighted_by = self.weighted_by();
-        let (gps, control) = observed(self.block, self.options.datum, weighted_by);
+        let (gps, control) = self.observed(weighted_by);
         let is_free = self.options.datum == Datum::Free;
         let held = is_free.then(|| held_images(&network, &self.state));
         let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
@@ -173,7 +196,8 @@ impl Course<'_> {
             sigma: self.options.sigma0_px.unwrap_or(0.0),
             max_iterations: self.options.max_iterations,
             warm: self.iterations > 0,
-            passing: false,
+            // Parameters that are hardly determined creep; which they are, what was reached tells.
+            passing: columns.number() > 0,
             tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
         };
         let accepted = network.sights.len();
@@ -184,16 +208,21 @@ impl Course<'_> {
         }
         let mut adjusted = problem.adjust(self.state.clone(), &demand, &mut self.nearby)?;
         self.iterations += adjusted.iterations;
+        if adjusted.unsettled.is_some() {
+            self.forget();
+            (self.state, self.sigma) = (adjusted.state.clone(), adjusted.sigma);
+            return if self.fix_weakest(&problem)? { Ok(Outcome::Fixed) } else { adjusted.converged().map(|_| Outcome::Fixed) };
+        }
         if is_free {
             adjusted.state = moved_onto(&network, adjusted.state, &self.start)?;
         }
         self.state = adjusted.state.clone();
         if self.drop_impossible(&problem, adjusted.robust) {
-            return Ok(Outcome::Changed(self.rejected_of(accepted)));
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
         }
         let before = self.sigma;
         if self.options.snooping && self.snoop_by_earlier(&problem, &adjusted, loss, calm_rounds) {
-            return Ok(Outcome::Changed(self.rejected_of(accepted)));
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
         }
         let mut by_statistics = None;
         let mut snooped = false;
@@ -210,8 +239,19 @@ impl Course<'_> {
         // What a robust loss leaves is judged again without it.
         let is_last = !self.options.snooping || loss == Loss::Squares;
         let reweighted = !is_free && self.options.sigma0_px.is_none() && (self.sigma - before).abs() > SETTLED_SIGMA * self.sigma;
-        if snooped || !is_last || reweighted || self.fix_weakest(&problem)? {
-            return Ok(Outcome::Changed(self.rejected_of(accepted)));
+        let replaced = self.options.snooping && by_statistics.as_ref().is_some_and(|s| self.snoop_positions(s, weighted_by, calm_rounds));
+        if snooped || replaced || reweighted || !is_last {
+            let what = if replaced {
+                POSITIONS
+            } else if reweighted && !snooped {
+                WEIGHTS
+            } else {
+                RAYS
+            };
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what });
+        }
+        if self.fix_weakest(&problem)? {
+            return Ok(Outcome::Fixed);
         }
         let settled = Settled {
             adjusted,
@@ -219,12 +259,20 @@ impl Course<'_> {
             verdicts: self.verdicts.clone(),
             columns: columns.clone(),
             fixed: self.fixed.clone(),
+            placed: self.placed.clone(),
             redundancy: redundancy as usize,
             weighted_by,
             iterations: self.iterations,
             rounds: 0,
         };
         Ok(Outcome::Settled(Box::new(settled)))
+    }
+
+    /// The observed positions of images and points that take part.
+    fn observed(&self, weighted_by: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
+        let (mut gps, control) = observed(self.block, self.options.datum, weighted_by);
+        gps.iter_mut().zip(&self.placed).filter(|(_, placed)| !**placed).for_each(|(prior, _)| *prior = None);
+        (gps, control)
     }
 
     /// How many fewer rays than before are accepted.
@@ -238,7 +286,12 @@ impl Course<'_> {
         let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
         let is_robust = *of_loss != Loss::Squares;
         let judged = judge_by(orientations, problem, adjusted, self.block, &self.verdicts);
-        self.sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        let sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        // Where something is hardly determined, small steps make large cofactors others: then they no longer serve.
+        if (sigma - self.sigma).abs() > ALIKE_SIGMA * self.sigma {
+            return false;
+        }
+        self.sigma = sigma;
         self.snoop(&judged.rays, loss, calm_rounds) || is_robust
     }
 
@@ -276,6 +329,25 @@ impl Course<'_> {
         worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);
         self.lose_points();
         self.verdicts != before
+    }
+
+    /// Refuses GPS positions that lie too far off and takes back those that no longer do; whether there were any.
+    fn snoop_positions(&mut self, statistics: &Statistics, weighted_by: f64, calm_rounds: usize) -> bool {
+        let (gps, control) = observed(self.block, self.options.datum, weighted_by);
+        let sigma = self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX);
+        let judge = |(image, prior): (usize, &Option<Weighted>)| {
+            let at = &self.state.images[image].position;
+            prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), sigma, self.placed[image]))
+        };
+        let judged: Vec<_> = gps.iter().enumerate().map(judge).collect();
+        let surveyed = control.iter().flatten().count();
+        let now = placed_now(&judged, &self.placed, surveyed, self.options.limit(), calm_rounds < FREE_ROUNDS);
+        let changed = now != self.placed;
+        if changed {
+            self.placed = now;
+            self.forget();
+        }
+        changed
     }
 
     /// Rejects rays to points behind their images and of points that their rays do not determine; whether there were any.
@@ -318,48 +390,47 @@ impl Course<'_> {
             return Ok(());
         }
         let network = self.network()?;
-        let (gps, control) = observed(self.block, self.options.datum, self.weighted_by());
+        let (gps, control) = self.observed(self.weighted_by());
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
             let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
-            match self.worse_than(&problem, limit, self.weighted_by())? {
-                Some((column, effect)) => self.fix(columns.parameter[column], effect),
-                None => return Ok(()),
+            let found = self.worse_than(&problem, limit, self.weighted_by())?;
+            if found.is_empty() {
+                return Ok(());
             }
+            found.iter().for_each(|(column, effect)| self.fix(columns.parameter[*column], *effect));
         }
     }
 
-    /// Fixes the camera parameter that is determined worst, where that is too badly; whether there was one.
+    /// Fixes of each camera the parameter that is determined worst, where that is too badly; whether there were any.
     fn fix_weakest(&mut self, problem: &Problem<'_>) -> Result<bool, Error> {
         if problem.columns.number() == 0 {
             return Ok(false);
         }
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma);
         let found = self.worse_than(problem, self.options.calibration_limit_px, sigma)?;
-        if let Some((column, effect)) = found {
-            self.fix(problem.columns.parameter[column], effect);
-        }
-        Ok(found.is_some())
+        found.iter().for_each(|(column, effect)| self.fix(problem.columns.parameter[*column], *effect));
+        Ok(!found.is_empty())
     }
 
-    /// The camera column determined worst, where its effect in px (absent: unbounded) exceeds a limit.
-    fn worse_than(&mut self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Option<(usize, Option<f64>)>, Error> {
+    /// Of each camera the column determined worst, where its effect in px (absent: unbounded) exceeds a limit.
+    fn worse_than(&mut self, problem: &Problem<'_>, limit: f64, sigma: f64) -> Result<Vec<(usize, Option<f64>)>, Error> {
         // The statistics of least squares leave the factor of just these equations.
         let is_known = self.orientations.as_ref().is_some_and(|(loss, _)| *loss == Loss::Squares) && self.nearby.is_some();
         if !is_known {
             let mut reduced = problem.reduce(&self.state, 0.0, Robust::squares());
             match Factored::new(&problem.network.pattern, &mut reduced) {
-                Err(Singular::Camera(column)) => return Ok(Some((column, None))),
+                Err(Singular::Camera(column)) => return Ok(vec![(column, None)]),
                 Err(singular) => return Err(problem.singular(singular)),
                 Ok(factored) => self.nearby = Some(factored),
             }
         }
-        let Some(factored) = &self.nearby else { return Ok(None) };
+        let Some(factored) = &self.nearby else { return Ok(Vec::new()) };
         let effects = effects(problem.network, &self.state);
-        let worst = weakest(&factored.cameras, &problem.columns.parameter, &effects, sigma);
-        Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))))
+        let worst = weakest_of_each(&factored.cameras, &problem.columns.of_camera, &effects, sigma).into_iter();
+        Ok(worst.filter(|(_, effect)| !(*effect <= limit)).map(|(column, effect)| (column, Some(effect))).collect())
     }
 
     /// Fixes a camera parameter at the value that was given.

@@ -13,7 +13,7 @@ pub struct CameraRule {
     /// Names of images: `*` stands for any characters, `?` for one, large and small letters are the same. The first rule that fits holds.
     #[serde(default = "all")]
     pub images: String,
-    /// Principal distance in px.
+    /// Principal distance in px, 1 to 10,000,000.
     pub focal_px: f64,
     /// `[c_x, c_y]` in px, the centre of the top-left pixel at (0.5, 0.5); absent: the middle of the image.
     #[serde(default)]
@@ -42,6 +42,11 @@ impl CameraRule {
     /// # Errors
     /// As [`BlockModel::check`](crate::BlockModel::check).
     pub fn camera(&self, width_px: u32, height_px: u32) -> Result<ModelCamera, Error> {
+        self.camera_as(0, width_px, height_px)
+    }
+
+    /// The same, named by its place in the file where it is refused.
+    fn camera_as(&self, index: usize, width_px: u32, height_px: u32) -> Result<ModelCamera, Error> {
         let camera = ModelCamera {
             width_px,
             height_px,
@@ -51,7 +56,7 @@ impl CameraRule {
             tangential: self.tangential,
             pixel_mm: self.pixel_mm,
         };
-        check_camera(0, &camera).map(|()| camera)
+        check_camera(index, &camera).map(|()| camera)
     }
 }
 
@@ -75,7 +80,7 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
         if rule.images.is_empty() {
             return refuse("the cameras", format!("an empty pattern of camera {index}"), "a pattern of names as DJI_*.JPG");
         }
-        rule.camera(1, 1).map(|_| ())?;
+        rule.camera_as(index, 1, 1).map(|_| ())?;
     }
     Ok(file.cameras)
 }
@@ -142,6 +147,8 @@ mod tests {
             r#"{"cameras": [{}]}"#,
             r#"{"cameras": [{"focal_px": 0}]}"#,
             r#"{"cameras": [{"focal_px": 1e400}]}"#,
+            r#"{"cameras": [{"focal_px": 2e7}]}"#,
+            r#"{"cameras": [{"focal_px": 0.5}]}"#,
             r#"{"cameras": [{"focal_px": 1, "focal": 2}]}"#,
             r#"{"cameras": [{"focal_px": 1, "images": ""}]}"#,
             r#"{"cameras": [{"focal_px": 1, "pixel_mm": 0}]}"#,

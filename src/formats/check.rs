@@ -2,6 +2,7 @@
 
 use super::{BlockModel, GeographicOrigin, ModelCamera, ModelPoint, ModelPose};
 use crate::Error;
+use crate::parameters::{FOCAL_PX, check_values};
 use std::collections::BTreeMap;
 
 /// How far rows of a rotation may be from unit length and right angles.
@@ -73,9 +74,7 @@ pub(super) fn check_camera(index: usize, camera: &ModelCamera) -> Result<(), Err
     if camera.width_px == 0 || camera.height_px == 0 {
         return refuse(what, format!("{} x {} px of camera {index}", camera.width_px, camera.height_px), "1 px a side or more");
     }
-    if !(camera.focal_px > 0.0 && camera.focal_px <= 1e9) {
-        return refuse(what, format!("the focal length {} px of camera {index}", camera.focal_px), "above 0, up to 1000000000");
-    }
+    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || format!("focal_px of camera {index} (counted from 0)"))?;
     if !finite(&camera.principal_point_px) || !finite(&camera.radial) || !finite(&camera.tangential) {
         return refuse(what, format!("principal point or distortion of camera {index}"), "finite numbers");
     }

@@ -81,6 +81,13 @@ pub const ASSEMBLY_PARAMETERS: &[Parameter] = &[
         real(0.1, 1000.0),
         "Of a ray while the block grows; it follows the residuals down from there.",
     ),
+    parameter(
+        "assembly.mark_sigma_px",
+        "Standard error of a mark",
+        "px",
+        real(0.01, 100.0),
+        "Of a coordinate where an image shows a surveyed point: it weighs marks beside tie points; those beyond five times as much do not fit.",
+    ),
     parameter("assembly.most_models", "Most models", "", integer(1.0, 1000.0), "Given where the block falls apart, the largest first."),
     parameter("assembly.seed", "Seed", "", integer(0.0, 4294967295.0), "Start of the random numbers."),
 ];

@@ -1,6 +1,6 @@
 //! The parameters of matching by descriptors and of two-view geometry.
 
-use super::{Parameter, ParameterKind, integer, parameter, real};
+use super::{FOCAL_PX, Parameter, ParameterKind, integer, parameter, real};
 
 /// The parameters of matching by descriptors and of the geometry of two views, in the order of the pipeline.
 pub const GEOMETRY_PARAMETERS: &[Parameter] = &[
@@ -50,7 +50,7 @@ pub const GEOMETRY_PARAMETERS: &[Parameter] = &[
         "geometry.focal_px",
         "Focal length",
         "px",
-        real(1.0, 1e7),
+        real(*FOCAL_PX.start(), *FOCAL_PX.end()),
         "Of the camera. Empty: unknown, the same in both images, and estimated where the matches determine it.",
     ),
     parameter(

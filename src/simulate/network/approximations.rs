@@ -35,7 +35,8 @@ pub(super) fn approximate(flight: &NetworkFlight, truth: &Block) -> Block {
     let mut block = truth.clone();
     for image in &mut block.images {
         if flight.gps_sigma_m > 0.0 {
-            image.gps = Some(PositionPrior { position: moved(image.position, errors(flight.gps_sigma_m)), sigma: [flight.gps_sigma_m; 3] });
+            image.gps =
+                Some(PositionPrior { position: moved(image.position, errors(flight.gps_sigma_m)), sigma: [Some(flight.gps_sigma_m); 3] });
         }
         image.position = moved(image.position, errors(flight.approximate_m));
         let [a, b, c] = errors(flight.approximate_m / flight.flying_height_m);

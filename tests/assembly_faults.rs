@@ -1,0 +1,217 @@
+//! The assembly of blocks of which what is known is wrong, missing or poor.
+
+mod scene;
+
+use scene::{Scene, scene, selected};
+use tiepoint::{Assembly, AssemblyCamera, AssemblyControl, BlockFlight, ControlRay, Datum, ObservedPosition, geographic_from_local};
+
+/// Where the simulated blocks lie on the earth.
+const ORIGIN: [f64; 3] = [8.0, 50.0, 200.0];
+
+/// Errors of positions in m that are the same in every run: between -1 and 1 times a size.
+fn error(index: usize, coordinate: usize) -> f64 {
+    let mixed = (index * 3 + coordinate + 1) * 7919 % 2003;
+    mixed as f64 / 1001.0 - 1.0
+}
+
+impl Scene {
+    /// Gives every image the position that a receiver with errors up to 3 m records.
+    fn record_positions(&mut self) {
+        for (index, (image, exposure)) in self.description.images.iter_mut().zip(&self.block.exposures).enumerate() {
+            let position = [0, 1, 2].map(|k| exposure.centre[k] + 3.0 * error(index, k));
+            image.position = Some(ObservedPosition::Local { position, sigma: [3.0; 3] });
+        }
+    }
+
+    /// The same on the earth, with a height for those images that `has_height` names.
+    fn record_places(&mut self, has_height: impl Fn(usize) -> bool) {
+        for (index, (image, exposure)) in self.description.images.iter_mut().zip(&self.block.exposures).enumerate() {
+            let position = [0, 1, 2].map(|k| exposure.centre[k] + 3.0 * error(index, k));
+            let [longitude_deg, latitude_deg, height_m] = geographic_from_local(position, ORIGIN);
+            let height_m = has_height(index).then_some(height_m);
+            image.position = Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [3.0, 3.0, 6.0] });
+        }
+    }
+
+    fn shift_position(&mut self, image: usize, by: [f64; 3]) {
+        if let Some(ObservedPosition::Local { position, .. }) = &mut self.description.images[image].position {
+            (0..3).for_each(|k| position[k] += by[k]);
+        }
+    }
+
+    /// A block that is assembled with all its images, its shape right to `most_off_m`.
+    fn assert_all(&self, what: &str, most_off_m: f64) -> Assembly {
+        let assembly = self.assemble(&selected());
+        self.report(what, &assembly);
+        assert_eq!((assembly.models.len(), assembly.unoriented.len()), (1, 0), "{what}: {:?}", assembly.unoriented);
+        let (off, _) = self.errors(&assembly, 0);
+        assert!(off < most_off_m, "{what}: {off} m");
+        assembly
+    }
+
+    /// How far the images lie from the truth in m where the system is that of the truth: root mean squares of x, y and of z.
+    fn off_in_system(&self, assembly: &Assembly) -> [f64; 2] {
+        let model = &assembly.models[0];
+        let mut sums = [0.0; 2];
+        for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
+            let d = [0, 1, 2].map(|i| image.position[i] - self.block.exposures[*k].centre[i]);
+            sums[0] += d[0] * d[0] + d[1] * d[1];
+            sums[1] += d[2] * d[2];
+        }
+        sums.map(|sum| (sum / model.images.len() as f64).sqrt())
+    }
+}
+
+fn says(assembly: &Assembly, words: &[&str]) -> bool {
+    assembly.models[0].weaknesses.iter().any(|weakness| words.iter().all(|word| weakness.contains(word)))
+}
+
+#[test]
+fn positions_without_heights_place_a_block_that_is_taken_as_level() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    scene.record_places(|_| false);
+    let assembly = scene.assert_all("no heights", 2.0);
+    let model = &assembly.models[0];
+    assert!(model.in_system && model.adjusted.datum == Datum::Gps);
+    assert!(says(&assembly, &["no heights", "level"]), "{:?}", model.weaknesses);
+    // Heights count from the mean of the flight; what is told of them is that they are uncertain.
+    let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.position[2]).collect();
+    let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+    assert!(mean.abs() < 5.0 && heights.iter().all(|z| (z - mean).abs() < 60.0), "{heights:?}");
+    assert!(model.adjusted.images.iter().all(|image| image.position_errors.unwrap()[2] > 10.0));
+    assert!(model.adjusted.images.iter().all(|image| image.gps.unwrap().residual[0].abs() < 10.0));
+}
+
+#[test]
+fn a_height_that_is_missing_leaves_the_block_in_its_system() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    for missing in [vec![0], vec![7], (3..15).collect()] {
+        scene.record_places(|image| !missing.contains(&image));
+        let assembly = scene.assert_all("a height missing", 2.0);
+        let model = &assembly.models[0];
+        assert!(model.in_system && model.adjusted.datum == Datum::Gps, "{:?}", model.weaknesses);
+        assert!(!says(&assembly, &["level"]), "{:?}", model.weaknesses);
+        let gps = model.adjusted.images[missing[0]].gps.unwrap();
+        assert!(gps.residual[2] == 0.0 && gps.residual[0] != 0.0);
+    }
+}
+
+#[test]
+fn a_wrong_recorded_position_is_left_out_and_told() {
+    let mut scene = scene(&BlockFlight::default(), 1.0);
+    for (by, told) in [([30.0, 0.0, 0.0], "m)"), ([300.0, 0.0, 0.0], "m)"), ([0.0, 0.0, -3000.0], "m)"), ([5e6, 0.0, 0.0], "m)")] {
+        scene.record_positions();
+        scene.shift_position(6, by);
+        let assembly = scene.assert_all(&format!("a position {by:?} off"), 1.5);
+        let model = &assembly.models[0];
+        assert!(model.in_system && says(&assembly, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
+        let gps = model.adjusted.images[6].gps.unwrap();
+        let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
+        let residual = gps.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
+        assert!(!gps.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
+        let refused = model.adjusted.images.iter().filter(|image| !image.gps.unwrap().accepted).count();
+        assert_eq!(refused, 1);
+        let off = scene.off_in_system(&assembly);
+        assert!(off.iter().all(|off| *off < 3.0), "{off:?}");
+    }
+}
+
+#[test]
+fn a_receiver_without_a_fix_does_not_move_the_block() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    scene.record_places(|_| true);
+    for image in [0, 9] {
+        let position = &mut scene.description.images[image].position;
+        *position = Some(ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] });
+    }
+    let assembly = scene.assert_all("two without a fix", 2.0);
+    assert!(assembly.models[0].in_system && says(&assembly, &["2 recorded positions", "0000.jpg", "0009.jpg"]));
+    let origin = assembly.origin.unwrap();
+    assert!((origin.latitude_deg - ORIGIN[1]).abs() < 0.1 && (origin.longitude_deg - ORIGIN[0]).abs() < 0.1, "{origin:?}");
+}
+
+#[test]
+fn good_recorded_positions_are_all_kept() {
+    for seed in 1..4 {
+        let mut scene = scene(&BlockFlight { seed, ..BlockFlight::default() }, 1.0);
+        scene.record_positions();
+        let assembly = scene.assert_all("good positions", 1.5);
+        assert!(assembly.models[0].adjusted.images.iter().all(|image| image.gps.unwrap().accepted));
+    }
+}
+
+#[test]
+fn a_camera_for_every_image_is_calibrated_as_far_as_the_block_determines_it() {
+    for (relief_m, recorded) in [(15.0, true), (2.0, false), (15.0, false), (60.0, false)] {
+        let mut scene = scene(&BlockFlight { relief_m, ..BlockFlight::default() }, 1.0);
+        if recorded {
+            scene.record_positions();
+        }
+        let focal = scene.description.cameras[0].focal_px;
+        let camera = AssemblyCamera::of_size(scene.block.width_px, scene.block.height_px, focal);
+        scene.description.cameras = vec![camera; 30];
+        scene.description.images.iter_mut().enumerate().for_each(|(index, image)| image.camera = index);
+        let assembly = scene.assert_all(&format!("30 cameras, relief {relief_m} m, positions {recorded}"), 40.0);
+        assert_eq!(assembly.models[0].cameras.len(), 30);
+        assert!(assembly.models[0].in_system == recorded);
+    }
+}
+
+/// Surveyed points, well spread, with marks in every image that shows them; marks are off by up to `most_px`.
+fn surveyed(scene: &Scene, most_px: f64) -> Vec<AssemblyControl> {
+    let mut control = Vec::new();
+    let ground = &scene.block.ground;
+    let reach = |k: usize| ground.iter().map(|p| p[k]).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
+    let (x, y) = (reach(0), reach(1));
+    for (index, share) in [[0.3, 0.3], [0.7, 0.3], [0.5, 0.5], [0.3, 0.7], [0.7, 0.7]].iter().enumerate() {
+        let wanted = [x[0] + share[0] * (x[1] - x[0]), y[0] + share[1] * (y[1] - y[0])];
+        let far = |p: &[f64; 3]| (p[0] - wanted[0]).powi(2) + (p[1] - wanted[1]).powi(2);
+        let position = *ground.iter().min_by(|a, b| far(a).total_cmp(&far(b))).unwrap();
+        let mut rays = Vec::new();
+        for (image, exposure) in scene.block.exposures.iter().enumerate() {
+            if let Some([x, y]) = exposure.project(position, scene.block.width_px, scene.block.height_px) {
+                let off = [0, 1].map(|k| most_px * error(image * 5 + index, k));
+                rays.push(ControlRay { image, x_px: x + off[0], y_px: y + off[1] });
+            }
+        }
+        control.push(AssemblyControl {
+            name: format!("gcp {index}"),
+            position: ObservedPosition::Local { position, sigma: [0.02, 0.02, 0.03] },
+            rays,
+        });
+    }
+    control
+}
+
+#[test]
+fn marks_are_judged_by_their_own_precision() {
+    let mut scene = scene(&BlockFlight::default(), 1.0);
+    for most_px in [1.0, 2.0] {
+        scene.description.control = surveyed(&scene, most_px);
+        let marks: usize = scene.description.control.iter().map(|control| control.rays.len()).sum();
+        let assembly = scene.assert_all(&format!("marks off by up to {most_px} px"), 1.5);
+        let model = &assembly.models[0];
+        assert!(marks >= 25 && model.in_system && model.adjusted.datum == Datum::Control);
+        let accepted: usize = model.points.iter().zip(&model.adjusted.points).rev().take(5).map(|(_, point)| point.unwrap().rays).sum();
+        assert!(accepted as f64 >= 0.95 * marks as f64, "{accepted} of {marks}");
+        let off = scene.off_in_system(&assembly);
+        assert!(off.iter().all(|off| *off < 4.0 * most_px), "{off:?}");
+    }
+}
+
+#[test]
+fn marks_that_do_not_fit_are_told_by_name() {
+    let mut scene = scene(&BlockFlight::default(), 1.0);
+    scene.description.control = surveyed(&scene, 0.3);
+    let image = scene.description.control[2].rays[1].image;
+    scene.description.control[2].rays[1].x_px += 60.0;
+    for (index, ray) in scene.description.control[3].rays.iter_mut().enumerate() {
+        ray.x_px += 200.0 * error(index, 0);
+        ray.y_px += 200.0 * error(index, 1);
+    }
+    let assembly = scene.assert_all("wrong marks", 1.5);
+    let weaknesses = &assembly.models[0].weaknesses;
+    assert!(says(&assembly, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
+    assert!(says(&assembly, &["gcp 3"]), "{weaknesses:?}");
+    assert!(!says(&assembly, &["gcp 1"]), "{weaknesses:?}");
+}
