@@ -144,9 +144,13 @@ export type GivenPoints = Pick<DescribedPoints, "points"> & Partial<Pick<Describ
 
 
 /** The outcome of a whole pair. */
-export interface PairOutput {
+export interface PairOutput extends MatchedPair {
     left: DetectedPoints;
     right: DetectedPoints;
+}
+
+/** What becomes of the points of a pair. */
+export interface MatchedPair {
     /** Absent where the strategy needs none. */
     offset: OffsetField | null;
     match: MatchResult;
@@ -391,7 +395,7 @@ export interface CameraRule {
      */
     images?: string;
     /**
-     * Principal distance in px.
+     * Principal distance in px, 1 to 10,000,000.
      */
     focal_px: number;
     /**
@@ -470,7 +474,8 @@ export interface FocalEstimate {
      */
     focal_px: number;
     /**
-     * Its standard error in px, for principal points without error.
+     * Its standard error in px, from the precision of the matches and from what an error of 1 % of half the image's diagonal in either
+     * coordinate of the principal points, and in the distortion of the corners, would do.
      */
     standard_error_px: number;
 }
@@ -674,7 +679,7 @@ export interface ControlPoint {
 /**
  * A position that was observed; all of a block are of the same kind.
  */
-export type ObservedPosition = { system: "local"; position: [number, number, number]; sigma: [number, number, number] } | { system: "geographic"; longitude_deg: number; latitude_deg: number; height_m: number; sigma_m: [number, number, number] };
+export type ObservedPosition = { system: "local"; position: [number, number, number]; sigma: [number, number, number] } | { system: "geographic"; longitude_deg: number; latitude_deg: number; height_m?: number | null; sigma_m: [number, number, number] };
 
 /**
  * A ray that does not fit to its point.
@@ -766,7 +771,8 @@ export interface BundleResult {
      */
     rmse_px: number;
     /**
-     * The same of the points of each number of rays, from 2 on; those without points are left out.
+     * The same of the points of each number of rays, from 1 on, since a surveyed position counts as a ray; those without points are left
+     * out.
      */
     rmse_by_rays: RayCountRmse[];
     iterations: number;
@@ -865,9 +871,9 @@ export interface ModelImage {
 export interface PositionPrior {
     position: [number, number, number];
     /**
-     * Above 0.
+     * Above 0; absent for a coordinate that was not observed: its place in `position` means nothing.
      */
-    sigma: [number, number, number];
+    sigma: [number | null, number | null, number | null];
 }
 
 /**
@@ -918,7 +924,7 @@ export type Preset = "sample" | "paper" | "hard" | "lively";
 /**
  * How a point's position is found between the pixels.
  */
-export type Position = "quadratic" | "forstner";
+export type PointPosition = "quadratic" | "forstner";
 
 /**
  * How grey values I become the weights g of the moments.
@@ -1131,7 +1137,7 @@ export interface AssemblyOptions {
      */
     datum?: Datum | null;
     /**
-     * Rays an image has while the block grows: more are safer, fewer are faster.
+     * Rays an image has while the block grows, and in its adjustment where points are chosen: more are more precise, fewer are faster.
      */
     growing_rays?: number;
     /**
@@ -1147,7 +1153,11 @@ export interface AssemblyOptions {
      */
     largest_residual_px?: number;
     /**
-     * The points that the bundle adjustment is given; absent: all.
+     * Standard error of a coordinate of a mark, where an image shows a surveyed point, in px.
+     */
+    mark_sigma_px?: number;
+    /**
+     * The points that are given of the adjusted block; absent: all are adjusted and given.
      */
     selection?: SelectOptions | null;
     /**
@@ -1286,7 +1296,7 @@ export interface MultiscaleOptions {
      * Cells on the image's longer side of the grid over which half of the points are distributed equally; 1 chooses the most distinct.
      */
     cells: number;
-    position: Position;
+    position: PointPosition;
 }
 
 /**
@@ -1383,6 +1393,7 @@ export interface BlockSettings {
      * Its cameras are those of the block.
      */
     geometry: TwoViewOptions;
+    placing: PlacingOptions;
     block: BlockOptions;
     selection: SelectOptions;
     refinement: RefinementOptions;
@@ -1559,6 +1570,28 @@ export interface RayCountRmse {
     rays: number;
     points: number;
     rmse_px: number;
+}
+
+/**
+ * Standard errors in m of recorded positions and surveyed points that state none.
+ */
+export interface PlacingOptions {
+    /**
+     * Of east and of north of a recorded position.
+     */
+    receiver_across_m: number;
+    /**
+     * Of its height.
+     */
+    receiver_up_m: number;
+    /**
+     * Of x and of y of a surveyed point.
+     */
+    surveyed_across_m: number;
+    /**
+     * Of its height.
+     */
+    surveyed_up_m: number;
 }
 
 /**
@@ -2137,9 +2170,13 @@ export interface ExifImage {
 }
 
 /**
- * What the adjustment says of an observed position.
+ * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
  */
 export interface PriorStatistics {
+    /**
+     * Whether it took part; otherwise it lies too far from where the other observations have it.
+     */
+    accepted: boolean;
     /**
      * Observed minus adjusted.
      */
@@ -2149,7 +2186,7 @@ export interface PriorStatistics {
      */
     redundancy: [number, number, number] | null;
     /**
-     * Residual by its standard error (Baarda's w); absent without statistics.
+     * Residual by its standard error (Baarda's w), of a new observation where it took no part; absent without statistics.
      */
     w: [number, number, number] | null;
 }
@@ -2281,7 +2318,7 @@ export type RayVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 /**
  * Why an image is not oriented.
  */
-export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number };
+export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number } | { kind: "undetermined"; rays: number };
 
 /**
  * Why the general geometry is not determined.
@@ -2452,9 +2489,10 @@ export class Report {
      */
     html(): string;
     /**
-     * Takes copies of both images; `names` are what the report calls them.
+     * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
+     * and row by row, are left out.
      */
-    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null);
+    constructor(left: Photo, right: Photo, names: [string, string], input: Given<PairInput>, settings: Given<PairSettings>, truth: ReportTruth | null, left_mask?: Uint8Array | number[] | null, right_mask?: Uint8Array | number[] | null);
     /**
      * Does the next step; false when all were done.
      */
@@ -2624,7 +2662,7 @@ export function geometry_parameters(): Parameter[];
 export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
 
 /**
- * Positions in px (stride 2) freed of a camera's distortion.
+ * Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
  */
 export function ideal_positions(camera: ModelCamera, positions: Float64Array | number[]): Float64Array;
 
@@ -2642,6 +2680,12 @@ export function join_nearest(pieces: NearestPiece[], options: Given<NearestOptio
  * Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
  */
 export function local_positions(geographic: Float64Array | number[]): Float64Array;
+
+/**
+ * Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may
+ * have been searched for already: the pieces that `nearest_piece` made of all left points, in their order.
+ */
+export function match_described_pair(left: Photo, right: Photo, left_points: GivenPoints, right_points: GivenPoints, input: Given<PairInput>, settings: Given<PairSettings>, nearest?: NearestPiece[]): MatchedPair;
 
 /**
  * Matches byte descriptors of 128 bytes each: exact nearest neighbours, the ratio to the second nearest, the same from both sides.
@@ -2668,9 +2712,10 @@ export function match_pair(left: Photo, right: Photo, input: Given<PairInput>, s
  * Matches two photos by any strategy.
  *
  * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
- * changes. Only the strategy gradient does without an offset.
+ * changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
+ * `nearest_piece` made of all left points, in their order: the matches are the same.
  */
-export function match_photos(left: Photo, right: Photo, left_points: GivenPoints, right_points: GivenPoints, offset: OffsetField | null, interior: PairInterior | null, settings: Given<PairSettings>): MatchResult;
+export function match_photos(left: Photo, right: Photo, left_points: GivenPoints, right_points: GivenPoints, offset: OffsetField | null, interior: PairInterior | null, settings: Given<PairSettings>, nearest?: NearestPiece[]): MatchResult;
 
 /**
  * Matches described points: points of stride 3, descriptors of stride 7.
@@ -2683,7 +2728,8 @@ export function match_points(left_points: Float64Array | number[], left_descript
 export function matches_csv(matches: Float64Array | number[]): string;
 
 /**
- * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest`.
+ * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
+ * `match_photos`.
  */
 export function nearest_piece(left: Uint8Array | number[], first: number, end: number, right: Uint8Array | number[]): NearestPiece;
 
@@ -2754,6 +2800,11 @@ export function parse_observations(csv: string): Float64Array;
 export function parse_surveyed_points(text: string): SurveyedPoint[];
 
 /**
+ * A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
+ */
+export function photo_camera(camera: ModelCamera): Camera;
+
+/**
  * Writes points (stride 3) as CSV.
  */
 export function points_csv(points: Float64Array | number[]): string;
@@ -2806,6 +2857,11 @@ export function score_block(model: BlockModel, truth: BlockModel): BlockScore;
  * Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
  */
 export function score_matches(matches: Float64Array | number[], left_points: Float64Array | number[], right_position: Float32Array | number[], left_width: number, left_height: number, right_width: number, right_height: number): MatchScore;
+
+/**
+ * SHA-256 (FIPS 180-4) of bytes: 32 bytes.
+ */
+export function sha256(bytes: Uint8Array | number[]): Uint8Array;
 
 /**
  * Renders the pair of a flight; parameters that are absent are those of the sample.
@@ -2887,11 +2943,12 @@ export interface InitOutput {
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly local_positions: (a: number, b: number) => [number, number, number];
+    readonly match_described_pair: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
     readonly match_descriptors: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly match_features: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
     readonly match_guided_descriptors: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly match_pair: (a: number, b: number, c: any, d: any, e: number, f: number, g: number, h: number) => [number, number, number];
-    readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any) => [number, number, number];
+    readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
@@ -2908,6 +2965,7 @@ export interface InitOutput {
     readonly parse_image_marks: (a: number, b: number) => [number, number, number];
     readonly parse_observations: (a: number, b: number) => [number, number, number, number];
     readonly parse_surveyed_points: (a: number, b: number) => [number, number, number];
+    readonly photo_camera: (a: any) => [number, number, number];
     readonly photo_decode: (a: number, b: number) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
     readonly photo_describe_points: (a: number, b: any, c: number, d: number) => [number, number, number];
@@ -2927,7 +2985,7 @@ export interface InitOutput {
     readonly read_project: (a: number, b: number) => [number, number, number];
     readonly refine_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
     readonly report_html: (a: number) => [number, number, number, number];
-    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any) => [number, number, number];
+    readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
     readonly report_steps: (a: number) => any;
     readonly rule_names: () => any;
@@ -2935,11 +2993,12 @@ export interface InitOutput {
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
+    readonly sha256: (a: number, b: number) => [number, number];
     readonly simulate: (a: any) => [number, number, number];
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

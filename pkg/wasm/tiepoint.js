@@ -521,18 +521,32 @@ export class Report {
         }
     }
     /**
-     * Takes copies of both images; `names` are what the report calls them.
+     * Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
+     * and row by row, are left out.
      * @param {Photo} left
      * @param {Photo} right
      * @param {[string, string]} names
      * @param {Given<PairInput>} input
      * @param {Given<PairSettings>} settings
      * @param {ReportTruth | null} truth
+     * @param {Uint8Array | number[] | null} [left_mask]
+     * @param {Uint8Array | number[] | null} [right_mask]
      */
-    constructor(left, right, names, input, settings, truth) {
+    constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
         _assertClass(left, Photo);
         _assertClass(right, Photo);
-        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth);
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -1057,7 +1071,7 @@ export function gradient_candidates(index, left_gradients, right_gradients, most
 }
 
 /**
- * Positions in px (stride 2) freed of a camera's distortion.
+ * Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
  * @param {ModelCamera} camera
  * @param {Float64Array | number[]} positions
  * @returns {Float64Array}
@@ -1109,6 +1123,28 @@ export function local_positions(geographic) {
     const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
     const len0 = WASM_VECTOR_LEN;
     const ret = wasm.local_positions(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Matches and orients two photos whose points are described: the rest of `match_pair`. For the strategy gradient the nearest descriptors may
+ * have been searched for already: the pieces that `nearest_piece` made of all left points, in their order.
+ * @param {Photo} left
+ * @param {Photo} right
+ * @param {GivenPoints} left_points
+ * @param {GivenPoints} right_points
+ * @param {Given<PairInput>} input
+ * @param {Given<PairSettings>} settings
+ * @param {NearestPiece[]} [nearest]
+ * @returns {MatchedPair}
+ */
+export function match_described_pair(left, right, left_points, right_points, input, settings, nearest) {
+    _assertClass(left, Photo);
+    _assertClass(right, Photo);
+    const ret = wasm.match_described_pair(left.__wbg_ptr, right.__wbg_ptr, left_points, right_points, input, settings, nearest);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1246,7 +1282,8 @@ export function match_pair(left, right, input, settings, left_mask, right_mask) 
  * Matches two photos by any strategy.
  *
  * With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
- * changes. Only the strategy gradient does without an offset.
+ * changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
+ * `nearest_piece` made of all left points, in their order: the matches are the same.
  * @param {Photo} left
  * @param {Photo} right
  * @param {GivenPoints} left_points
@@ -1254,12 +1291,13 @@ export function match_pair(left, right, input, settings, left_mask, right_mask) 
  * @param {OffsetField | null} offset
  * @param {PairInterior | null} interior
  * @param {Given<PairSettings>} settings
+ * @param {NearestPiece[]} [nearest]
  * @returns {MatchResult}
  */
-export function match_photos(left, right, left_points, right_points, offset, interior, settings) {
+export function match_photos(left, right, left_points, right_points, offset, interior, settings, nearest) {
     _assertClass(left, Photo);
     _assertClass(right, Photo);
-    const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, left_points, right_points, offset, interior, settings);
+    const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, left_points, right_points, offset, interior, settings, nearest);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1328,7 +1366,8 @@ export function matches_csv(matches) {
 }
 
 /**
- * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest`.
+ * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
+ * `match_photos`.
  * @param {Uint8Array | number[]} left
  * @param {number} first
  * @param {number} end
@@ -1572,6 +1611,19 @@ export function parse_surveyed_points(text) {
 }
 
 /**
+ * A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
+ * @param {ModelCamera} camera
+ * @returns {Camera}
+ */
+export function photo_camera(camera) {
+    const ret = wasm.photo_camera(camera);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Writes points (stride 3) as CSV.
  * @param {Float64Array | number[]} points
  * @returns {string}
@@ -1756,6 +1808,20 @@ export function score_matches(matches, left_points, right_position, left_width, 
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * SHA-256 (FIPS 180-4) of bytes: 32 bytes.
+ * @param {Uint8Array | number[]} bytes
+ * @returns {Uint8Array}
+ */
+export function sha256(bytes) {
+    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.sha256(ptr0, len0);
+    var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+    return v2;
 }
 
 /**
@@ -2032,8 +2098,8 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 7, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6);
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 8, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -2061,8 +2127,8 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h4a80b117d09662d6(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4(arg0, arg1, arg2, arg3);
     return ret;
 }
 
