@@ -154,6 +154,8 @@ fn a_camera_for_every_image_is_calibrated_as_far_as_the_block_determines_it() {
         let assembly = scene.assert_all(&format!("30 cameras, relief {relief_m} m, positions {recorded}"), 40.0);
         assert_eq!(assembly.models[0].cameras.len(), 30);
         assert!(assembly.models[0].in_system == recorded);
+        // Cameras that are not determined contradict good positions.
+        assert!(assembly.models[0].adjusted.images.iter().all(|image| image.gps.is_none_or(|gps| gps.accepted)));
     }
 }
 

@@ -1,7 +1,7 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors) → [`BundleResult`].
+//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors of rays; `consensus` and `misplaced`: of positions) → [`BundleResult`].
 
 mod adjust;
 mod adjustment;

@@ -40,6 +40,9 @@ const FIRST_TOLERANCE: f64 = 50.0;
 /// A σ₀ that weights observed positions has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
 
+/// No more than this share of the positions that agree at the start are refused later, or none.
+const MANY_WRONG: f64 = 0.15;
+
 /// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
 const ALIKE_SIGMA: f64 = 0.03;
 
@@ -76,6 +79,9 @@ struct Course<'a> {
     fixed: Vec<Vec<FixedParameter>>,
     /// Whether the GPS position of each image takes part.
     placed: Vec<bool>,
+    /// Those that agreed at the start, and whether all these are kept: too many were refused since.
+    agreed: Vec<bool>,
+    keeps_agreed: bool,
     start: State,
     state: State,
     /// Standard error of a coordinate as the last round saw it; 0 at first.
@@ -104,6 +110,8 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         free,
         fixed,
         placed: vec![true; block.images.len()],
+        agreed: vec![true; block.images.len()],
+        keeps_agreed: false,
         state: start.clone(),
         start,
         sigma: 0.0,
@@ -116,6 +124,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
     if options.datum != Datum::Free {
         let network = course.network()?;
         (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
+        course.agreed = course.placed.clone();
     }
     course.fix_undetermined()?;
     let mut robust = options.loss != Loss::Squares;
@@ -333,6 +342,9 @@ impl Course<'_> {
 
     /// Refuses GPS positions that lie too far off and takes back those that no longer do; whether there were any.
     fn snoop_positions(&mut self, statistics: &Statistics, weighted_by: f64, calm_rounds: usize) -> bool {
+        if self.keeps_agreed {
+            return false;
+        }
         let (gps, control) = observed(self.block, self.options.datum, weighted_by);
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX);
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
@@ -342,6 +354,10 @@ impl Course<'_> {
         let judged: Vec<_> = gps.iter().enumerate().map(judge).collect();
         let surveyed = control.iter().flatten().count();
         let now = placed_now(&judged, &self.placed, surveyed, self.options.limit(), calm_rounds < FREE_ROUNDS);
+        // A block that contradicts many positions is wrong itself, in cameras that it does not determine say.
+        let refused = now.iter().zip(&self.agreed).filter(|(now, agreed)| **agreed && !**now).count();
+        self.keeps_agreed = refused as f64 > MANY_WRONG * judged.iter().flatten().count() as f64;
+        let now = if self.keeps_agreed { self.agreed.clone() } else { now };
         let changed = now != self.placed;
         if changed {
             self.placed = now;

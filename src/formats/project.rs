@@ -186,7 +186,7 @@ mod tests {
         assert!(message(1, &body.replacen("\"block\"", "\"extra\":1,\"block\"", 1)).contains("unknown field `extra`"));
         assert!(message(1, &body.replacen("\"connections\"", "\"connexions\"", 1)).contains("connexions"));
         assert!(message(1, &body.replacen("\"images\":[0,1]", "\"images\":[0,7]", 1)).contains("[0, 7]"));
-        assert!(message(1, &body.replacen("\"focal_px\":500.0", "\"focal_px\":-1.0", 1)).contains("focal length -1"));
+        assert!(message(1, &body.replacen("\"focal_px\":500.0", "\"focal_px\":-1.0", 1)).contains("focal length of a camera: got -1"));
         assert!(message(1, "{}\n").contains("missing field"));
         assert!(read_project(b"").unwrap_err().to_string().contains("first line"));
         assert!(read_project(b"{\"type\":\"FeatureCollection\"}\n").unwrap_err().to_string().contains("missing field"));

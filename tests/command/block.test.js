@@ -155,7 +155,7 @@ test('cameras of a file take the place of those of EXIF', () => {
   assert.equal(summary.orientation.cameras[0].focal_px, 700);
   const refused = tiepoint(...BLOCK.call, '--out', at, '--cameras', file(at, 'wrong.json', '{"cameras": [{"focal_px": -3}]}'));
   assert.equal(refused.code, 1);
-  assert.match(refused.stderr, /wrong\.json: .*focal length -3/);
+  assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
 });
 
 test('surveyed points place the block', () => {
