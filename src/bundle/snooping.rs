@@ -220,7 +220,9 @@ impl Course<'_> {
         if adjusted.unsettled.is_some() {
             self.forget();
             (self.state, self.sigma) = (adjusted.state.clone(), adjusted.sigma);
-            return if self.fix_weakest(&problem)? { Ok(Outcome::Fixed) } else { adjusted.converged().map(|_| Outcome::Fixed) };
+            // What creeps although it is within the limit is still what is determined worst.
+            let fixed = self.fix_weakest(&problem, self.options.calibration_limit_px)? || self.fix_weakest(&problem, 0.0)?;
+            return if fixed { Ok(Outcome::Fixed) } else { adjusted.converged().map(|_| Outcome::Fixed) };
         }
         if is_free {
             adjusted.state = moved_onto(&network, adjusted.state, &self.start)?;
@@ -259,7 +261,7 @@ impl Course<'_> {
             };
             return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what });
         }
-        if self.fix_weakest(&problem)? {
+        if self.fix_weakest(&problem, self.options.calibration_limit_px)? {
             return Ok(Outcome::Fixed);
         }
         let settled = Settled {
@@ -420,13 +422,13 @@ impl Course<'_> {
         }
     }
 
-    /// Fixes of each camera the parameter that is determined worst, where that is too badly; whether there were any.
-    fn fix_weakest(&mut self, problem: &Problem<'_>) -> Result<bool, Error> {
+    /// Fixes of each camera the parameter that is determined worst, where its effect exceeds a limit in px; whether there were any.
+    fn fix_weakest(&mut self, problem: &Problem<'_>, limit_px: f64) -> Result<bool, Error> {
         if problem.columns.number() == 0 {
             return Ok(false);
         }
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma);
-        let found = self.worse_than(problem, self.options.calibration_limit_px, sigma)?;
+        let found = self.worse_than(problem, limit_px, sigma)?;
         found.iter().for_each(|(column, effect)| self.fix(problem.columns.parameter[*column], *effect));
         Ok(!found.is_empty())
     }
