@@ -12,6 +12,8 @@ const FEW_RAYS: usize = 20;
 const MANY_TWO_RAYS: f64 = 0.8;
 /// A model is weak where this share of its rays was rejected.
 const MANY_REJECTED: f64 = 0.2;
+/// A model is weak where the angles of no image are surer than this.
+const UNCERTAIN_TURN_DEG: f64 = 2.0;
 /// Images are named one by one up to so many.
 const NAMED: usize = 5;
 
@@ -28,10 +30,19 @@ pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription,
 
 fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String> {
     if model.in_system {
-        return None;
+        return of_turn(model);
     }
     let free = "The place, the turn and the scale of the model are arbitrary: no observed positions determine them";
     Some(complaint.map_or(format!("{free}."), |reason| format!("{free} ({reason}).")))
+}
+
+/// Positions along a line leave the turn about it to their own errors.
+fn of_turn(model: &AssembledModel) -> Option<String> {
+    let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
+    let least = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
+    (least > UNCERTAIN_TURN_DEG).then(|| {
+        format!("The recorded positions hardly determine how the whole block is turned: its angles are uncertain by ± {least:.0}° or more.")
+    })
 }
 
 /// Recorded positions that took no part, and heights that were not recorded.

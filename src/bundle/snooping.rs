@@ -46,6 +46,9 @@ const MANY_WRONG: f64 = 0.15;
 /// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
 const ALIKE_SIGMA: f64 = 0.03;
 
+/// Where three of ten rays are grossly wrong, half of all lie within this many standard errors: the normal distribution holds 5/7 there.
+const MEDIAN_OF_GOOD: f64 = 1.0676;
+
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
 
@@ -83,6 +86,8 @@ struct Course<'a> {
     agreed: Vec<bool>,
     keeps_agreed: bool,
     start: State,
+    /// How many rays were accepted at the start.
+    rays_at_start: usize,
     state: State,
     /// Standard error of a coordinate as the last round saw it; 0 at first.
     sigma: f64,
@@ -114,6 +119,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         keeps_agreed: false,
         state: start.clone(),
         start,
+        rays_at_start: 0,
         sigma: 0.0,
         iterations: 0,
         pattern: None,
@@ -121,6 +127,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         orientations: None,
     };
     course.lose_points();
+    course.rays_at_start = course.verdicts.iter().filter(|v| **v == RayVerdict::Accepted).count();
     if options.datum != Datum::Free {
         let network = course.network()?;
         (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
@@ -306,12 +313,19 @@ impl Course<'_> {
         self.snoop(&judged.rays, loss, calm_rounds) || is_robust
     }
 
-    /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise.
+    /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise; and no less than the rays of
+    /// the start allow, lest a block that fits badly as a whole loses ray after ray until what is left fits.
     fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
+        let sizes = |judged: &[Judged; 2]| judged.map(|j| j.standardised.abs()).into_iter().filter(|s| *s > 0.0);
         let accepted = rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
-        let judged = accepted.filter_map(|(judged, _)| *judged).flatten();
-        let mut standardised: Vec<f64> = judged.map(|j| j.standardised.abs()).filter(|s| *s > 0.0).collect();
-        let from_median = median(&mut standardised).unwrap_or(0.0) / normal_median_within(self.options.limit());
+        let mut of_accepted: Vec<f64> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
+        let mut of_all: Vec<f64> = rays.iter().flatten().flat_map(sizes).collect();
+        // A ray whose point is lost with it can no longer be judged: it counts as the worst.
+        let lost = self.rays_at_start.saturating_sub(rays.iter().flatten().count());
+        let worst = of_all.iter().copied().fold(0.0, f64::max);
+        of_all.resize(of_all.len() + 2 * lost, worst);
+        let least = median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
+        let from_median = (median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(self.options.limit())).max(least);
         // A median of a few residuals may be far too small by chance, more easily than their σ.
         if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median }
     }
