@@ -108,6 +108,7 @@ pub fn match_points(
 /// With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
 /// changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
 /// `nearest_piece` made of all left points, in their order: the matches are the same.
+#[allow(clippy::too_many_arguments)]
 #[wasm_bindgen(unchecked_return_type = "MatchResult")]
 pub fn match_photos(
     left: &Photo,

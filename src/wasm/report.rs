@@ -23,6 +23,7 @@ pub struct Report {
 impl Report {
     /// Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
     /// and row by row, are left out.
+    #[allow(clippy::too_many_arguments)]
     #[wasm_bindgen(constructor)]
     pub fn new(
         left: &Photo,

@@ -7,7 +7,7 @@ import { photoFile } from '../../pkg/block/photo.js';
 import { greyPng } from '../../pkg/command/png.js';
 import { block_flight_defaults, BlockScene } from '../../pkg/node.js';
 import { DATA, TARGET } from '../lib/paths.mjs';
-import { peakOfProcess, watchMemory } from './page-memory.mjs';
+import { processOfPage, watchMemory } from './page-memory.mjs';
 
 /**
  * @typedef {import('playwright-core').Page} Page
@@ -51,6 +51,7 @@ async function report(url, launch, files, finished) {
     await tab.waitForFunction(() => document.querySelector('[data-testid="sample"]:not([disabled])'));
     await tab.locator('select[data-key="matching.strategy"]').selectOption('gradient');
     await watchPauses(tab);
+    const before = await processOfPage(browser);
     const started = performance.now();
     await tab.locator('[data-testid="file-input"]').setInputFiles(files);
     await finished(tab);
@@ -58,9 +59,10 @@ async function report(url, launch, files, finished) {
     await tab.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
     const seconds = (performance.now() - started) / 1000;
     const pause = await tab.evaluate(() => /** @type {Window & { longestPause?: number }} */ (window).longestPause ?? NaN);
-    const [{ wasm, heaps }, process] = [await memory(), await peakOfProcess(browser)];
+    const after = await processOfPage(browser);
+    const { wasm, heaps } = await memory();
     const status = (await tab.locator('[data-testid="status"]').textContent()) ?? '';
-    console.log(`    ${seconds.toFixed(1)} s; longest pause of the page ${pause.toFixed(0)} ms; wasm ${wasm.toFixed(0)} MiB and heaps ${heaps.toFixed(0)} MiB${process === null ? '' : `; its process at most ${process.toFixed(0)} MiB`}`);
+    console.log(`    ${seconds.toFixed(1)} s, ${(after.seconds - before.seconds).toFixed(1)} s of processor time; longest pause of the page ${pause.toFixed(0)} ms; wasm ${wasm.toFixed(0)} MiB and heaps ${heaps.toFixed(0)} MiB${Number.isNaN(after.peak) ? '' : `; its process at most ${after.peak.toFixed(0)} MiB`}`);
     console.log(`    ${status}`);
   } finally {
     await browser.close();

@@ -1,4 +1,4 @@
-/** How much memory a page takes: of its wasm modules and heaps, as its own debugger sees them, and of its process, as the system does. */
+/** What a page takes: memory of its wasm modules and heaps, as its own debugger sees them; memory and processor time of its process. */
 
 import { existsSync, readFileSync } from 'node:fs';
 
@@ -57,12 +57,22 @@ async function memoryOf(send) {
   return { wasm: Number(bytes.value), heaps: usedSize + backingStorageSize };
 }
 
-/** The most MiB that the process of the page has ever held; null where the system does not tell.  @param {Browser} browser */
-export async function peakOfProcess(browser) {
+/**
+ * The process that holds the page, in which its workers run too: seconds of processor time so far, and the most MiB that it has ever held,
+ * NaN where the system does not tell.
+ * @param {Browser} browser @returns {Promise<{ seconds: number, peak: number }>}
+ */
+export async function processOfPage(browser) {
   const session = await browser.newBrowserCDPSession();
   const { processInfo } = await session.send('SystemInfo.getProcessInfo');
-  const peaks = processInfo.filter(({ type }) => type === 'renderer').map(({ id }) => `/proc/${id}/status`).filter((file) => existsSync(file))
-    .map((file) => Number(/VmHWM:\s+(\d+) kB/.exec(readFileSync(file, 'utf8'))?.[1] ?? NaN) / 1024);
-  // The browser keeps a spare one or two, which hold little.
-  return peaks.length > 0 ? Math.max(...peaks) : null;
+  await session.detach();
+  const found = processInfo.filter(({ type }) => type === 'renderer').map(({ id, cpuTime }) => ({ seconds: cpuTime, peak: peakOf(id) }));
+  // The browser keeps a spare one or two, which do and hold little.
+  return found.reduce((most, one) => (one.seconds > most.seconds ? one : most), { seconds: 0, peak: NaN });
+}
+
+/** @param {number} process @returns {number} MiB */
+function peakOf(process) {
+  const file = `/proc/${process}/status`;
+  return existsSync(file) ? Number(/VmHWM:\s+(\d+) kB/.exec(readFileSync(file, 'utf8'))?.[1] ?? NaN) / 1024 : NaN;
 }
