@@ -151,7 +151,9 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] of them from before/);
   assert.match((await part(page, 'block-left-out').textContent()) ?? '', /broken\.jpg: .+/);
   await part(page, 'tab-block-images').click();
-  const rows = await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').allTextContents();
+  const listed = page.locator('[data-testid="block-images"] tbody tr:not(.filler)');
+  await listed.first().waitFor();
+  const rows = await listed.allTextContents();
   assert.equal(rows.length, 5);
   assert.ok(rows.some((text) => text.startsWith('broken.jpg')));
   rmSync(folder, { recursive: true });
@@ -224,6 +226,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
   await status(page, /^(Done|No image)/);
   assert.match((await part(page, 'block-stray-masks').textContent()) ?? '', /other\.png: no image has their name/);
   await part(page, 'tab-block-images').click();
+  await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').first().waitFor();
   const features = (await page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:nth-child(3)').allTextContents()).map((text) => Number(text.replaceAll(/\D/g, '')));
   assert.ok((features[0] ?? 0) < 0.75 * (features[1] ?? 0), features.join());
   rmSync(folder, { recursive: true });
