@@ -53,6 +53,8 @@ const SLACK: f64 = 1e-3;
 /// this share of its standard error.
 const PATIENCE: usize = 20;
 const CREEPING: f64 = 1e-2;
+/// Where iterations are spent, a step in which none can have moved by more than this share is the last: standard errors tell the rest.
+const LAST_CREEPING: f64 = 1e-1;
 
 /// Residuals below this are rounding.
 pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
@@ -167,7 +169,12 @@ impl Problem<'_> {
                 return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
-            let creeping = if iteration > PATIENCE { CREEPING / (self.unknowns() as f64).sqrt() } else { 0.0 };
+            let share = match iteration {
+                last if last == demand.max_iterations => LAST_CREEPING,
+                late if late > PATIENCE => CREEPING,
+                _ => 0.0,
+            };
+            let creeping = share / (self.unknowns() as f64).sqrt();
             loop {
                 let step = match self.step(&state, damping, robust, nearby) {
                     Ok(step) => Some(step),
