@@ -14,6 +14,8 @@ const MANY_TWO_RAYS: f64 = 0.8;
 const MANY_REJECTED: f64 = 0.2;
 /// A model is weak where the angles of no image are surer than this.
 const UNCERTAIN_TURN_DEG: f64 = 2.0;
+/// An angle that is not surer than this is not known.
+const UNKNOWN_TURN_DEG: f64 = 45.0;
 /// Images are named one by one up to so many.
 const NAMED: usize = 5;
 
@@ -40,9 +42,15 @@ fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String>
 fn of_turn(model: &AssembledModel) -> Option<String> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let least = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
-    (least > UNCERTAIN_TURN_DEG).then(|| {
-        format!("The recorded positions hardly determine how the whole block is turned: its angles are uncertain by ± {least:.0}° or more.")
-    })
+    let told = match least {
+        least if least > UNKNOWN_TURN_DEG => {
+            "The recorded positions do not determine how the whole block is turned about their line.".into()
+        }
+        least => format!(
+            "The recorded positions hardly determine how the whole block is turned: its angles are uncertain by ± {least:.0}° or more."
+        ),
+    };
+    (least > UNCERTAIN_TURN_DEG).then_some(told)
 }
 
 /// Recorded positions that took no part, and heights that were not recorded.
