@@ -3,6 +3,10 @@
 //! Tells how many points have only rays that belong together, how many images are oriented, how large errors are beside the standard errors
 //! that are told, and what resolving conflicts keeps that dropping them would lose. With `--json` one object a kind and line.
 
+#[path = "../tests/scene/normal.rs"]
+mod normal;
+
+use normal::Normal;
 use std::error::Error;
 use tiepoint::{
     AssembledPoint, Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView,
@@ -225,20 +229,5 @@ fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
         images: images.collect(),
         cameras: (0..cameras).map(|camera| AssemblyCamera::of_size(block.width_px, block.height_px, focal(camera))).collect(),
         control: Vec::new(),
-    }
-}
-
-/// Standard normal numbers, nearly: sums of twelve uniform ones by SplitMix64 (Steele, Lea & Flood 2014).
-struct Normal(u64);
-
-impl Normal {
-    fn next(&mut self) -> f64 {
-        let mut uniform = || {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
     }
 }

@@ -1,7 +1,10 @@
 //! The assembly of simulated blocks: everything from the rays alone.
 
+#[path = "scene/normal.rs"]
+mod normal;
 mod scene;
 
+use normal::Normal;
 use scene::{Scene, scene, selected};
 use tiepoint::{
     AssembledPoint, Assembly, AssemblyControl, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, BundleOptions,
@@ -113,21 +116,6 @@ fn images_that_cannot_be_oriented_have_a_reason() {
     assert_eq!(assembly.unoriented[0].reason, UnorientedReason::NoPoints);
     assert!(matches!(assembly.unoriented[1].reason, UnorientedReason::TooFewPoints { needed: 12, .. }), "{:?}", assembly.unoriented[1]);
     assert!(assembly.unoriented[1].text.starts_with("0020.jpg sees"));
-}
-
-/// Standard normal numbers, nearly: sums of twelve uniform ones by SplitMix64 (Steele, Lea & Flood 2014).
-struct Normal(u64);
-
-impl Normal {
-    fn next(&mut self) -> f64 {
-        let mut uniform = || {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-        };
-        (0..12).map(|_| uniform()).sum::<f64>() - 6.0
-    }
 }
 
 #[test]
