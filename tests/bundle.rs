@@ -243,6 +243,18 @@ fn gross_errors_are_found_and_good_rays_kept() {
     assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.05);
 }
 
+#[test]
+fn rays_of_two_photos_are_kept() {
+    // Along the base nothing can be told of a point's rays: residuals there are no measure of what is good.
+    let flight = NetworkFlight { strips: 1, stations: 2, points_per_image: 300.0, ..NetworkFlight::default() };
+    let simulated = simulate_network(&flight).unwrap();
+    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
+    let lost = result.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count();
+    println!("{lost} of {} rays rejected, sigma0 {:?}", result.rays.len(), result.sigma0_px);
+    assert!(lost * 100 <= 2 * result.rays.len(), "{lost} of {}", result.rays.len());
+    assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.1, "{:?}", result.sigma0_px);
+}
+
 /// How far a ray was observed from where the truth has it, in px.
 fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
     let ray = simulated.truth.rays[ray];

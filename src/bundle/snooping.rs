@@ -19,7 +19,7 @@ use super::sparse::Pattern;
 use super::state::{State, free_of};
 use super::statistics::{Statistics, judge_by, statistics};
 use crate::Error;
-use crate::math::{median, normal_median_within};
+use crate::math::{normal_median_within, weighted_median};
 use std::rc::Rc;
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
@@ -315,17 +315,20 @@ impl Course<'_> {
 
     /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise; and no less than the rays of
     /// the start allow, lest a block that fits badly as a whole loses ray after ray until what is left fits.
+    ///
+    /// Coordinates count by their redundancy: along the base of two rays the point follows both, and residuals there say nothing of σ.
     fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
-        let sizes = |judged: &[Judged; 2]| judged.map(|j| j.standardised.abs()).into_iter().filter(|s| *s > 0.0);
+        let sizes = |judged: &[Judged; 2]| judged.map(|j| (j.standardised.abs(), j.redundancy));
         let accepted = rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
-        let mut of_accepted: Vec<f64> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
-        let mut of_all: Vec<f64> = rays.iter().flatten().flat_map(sizes).collect();
-        // A ray whose point is lost with it can no longer be judged: it counts as the worst.
-        let lost = self.rays_at_start.saturating_sub(rays.iter().flatten().count());
-        let worst = of_all.iter().copied().fold(0.0, f64::max);
-        of_all.resize(of_all.len() + 2 * lost, worst);
-        let least = median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
-        let from_median = (median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(self.options.limit())).max(least);
+        let mut of_accepted: Vec<(f64, f64)> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
+        let mut of_all: Vec<(f64, f64)> = rays.iter().flatten().flat_map(sizes).collect();
+        // A ray whose point is lost with it can no longer be judged: it counts as the worst, by as much as another.
+        let (judged, worst) = (of_all.len(), of_all.iter().map(|(size, _)| *size).fold(0.0, f64::max));
+        let lost = self.rays_at_start.saturating_sub(judged / 2);
+        let share = of_all.iter().map(|(_, redundancy)| redundancy).sum::<f64>() / judged.max(1) as f64;
+        of_all.resize(judged + 2 * lost, (worst, share));
+        let least = weighted_median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
+        let from_median = (weighted_median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(self.options.limit())).max(least);
         // A median of a few residuals may be far too small by chance, more easily than their σ.
         if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median }
     }
