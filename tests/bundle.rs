@@ -255,6 +255,28 @@ fn rays_of_two_photos_are_kept() {
     assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.1, "{:?}", result.sigma0_px);
 }
 
+#[test]
+fn a_rejected_ray_is_told_the_test_it_had() {
+    let flight = NetworkFlight { gps_sigma_m: 3.0, ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    let rays_of = |point: usize| simulated.observed.rays.iter().filter(|ray| ray.point == point).count();
+    let wrong = simulated.observed.rays.iter().position(|ray| rays_of(ray.point) >= 4).unwrap();
+    simulated.observed.rays[wrong].y_px += 12.0 * flight.noise_px;
+    let sigma0_px = Some(flight.noise_px);
+    let mut tests = Vec::new();
+    for datum in [Datum::Free, Datum::Gps] {
+        let options = BundleOptions { datum, sigma0_px, loss: Loss::Squares, ..BundleOptions::default() };
+        let kept = adjust_block(&simulated.observed, &BundleOptions { snooping: false, ..options.clone() }).unwrap();
+        let snooped = adjust_block(&simulated.observed, &options).unwrap();
+        assert_eq!(snooped.rays[wrong].verdict, RayVerdict::GrossError);
+        // By how much a residual exceeds its standard error does not depend on whether it took part.
+        tests.extend([&kept, &snooped].map(|result| result.rays[wrong].w.unwrap()[1]));
+        assert!(snooped.rays[wrong].residual_px[1].abs() > kept.rays[wrong].residual_px[1].abs());
+    }
+    println!("{tests:?}");
+    assert!(tests.iter().all(|w| (w / tests[0] - 1.0).abs() < 0.03), "{tests:?}");
+}
+
 /// How far a ray was observed from where the truth has it, in px.
 fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
     let ray = simulated.truth.rays[ray];

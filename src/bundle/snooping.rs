@@ -27,7 +27,7 @@ const ROBUST_ROUNDS: usize = 10;
 const MAX_ROUNDS: usize = 40;
 /// Where a robust round rejects no more than this share of the rays, least squares can go on.
 const FEW_GROSS_ERRORS: f64 = 0.01;
-/// Rounds of least squares in which rejected rays may come back; then they may not, so that the rounds end.
+/// Rounds of least squares in which rejected rays may come back; then they may once more at most, so that the rounds end.
 const FREE_ROUNDS: usize = 2;
 
 /// Steps of robust rounds need not be as small, in standard errors, as those of the last.
@@ -85,6 +85,8 @@ struct Course<'a> {
     /// Those that agreed at the start, and whether all these are kept: too many were refused since.
     agreed: Vec<bool>,
     keeps_agreed: bool,
+    /// Whether rejected rays were taken back after the first rounds.
+    is_reconsidered: bool,
     start: State,
     /// How many rays were accepted at the start.
     rays_at_start: usize,
@@ -117,6 +119,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         placed: vec![true; block.images.len()],
         agreed: vec![true; block.images.len()],
         keeps_agreed: false,
+        is_reconsidered: false,
         state: start.clone(),
         start,
         rays_at_start: 0,
@@ -333,14 +336,16 @@ impl Course<'_> {
         if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median }
     }
 
-    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does; whether anything changed.
+    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does: in the first rounds, and once more when
+    /// nothing is left to reject, for what fell by errors that were found after it. Whether anything changed.
     fn snoop(&mut self, rays: &[Option<[Judged; 2]>], loss: Loss, calm_rounds: usize) -> bool {
         let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
-        let size = |judged: &[Judged; 2]| judged[0].standardised.abs().max(judged[1].standardised.abs());
+        let sizes = rays.iter().map(|judged| judged.map(|[x, y]| x.standardised.abs().max(y.standardised.abs())));
         let before = self.verdicts.clone();
         let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
-        for (ray, judged) in rays.iter().enumerate() {
-            let Some(size) = judged.as_ref().map(size) else { continue };
+        let mut fitting = Vec::new();
+        for (ray, size) in sizes.enumerate() {
+            let Some(size) = size else { continue };
             match before[ray] {
                 RayVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];
@@ -348,10 +353,15 @@ impl Course<'_> {
                         *worst = Some((ray, size));
                     }
                 }
-                RayVerdict::GrossError if size <= limit && loss == Loss::Squares && calm_rounds < FREE_ROUNDS => {
-                    self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
-                }
+                RayVerdict::GrossError if size <= limit => fitting.push(ray),
                 _ => {}
+            }
+        }
+        let is_last = !self.is_reconsidered && calm_rounds >= FREE_ROUNDS && worst.iter().all(Option::is_none);
+        if loss == Loss::Squares && (calm_rounds < FREE_ROUNDS || is_last) {
+            self.is_reconsidered |= is_last && !fitting.is_empty();
+            for ray in fitting {
+                self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
             }
         }
         worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);
