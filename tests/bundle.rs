@@ -243,6 +243,40 @@ fn gross_errors_are_found_and_good_rays_kept() {
     assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.05);
 }
 
+#[test]
+fn rays_of_two_photos_are_kept() {
+    // Along the base nothing can be told of a point's rays: residuals there are no measure of what is good.
+    let flight = NetworkFlight { strips: 1, stations: 2, points_per_image: 300.0, ..NetworkFlight::default() };
+    let simulated = simulate_network(&flight).unwrap();
+    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
+    let lost = result.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count();
+    println!("{lost} of {} rays rejected, sigma0 {:?}", result.rays.len(), result.sigma0_px);
+    assert!(lost * 100 <= 2 * result.rays.len(), "{lost} of {}", result.rays.len());
+    assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.1, "{:?}", result.sigma0_px);
+}
+
+#[test]
+fn a_rejected_ray_is_told_the_test_it_had() {
+    let flight = NetworkFlight { gps_sigma_m: 3.0, ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    let rays_of = |point: usize| simulated.observed.rays.iter().filter(|ray| ray.point == point).count();
+    let wrong = simulated.observed.rays.iter().position(|ray| rays_of(ray.point) >= 4).unwrap();
+    simulated.observed.rays[wrong].y_px += 12.0 * flight.noise_px;
+    let sigma0_px = Some(flight.noise_px);
+    let mut tests = Vec::new();
+    for datum in [Datum::Free, Datum::Gps] {
+        let options = BundleOptions { datum, sigma0_px, loss: Loss::Squares, ..BundleOptions::default() };
+        let kept = adjust_block(&simulated.observed, &BundleOptions { snooping: false, ..options.clone() }).unwrap();
+        let snooped = adjust_block(&simulated.observed, &options).unwrap();
+        assert_eq!(snooped.rays[wrong].verdict, RayVerdict::GrossError);
+        // By how much a residual exceeds its standard error does not depend on whether it took part.
+        tests.extend([&kept, &snooped].map(|result| result.rays[wrong].w.unwrap()[1]));
+        assert!(snooped.rays[wrong].residual_px[1].abs() > kept.rays[wrong].residual_px[1].abs());
+    }
+    println!("{tests:?}");
+    assert!(tests.iter().all(|w| (w / tests[0] - 1.0).abs() < 0.03), "{tests:?}");
+}
+
 /// How far a ray was observed from where the truth has it, in px.
 fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
     let ray = simulated.truth.rays[ray];

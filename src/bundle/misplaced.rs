@@ -30,7 +30,9 @@ pub(super) fn placed_now(
     let worst = known().filter(|image| placed[*image]).map(size).fold(0.0, f64::max);
     let mut now = placed.to_vec();
     let mut left = known().filter(|image| placed[*image]).count() + surveyed;
-    for image in known() {
+    let mut by_size: Vec<usize> = known().collect();
+    by_size.sort_by(|a, b| size(*b).total_cmp(&size(*a)).then(a.cmp(b)));
+    for image in by_size {
         if placed[image] && size(image) > limit && size(image) >= NEAR_WORST * worst && left > LEAST_LEFT {
             now[image] = false;
             left -= 1;
@@ -76,5 +78,11 @@ mod tests {
         let positions = [tested(30.0), tested(10.0), tested(1.0), tested(1.0)];
         assert_eq!(placed_now(&positions, &[true; 4], 0, 3.3, true), [true; 4]);
         assert_eq!(placed_now(&positions, &[true; 4], 1, 3.3, true), [false, true, true, true]);
+    }
+
+    #[test]
+    fn where_not_all_wrong_ones_may_go_the_worst_goes() {
+        let positions = [tested(8.0), tested(0.5), tested(0.5), tested(10.0), tested(0.5)];
+        assert_eq!(placed_now(&positions, &[true; 5], 0, 3.3, true), [true, true, true, false, true]);
     }
 }

@@ -135,6 +135,22 @@ impl Cofactors<'_> {
         Some(PointCofactors { of_sights, of_columns, middle })
     }
 
+    /// T = Q Z of an image that has no part in a point, with those that have. `None` where the inverse lacks what they have in common.
+    pub fn of_outsider(&self, point: usize, image: usize) -> Option<[f64; 18]> {
+        let network = self.problem.network;
+        let first = network.point_start[point];
+        let mut of_image = [0.0; 18];
+        for (k, sight) in network.of_point(point).iter().enumerate() {
+            let block = self.orientations.images.block(&network.pattern, image, sight.image as usize)?;
+            add_product(&mut of_image, &block, &self.reduced.shares[first + k]);
+        }
+        for (column, share) in self.camera_shares(point) {
+            let across = self.across(image, *column as usize);
+            (0..18).for_each(|k| of_image[k] += across[k % N] * share[k / N]);
+        }
+        Some(of_image)
+    }
+
     /// Cofactors of the coordinates of a point: L⁻ᵀ (I + ZᵀQZ) L⁻¹.
     pub fn of_coordinates(&self, point: usize, common: &PointCofactors) -> Matrix3 {
         let factor = &self.reduced.points[point].factor;

@@ -47,37 +47,50 @@ impl Judgement<'_> {
     /// Column and row of each sight of a point, with the factors that the robust loss left to their weights.
     pub fn of_sights(&self, point: usize, common: &PointCofactors, factors: &[f64]) -> Vec<[Judged; 2]> {
         let network = self.cofactors.problem.network;
-        let factor = &self.cofactors.reduced.points[point].factor;
         let judge = |(k, sight): (usize, &super::network::Sight)| {
-            let line = self.line(sight.camera as usize, sight.image as usize, point);
-            let own = self.cofactors.of_images(sight.image as usize, sight.image as usize);
-            let columns = &self.cofactors.problem.columns.of_camera[sight.camera as usize];
-            [0, 1].map(|row| {
-                let f = forward3(factor, line.by_point[row]);
-                let mut h = form3(&f, &common.middle) + self.of_orientation(&line, row, sight.image as usize, columns, &own);
-                // The point moves with images and cameras: twice the product of both.
-                for c in 0..3 {
-                    let t = &common.of_sights[k][c * N..][..N];
-                    let with_image: f64 = t.iter().zip(&line.by_image[row]).map(|(t, a)| t * a).sum();
-                    let with_camera: f64 = columns.iter().map(|(p, column)| line.by_camera[row][*p] * common.of_columns[*column][c]).sum();
-                    h -= 2.0 * f[c] * (with_image + with_camera);
-                }
-                Judged::new(sight.at[row] - line.at[row], sight.weight, factors[k], h)
-            })
+            let (camera, image) = (sight.camera as usize, sight.image as usize);
+            let line = self.line(camera, image, point);
+            let cofactors = self.of_computed(&line, camera, image, point, common, Some(&common.of_sights[k]));
+            [0, 1].map(|row| Judged::new(sight.at[row] - line.at[row], sight.weight, factors[k], cofactors[row]))
         };
         network.of_point(point).iter().enumerate().map(judge).collect()
     }
 
-    /// Column and row of a ray that took no part, its point being adjusted without it. What its image and its point have in common is left
-    /// out.
-    pub fn of_outsider(&self, ray: &super::block::Ray, camera: usize, coordinates: &Matrix3) -> [Judged; 2] {
+    /// Column and row of a ray that took no part, its point being adjusted without it.
+    pub fn of_outsider(&self, ray: &super::block::Ray, camera: usize, common: &PointCofactors) -> [Judged; 2] {
         let line = self.line(camera, ray.image, ray.point);
-        let own = self.cofactors.of_images(ray.image, ray.image);
-        let columns = &self.cofactors.problem.columns.of_camera[camera];
+        let with_point = self.cofactors.of_outsider(ray.point, ray.image);
+        let cofactors = self.of_computed(&line, camera, ray.image, ray.point, common, with_point.as_ref());
         let at = [ray.x_px, ray.y_px];
+        [0, 1].map(|row| Judged::new(at[row] - line.at[row], ray.weight, 0.0, cofactors[row]))
+    }
+
+    /// Cofactors of a computed column and row. `with_point` is what the image has in common with the images of the point: point and image
+    /// carry the datum alike, so that without it only the point's own share can be told, as if orientations were known.
+    fn of_computed(
+        &self,
+        line: &Linearised,
+        camera: usize,
+        image: usize,
+        point: usize,
+        common: &PointCofactors,
+        with_point: Option<&[f64; 18]>,
+    ) -> [f64; 2] {
+        let factor = &self.cofactors.reduced.points[point].factor;
+        let f = [0, 1].map(|row| forward3(factor, line.by_point[row]));
+        let Some(with_point) = with_point else { return f.map(|f| f.iter().map(|v| v * v).sum()) };
+        let own = self.cofactors.of_images(image, image);
+        let columns = &self.cofactors.problem.columns.of_camera[camera];
         [0, 1].map(|row| {
-            let h = form3(&line.by_point[row], coordinates) + self.of_orientation(&line, row, ray.image, columns, &own);
-            Judged::new(at[row] - line.at[row], ray.weight, 0.0, h)
+            let mut h = form3(&f[row], &common.middle) + self.of_orientation(line, row, image, columns, &own);
+            // The point moves with images and cameras: twice the product of both.
+            for c in 0..3 {
+                let t = &with_point[c * N..][..N];
+                let with_image: f64 = t.iter().zip(&line.by_image[row]).map(|(t, a)| t * a).sum();
+                let with_camera: f64 = columns.iter().map(|(p, column)| line.by_camera[row][*p] * common.of_columns[*column][c]).sum();
+                h -= 2.0 * f[row][c] * (with_image + with_camera);
+            }
+            h
         })
     }
 

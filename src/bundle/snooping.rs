@@ -19,7 +19,7 @@ use super::sparse::Pattern;
 use super::state::{State, free_of};
 use super::statistics::{Statistics, judge_by, statistics};
 use crate::Error;
-use crate::math::{median, normal_median_within};
+use crate::math::{normal_median_within, weighted_median};
 use std::rc::Rc;
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
@@ -27,7 +27,7 @@ const ROBUST_ROUNDS: usize = 10;
 const MAX_ROUNDS: usize = 40;
 /// Where a robust round rejects no more than this share of the rays, least squares can go on.
 const FEW_GROSS_ERRORS: f64 = 0.01;
-/// Rounds of least squares in which rejected rays may come back; then they may not, so that the rounds end.
+/// Rounds of least squares in which rejected rays may come back; then they may once more at most, so that the rounds end.
 const FREE_ROUNDS: usize = 2;
 
 /// Steps of robust rounds need not be as small, in standard errors, as those of the last.
@@ -85,6 +85,8 @@ struct Course<'a> {
     /// Those that agreed at the start, and whether all these are kept: too many were refused since.
     agreed: Vec<bool>,
     keeps_agreed: bool,
+    /// Whether rejected rays were taken back after the first rounds.
+    is_reconsidered: bool,
     start: State,
     /// How many rays were accepted at the start.
     rays_at_start: usize,
@@ -117,6 +119,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         placed: vec![true; block.images.len()],
         agreed: vec![true; block.images.len()],
         keeps_agreed: false,
+        is_reconsidered: false,
         state: start.clone(),
         start,
         rays_at_start: 0,
@@ -315,29 +318,34 @@ impl Course<'_> {
 
     /// σ from the median of the accepted rays, so that gross errors do not hide behind the σ that they raise; and no less than the rays of
     /// the start allow, lest a block that fits badly as a whole loses ray after ray until what is left fits.
+    ///
+    /// Coordinates count by their redundancy: along the base of two rays the point follows both, and residuals there say nothing of σ.
     fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
-        let sizes = |judged: &[Judged; 2]| judged.map(|j| j.standardised.abs()).into_iter().filter(|s| *s > 0.0);
+        let sizes = |judged: &[Judged; 2]| judged.map(|j| (j.standardised.abs(), j.redundancy));
         let accepted = rays.iter().zip(&self.verdicts).filter(|(_, v)| **v == RayVerdict::Accepted);
-        let mut of_accepted: Vec<f64> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
-        let mut of_all: Vec<f64> = rays.iter().flatten().flat_map(sizes).collect();
-        // A ray whose point is lost with it can no longer be judged: it counts as the worst.
-        let lost = self.rays_at_start.saturating_sub(rays.iter().flatten().count());
-        let worst = of_all.iter().copied().fold(0.0, f64::max);
-        of_all.resize(of_all.len() + 2 * lost, worst);
-        let least = median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
-        let from_median = (median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(self.options.limit())).max(least);
+        let mut of_accepted: Vec<(f64, f64)> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
+        let mut of_all: Vec<(f64, f64)> = rays.iter().flatten().flat_map(sizes).collect();
+        // A ray whose point is lost with it can no longer be judged: it counts as the worst, by as much as another.
+        let (judged, worst) = (of_all.len(), of_all.iter().map(|(size, _)| *size).fold(0.0, f64::max));
+        let lost = self.rays_at_start.saturating_sub(judged / 2);
+        let share = of_all.iter().map(|(_, redundancy)| redundancy).sum::<f64>() / judged.max(1) as f64;
+        of_all.resize(judged + 2 * lost, (worst, share));
+        let least = weighted_median(&mut of_all).unwrap_or(0.0) / MEDIAN_OF_GOOD;
+        let from_median = (weighted_median(&mut of_accepted).unwrap_or(0.0) / normal_median_within(self.options.limit())).max(least);
         // A median of a few residuals may be far too small by chance, more easily than their σ.
         if redundancy < FEW { from_median.max(adjusted.sigma) } else { from_median }
     }
 
-    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does; whether anything changed.
+    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does: in the first rounds, and once more when
+    /// nothing is left to reject, for what fell by errors that were found after it. Whether anything changed.
     fn snoop(&mut self, rays: &[Option<[Judged; 2]>], loss: Loss, calm_rounds: usize) -> bool {
         let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
-        let size = |judged: &[Judged; 2]| judged[0].standardised.abs().max(judged[1].standardised.abs());
+        let sizes = rays.iter().map(|judged| judged.map(|[x, y]| x.standardised.abs().max(y.standardised.abs())));
         let before = self.verdicts.clone();
         let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
-        for (ray, judged) in rays.iter().enumerate() {
-            let Some(size) = judged.as_ref().map(size) else { continue };
+        let mut fitting = Vec::new();
+        for (ray, size) in sizes.enumerate() {
+            let Some(size) = size else { continue };
             match before[ray] {
                 RayVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];
@@ -345,10 +353,15 @@ impl Course<'_> {
                         *worst = Some((ray, size));
                     }
                 }
-                RayVerdict::GrossError if size <= limit && loss == Loss::Squares && calm_rounds < FREE_ROUNDS => {
-                    self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
-                }
+                RayVerdict::GrossError if size <= limit => fitting.push(ray),
                 _ => {}
+            }
+        }
+        let is_last = !self.is_reconsidered && calm_rounds >= FREE_ROUNDS && worst.iter().all(Option::is_none);
+        if loss == Loss::Squares && (calm_rounds < FREE_ROUNDS || is_last) {
+            self.is_reconsidered |= is_last && !fitting.is_empty();
+            for ray in fitting {
+                self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
             }
         }
         worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);

@@ -42,18 +42,19 @@ fn judge(cofactors: &Cofactors<'_>, adjusted: &Adjusted, block: &Block, verdicts
     let judgement = Judgement { cofactors, state };
     let mut rays = vec![None; block.rays.len()];
     let mut coordinates = vec![None; network.points()];
+    let mut outsiders = vec![Vec::new(); network.points()];
+    for (index, (ray, _)) in block.rays.iter().zip(verdicts).enumerate().filter(|(_, (_, verdict))| **verdict != RayVerdict::Accepted) {
+        outsiders[ray.point].push(index);
+    }
     for point in 0..network.points() {
         let Some(common) = cofactors.of_point(point) else { continue };
         coordinates[point] = Some(cofactors.of_coordinates(point, &common));
         let sights = network.of_point(point);
         let judged = judgement.of_sights(point, &common, &factors[network.point_start[point]..]);
         sights.iter().zip(judged).for_each(|(sight, judged)| rays[sight.ray as usize] = Some(judged));
-    }
-    for ((ray, verdict), judged) in block.rays.iter().zip(verdicts).zip(&mut rays) {
-        if *verdict != RayVerdict::Accepted
-            && let Some(coordinates) = &coordinates[ray.point]
-        {
-            *judged = Some(judgement.of_outsider(ray, block.images[ray.image].camera, coordinates));
+        for index in &outsiders[point] {
+            let ray = &block.rays[*index];
+            rays[*index] = Some(judgement.of_outsider(ray, block.images[ray.image].camera, &common));
         }
     }
     JudgedRays { rays, coordinates }

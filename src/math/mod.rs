@@ -17,5 +17,5 @@ pub(crate) use lanes::Lanes;
 pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
-pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest};
+pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest, weighted_median};
 pub(crate) use whole::Whole;

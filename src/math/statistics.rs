@@ -22,6 +22,21 @@ pub(crate) fn median(values: &mut [f64]) -> Option<f64> {
     Some(0.5 * (lower + upper))
 }
 
+/// The median of values that count by their weights: half of the weight lies at or below it. `None` without any weight. Reorders `values`,
+/// which are pairs of value and weight.
+pub(crate) fn weighted_median(values: &mut [(f64, f64)]) -> Option<f64> {
+    values.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let half = 0.5 * values.iter().map(|(_, weight)| weight).sum::<f64>();
+    let mut below = 0.0;
+    values
+        .iter()
+        .find(|(_, weight)| {
+            below += weight;
+            *weight > 0.0 && below >= half
+        })
+        .map(|(value, _)| *value)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -32,5 +47,13 @@ mod tests {
         assert_eq!(median(&mut [3.0, 1.0, 2.0]), Some(2.0));
         assert_eq!(median(&mut [4.0, 1.0, 3.0, 2.0]), Some(2.5));
         assert_eq!(smallest(&mut [4.0, 1.0, 3.0, 2.0], 1), 2.0);
+    }
+
+    #[test]
+    fn weights_move_the_median() {
+        assert_eq!(weighted_median(&mut []), None);
+        assert_eq!(weighted_median(&mut [(1.0, 0.0), (2.0, 0.0)]), None);
+        assert_eq!(weighted_median(&mut [(3.0, 1.0), (1.0, 1.0), (2.0, 1.0)]), Some(2.0));
+        assert_eq!(weighted_median(&mut [(5.0, 0.6), (0.1, 0.0), (0.2, 1e-6), (6.0, 0.5), (4.0, 0.4)]), Some(5.0));
     }
 }
