@@ -38,9 +38,9 @@ function ofExif({ width, height, exif }) {
   const { make, model, camera } = exif;
   const known = camera !== null && camera.pixel_mm !== null;
   // Models of some makers begin with the make.
-  const words = [model?.startsWith(make ?? '') ? null : make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
+  const name = [model?.startsWith(make ?? '') ? null : make, model].filter(Boolean).join(' ');
   return {
-    label: words.filter(Boolean).join(' '),
+    label: [name, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`].filter(Boolean).join(', '),
     ...plain(width, height),
     focal_px: known ? camera.focal_mm / (camera.pixel_mm ?? 1) : null,
     pixel_mm: known ? camera.pixel_mm : null,
@@ -52,7 +52,7 @@ function ofRule({ images, focal_px, principal_point_px, radial, tangential, pixe
   const camera = plain(width, height);
   return {
     ...camera,
-    label: `${images} ${width} x ${height} px`,
+    label: `${images}, ${width} x ${height} px`,
     focal_px,
     principal_point_px: principal_point_px ?? camera.principal_point_px,
     radial: radial ?? camera.radial,
