@@ -49,3 +49,23 @@ impl Assembly {
         Ok(whole)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::description::{AssemblyCamera, AssemblyImage};
+    use super::*;
+
+    #[test]
+    fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
+        let known = AssemblyCamera { principal_point_px: Some([2010.0, 1490.0]), ..AssemblyCamera::of_size(4000, 3000, Some(3500.0)) };
+        let image = |name: &str, camera| AssemblyImage { name: name.into(), camera, position: None };
+        let cameras = vec![AssemblyCamera::of_size(600, 800, None), known];
+        let description = BlockDescription { cameras, images: vec![image("a.jpg", 1), image("b.jpg", 0)], control: Vec::new() };
+        let model = description.to_model();
+        model.check().unwrap();
+        let seen: Vec<_> = model.cameras.iter().map(|camera| (camera.focal_px, camera.principal_point_px)).collect();
+        assert_eq!(seen, [(960.0, [300.0, 400.0]), (3500.0, [2010.0, 1490.0])]);
+        let images: Vec<_> = model.images.iter().map(|image| (image.name.as_str(), image.camera, image.pose)).collect();
+        assert_eq!(images, [("a.jpg", 1, None), ("b.jpg", 0, None)]);
+    }
+}
