@@ -53,7 +53,7 @@ pub use descriptors::{
 pub use error::Error;
 pub use formats::{
     BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ImageMark, ModelCamera, ModelImage, ModelPoint, ModelPose,
-    ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_camera_rules,
+    ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, csv_field, export_block, parse_camera_rules,
     parse_image_marks, parse_surveyed_points, read_colmap_model, read_project, write_project,
 };
 pub use geometry::{

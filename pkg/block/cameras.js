@@ -10,9 +10,6 @@ import { camera_rules_of, parse_camera_rules } from '../wasm/tiepoint.js';
  * @typedef {import('../wasm/tiepoint.js').CameraRule} CameraRule
  */
 
-/** Of a camera of which nothing is known: focal lengths of most are about the longer side of the image. */
-const GUESSED_FOCAL = 1.2;
-
 /**
  * Images of one make, model, focal length and size are of one camera, and so are those of one rule and size.
  * @param {readonly { name: string, head: FeatureHead }[]} images @param {string} [rulesText] a file of cameras
@@ -41,9 +38,9 @@ function ofExif({ width, height, exif }) {
   const { make, model, camera } = exif;
   const known = camera !== null && camera.pixel_mm !== null;
   // Models of some makers begin with the make.
-  const words = [model?.startsWith(make ?? '') ? null : make, model, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`];
+  const name = [model?.startsWith(make ?? '') ? null : make, model].filter(Boolean).join(' ');
   return {
-    label: words.filter(Boolean).join(' '),
+    label: [name, camera && `${camera.focal_mm} mm`, `${width} x ${height} px`].filter(Boolean).join(', '),
     ...plain(width, height),
     focal_px: known ? camera.focal_mm / (camera.pixel_mm ?? 1) : null,
     pixel_mm: known ? camera.pixel_mm : null,
@@ -55,7 +52,7 @@ function ofRule({ images, focal_px, principal_point_px, radial, tangential, pixe
   const camera = plain(width, height);
   return {
     ...camera,
-    label: `${images} ${width} x ${height} px`,
+    label: `${images}, ${width} x ${height} px`,
     focal_px,
     principal_point_px: principal_point_px ?? camera.principal_point_px,
     radial: radial ?? camera.radial,
@@ -78,12 +75,12 @@ export function pairCameras(left, right) {
   const of = (camera) => {
     const { focal_px, principal_point_px, radial, tangential } = camera;
     const bent = both && [...radial, ...tangential].some((k) => k !== 0);
-    return { pinhole: { focal_px: both ? focal_px : null, principal_px: principal_point_px }, lens: bent ? modelCamera(camera) : null };
+    return { pinhole: { focal_px: both ? focal_px : null, principal_px: principal_point_px }, lens: bent ? knownCamera(camera) : null };
   };
   return [of(left), of(right)];
 }
 
-/** A camera as a block holds it, with a guess where nothing is known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').ModelCamera} */
-export function modelCamera({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm }) {
-  return { width_px, height_px, focal_px: focal_px ?? GUESSED_FOCAL * Math.max(width_px, height_px), principal_point_px, radial, tangential, pixel_mm };
+/** A camera as a block holds it; null where its focal length is not known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').ModelCamera | null} */
+export function knownCamera({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm }) {
+  return focal_px === null ? null : { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm };
 }

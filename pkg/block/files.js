@@ -1,7 +1,7 @@
 // @ts-check
 /** The files of a block: its project, its tables, its summary, and what other programs read. */
 
-import { explain_connections, export_block, write_project } from '../wasm/tiepoint.js';
+import { csv_field, explain_connections, export_block, write_project } from '../wasm/tiepoint.js';
 import { refinementSummary, withOutcomes } from './refinement-table.js';
 
 /**
@@ -81,14 +81,14 @@ function pairTable({ images, connections, geometries, points, model }, reasons) 
   const rows = connections.map(({ images: [a, b], rule, outcome }, index) => {
     const geometry = geometries[index];
     const matches = 'matches' in outcome ? outcome.matches : '';
-    const names = [a, b].map((image) => quoted(images[image]?.name ?? ''));
+    const names = [a, b].map((image) => csv_field(images[image]?.name ?? ''));
     const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0, chosen.get([a, b].join()) ?? 0];
-    return [a, b, ...names, rule, outcome.kind, matches, ...facts, quoted(reasons[index] ?? '')].join(',');
+    return [a, b, ...names, rule, outcome.kind, matches, ...facts, csv_field(reasons[index] ?? '')].join(',');
   });
   return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,chosen_points,reason', ...rows, ''].join('\n');
 }
 
-/** How many points of a block both images of a pair see, by both their numbers.  @param {import('../wasm/tiepoint.js').BlockModel} model */
+/** How many points of a block both images of a pair see, by both their numbers.  @param {Pick<import('../wasm/tiepoint.js').BlockModel, 'points'>} model */
 export function chosenOf({ points }) {
   /** @type {Map<string, number>} */
   const seen = new Map();
@@ -100,9 +100,6 @@ export function chosenOf({ points }) {
   }
   return seen;
 }
-
-/** A field as RFC 4180 has it.  @param {string} text */
-const quoted = (text) => (/[,"]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 /**
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports

@@ -22,10 +22,10 @@ export function writing(run: BlockRun, formats: readonly ExportFormat[], write: 
 export function groupCameras(images: readonly Pick<ReadImage, 'name' | 'head'>[], rulesText?: string): { cameras: GroupedCamera[]; of: number[] };
 
 /** How many points of a block both images of a pair see, by both their numbers with a comma between, the smaller one first. */
-export function chosenOf(model: BlockModel): Map<string, number>;
+export function chosenOf(model: Pick<BlockModel, 'points'>): Map<string, number>;
 
-/** A camera as a block holds it, with a guess where nothing is known. */
-export function modelCamera(camera: GroupedCamera): ModelCamera;
+/** A camera as a block holds it; null where its focal length is not known. */
+export function knownCamera(camera: GroupedCamera): ModelCamera | null;
 
 /**
  * Runs a block from its image files to its tie points and orientation. What the store holds from an earlier run with the same images and

@@ -1,7 +1,7 @@
 // @ts-check
 /** A block from its image files to its tie points, on any kind of workers and any kind of store. */
 
-export { groupCameras, modelCamera } from './cameras.js';
+export { groupCameras, knownCamera } from './cameras.js';
 export { BlockError } from './errors.js';
 export { chosenOf, FIXED_FILES, PROJECT_FILE, writeBlock, writing } from './files.js';
 export { runBlock } from './run.js';

@@ -2,7 +2,7 @@
 /** A block from its image files to its tie points: the stages in order, whatever runs their jobs and keeps their records. */
 
 import { block_settings } from '../wasm/tiepoint.js';
-import { groupCameras, modelCamera } from './cameras.js';
+import { groupCameras } from './cameras.js';
 import { describeBlock } from './description.js';
 import { BlockError, refusal } from './errors.js';
 import { readImages } from './images.js';
@@ -51,7 +51,7 @@ export async function runBlock(sources, options, surroundings) {
       act: async () => ({ result: { oriented: orientation(block, description, settings.selection) }, found: false }),
       ...(surroundings.progress && { progress: surroundings.progress }), ...(surroundings.signal && { signal: surroundings.signal }),
     }));
-    const model = oriented.model ?? block.model(cameras.map(modelCamera), images.map(({ name, camera }) => ({ name, camera, pose: null })), selected.points);
+    const model = oriented.model ?? block.model(description, selected.points);
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
     const project = { block: model, connections, joining: settings.block, selection: settings.selection };
     return {

@@ -31,8 +31,8 @@ export async function runStage({ name, items, width, label, act, progress, signa
   const tell = (/** @type {string} */ last) => {
     const seconds = (performance.now() - began) / 1000;
     const made = done - found;
-    // What was found went by at once: the rest takes as long as what was made.
-    const left = made > 0 ? { secondsLeft: (seconds / made) * (items.length - done) } : {};
+    // What was found went by at once: the rest takes as long as what was made. The first of each worker wait for its start.
+    const left = made >= 2 * width || (made > 0 && done === items.length) ? { secondsLeft: (seconds / made) * (items.length - done) } : {};
     progress?.({ stage: name, done, total: items.length, found, seconds, ...(last && { name: last }), ...left });
   };
   tell('');

@@ -15,8 +15,6 @@ use crate::Error;
 use crate::block::{ImageFeatures, MultiRayPoints, SelectOptions, SharedPoints, select_points, shared_points};
 use crate::bundle::BlockCamera;
 
-/// A focal length that is not known is taken for this many times the longer side of the image.
-const GUESSED_FOCAL: f64 = 1.2;
 /// Common points that a pair of images keeps while the block grows and is adjusted.
 pub(super) const GROWING_CONNECTION: usize = 15;
 /// Starts that are compared, and the images that each grows to for that.
@@ -47,7 +45,7 @@ pub fn assemble_block(
     options.check()?;
     check(description, points, features)?;
     let frame = Frame::new(description)?;
-    let cameras: Vec<BlockCamera> = (0..description.cameras.len()).map(|camera| approximate(description, camera)).collect();
+    let cameras: Vec<BlockCamera> = description.cameras.iter().map(AssemblyCamera::approximate).collect();
     let priors: Vec<CameraPrior> =
         cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
@@ -106,21 +104,6 @@ fn subset(points: &MultiRayPoints, chosen: &[u32]) -> MultiRayPoints {
         some.push(points.rays(*point as usize).iter().copied(), points.confidence(*point as usize));
     }
     some
-}
-
-/// A camera with what is known of it, and guesses for the rest.
-pub(super) fn approximate(description: &BlockDescription, camera: usize) -> BlockCamera {
-    let given = &description.cameras[camera];
-    let (width, height) = (f64::from(given.width_px), f64::from(given.height_px));
-    let mut free = given.free;
-    free.focal |= given.focal_px.is_none();
-    BlockCamera {
-        focal_px: given.focal_px.unwrap_or(GUESSED_FOCAL * width.max(height)),
-        principal_point_px: given.principal_point_px.unwrap_or([0.5 * width, 0.5 * height]),
-        radial: given.radial,
-        tangential: given.tangential,
-        free,
-    }
 }
 
 /// Of several starts the one that gets farthest: over flat ground a pair alone may have the wrong one of two orientations.

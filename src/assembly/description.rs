@@ -1,7 +1,10 @@
 //! What is known of a block before it is oriented: cameras, images, surveyed points.
 
-use crate::bundle::FreeParameters;
+use crate::bundle::{BlockCamera, CameraLabel, FreeParameters};
 use serde::{Deserialize, Serialize};
+
+/// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
+const GUESSED_FOCAL: f64 = 1.2;
 
 /// The cameras and images of a block with whatever positions were observed.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -57,6 +60,23 @@ impl AssemblyCamera {
             free: Self::calibrated(),
             pixel_mm: None,
         }
+    }
+
+    /// The camera with what is known of it, and guesses for the rest.
+    pub(super) fn approximate(&self) -> BlockCamera {
+        let (width, height) = (f64::from(self.width_px), f64::from(self.height_px));
+        BlockCamera {
+            focal_px: self.focal_px.unwrap_or(GUESSED_FOCAL * width.max(height)),
+            principal_point_px: self.principal_point_px.unwrap_or([0.5 * width, 0.5 * height]),
+            radial: self.radial,
+            tangential: self.tangential,
+            free: FreeParameters { focal: self.free.focal || self.focal_px.is_none(), ..self.free },
+        }
+    }
+
+    /// What it has beside its calibration.
+    pub(super) fn label(&self) -> CameraLabel {
+        CameraLabel { width_px: self.width_px, height_px: self.height_px, pixel_mm: self.pixel_mm }
     }
 }
 

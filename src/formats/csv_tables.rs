@@ -5,6 +5,7 @@ use super::text::not_written;
 use crate::Error;
 use crate::angles_from_rotation;
 use nalgebra::Matrix3;
+use std::borrow::Cow;
 use std::fmt::{self, Write};
 
 /// The files `images.csv`, `points.csv` and `rays.csv`. Images and points count from 0; what is not known is empty; angles are those of
@@ -19,7 +20,7 @@ fn write_images(model: &BlockModel, out: &mut String) -> fmt::Result {
     writeln!(out, "image,name,camera,width_px,height_px,focal_px,x,y,z,omega_deg,phi_deg,kappa_deg")?;
     for (index, image) in model.images.iter().enumerate() {
         let camera = &model.cameras[image.camera];
-        write!(out, "{index},{},{},{},{},{}", quoted(&image.name), image.camera, camera.width_px, camera.height_px, camera.focal_px)?;
+        write!(out, "{index},{},{},{},{},{}", csv_field(&image.name), image.camera, camera.width_px, camera.height_px, camera.focal_px)?;
         match &image.pose {
             Some(pose) => {
                 let [x, y, z] = pose.position;
@@ -49,15 +50,31 @@ fn write_rays(model: &BlockModel, out: &mut String) -> fmt::Result {
     writeln!(out, "point,image,name,x_px,y_px,confidence")?;
     for (index, point) in model.points.iter().enumerate() {
         for ray in &point.rays {
-            let name = quoted(&model.images[ray.image].name);
+            let name = csv_field(&model.images[ray.image].name);
             writeln!(out, "{index},{},{name},{},{},{}", ray.image, ray.x_px, ray.y_px, ray.confidence)?;
         }
     }
     Ok(())
 }
 
+/// A field of a table between commas: one with commas, quotation marks or line breaks stands between quotation marks, which are doubled within.
+///
 /// # Source
-/// RFC 4180: a field with commas or quotation marks stands between quotation marks, which are doubled within.
-fn quoted(name: &str) -> String {
-    if name.contains([',', '"']) { format!("\"{}\"", name.replace('"', "\"\"")) } else { name.into() }
+/// RFC 4180.
+pub fn csv_field(text: &str) -> Cow<'_, str> {
+    if text.contains([',', '"', '\r', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")).into() } else { text.into() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::csv_field;
+
+    #[test]
+    fn only_fields_that_need_it_are_quoted() {
+        for (text, field) in
+            [("a b;c.jpg", "a b;c.jpg"), ("a,b", "\"a,b\""), ("the \"a\"", "\"the \"\"a\"\"\""), ("a\nb", "\"a\nb\""), ("", "")]
+        {
+            assert_eq!(csv_field(text), field);
+        }
+    }
 }

@@ -36,6 +36,7 @@ pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{SurveyedPoint, parse_surveyed_points};
+pub use csv_tables::csv_field;
 pub use export::{ExportFormat, export_block};
 pub use marks::{ImageMark, parse_image_marks};
 pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};

@@ -3,7 +3,8 @@
 //! Data flow: [`Flight`] → `scene` (relief, streets, river, buildings, trees, paint) → `photo` (central projection and scan) → `view`
 //! (which surface a pixel sees) → `render` (samples, point spread) → `sensor` (haze, gain, offset, grain, noise) → [`Sample`].
 //!
-//! A whole block is simulated in `block`: by its features alone, or photographed over the same scene.
+//! Whole blocks are simulated for what is tested with them: in `block` as features or photos, which must be matched before they are oriented;
+//! in `network` as the rays and approximate values that a bundle adjustment takes.
 //!
 //! Ground coordinates are metres, x to the right in the left photo (along the base, but for the left photo's tilts), y up in
 //! it, z up; the left photo's perspective centre is above the origin. The same flight gives the same bytes on every machine.
@@ -12,6 +13,7 @@ mod block;
 mod buckets;
 mod flight;
 mod lattice;
+mod mounting;
 mod network;
 mod photo;
 mod random;

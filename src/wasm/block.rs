@@ -1,11 +1,10 @@
 //! Multi-ray points of a block: its pairs, its matches, the points and the choice among them.
 
-use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
+use super::convert::{JsResult, object, pack, read_options, rows, thrown};
 use crate::block::check_features;
 use crate::{
-    BLOCK_PARAMETERS, BlockMatches, BlockModel, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, ModelCamera, ModelImage,
-    MultiRayPoints, PairChoice, SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points,
-    shared_points,
+    BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, MultiRayPoints, PairChoice,
+    SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points, shared_points,
 };
 use js_sys::{Float32Array, Float64Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -206,21 +205,6 @@ impl BlockPoints {
         let moved = Self { images, counts: self.counts.clone(), matches, points };
         check_features(&moved.points, &moved.features()).map_err(thrown)?;
         Ok(moved)
-    }
-
-    /// The block with these of its points, before any of it is oriented.
-    #[wasm_bindgen(unchecked_return_type = "BlockModel")]
-    pub fn model(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "ModelCamera[]")] cameras: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "ModelImage[]")] images: &JsValue,
-        chosen: &[u32],
-    ) -> JsResult<JsValue> {
-        let (cameras, images): (Vec<ModelCamera>, Vec<ModelImage>) = (read("cameras", cameras)?, read("images", images)?);
-        let mut model = BlockModel { cameras, images, ..BlockModel::default() };
-        model.add_points(&self.points, chosen, &self.features()).map_err(thrown)?;
-        model.check().map_err(thrown)?;
-        Ok(pack(&model))
     }
 }
 

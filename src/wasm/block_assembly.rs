@@ -24,6 +24,19 @@ impl BlockPoints {
         };
         Ok(object([("assembly", pack(&assembly)), ("model", pack(&model))]))
     }
+
+    /// The block with these of its points, before any of it is oriented.
+    #[wasm_bindgen(unchecked_return_type = "BlockModel")]
+    pub fn model(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "BlockDescription")] description: &JsValue,
+        chosen: &[u32],
+    ) -> JsResult<JsValue> {
+        let mut model = read::<BlockDescription>("block", description)?.to_model();
+        model.add_points(&self.points, chosen, &self.features()).map_err(thrown)?;
+        model.check().map_err(thrown)?;
+        Ok(pack(&model))
+    }
 }
 
 /// The defaults of the options of the assembly.

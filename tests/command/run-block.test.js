@@ -50,6 +50,9 @@ test('an aborted run rejects with the reason, and goes on where it stood', async
     assert.ok(own.every((step, i) => step.done === i && step.total === own.length - 1), stage);
   }
   assert.equal(last('pairs')?.secondsLeft, 0);
+  // The first job of each worker says nothing of the next ones.
+  const hasty = steps.filter(({ stage, done, found, total, secondsLeft }) => stage === 'pairs' && done - found < 2 * HERE.size && done < total && secondsLeft !== undefined);
+  assert.deepEqual(hasty, []);
 });
 
 test('a pair whose worker breaks down is told as failed, and tried again the next time', async () => {

@@ -68,7 +68,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points chosen/);
   assert.ok(await number(page, 'block-points-count') > 0);
   const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
   assert.ok(right > 0.9 * all, `${right} of ${all}`);
@@ -92,6 +92,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   await page.screenshot({ path: join(SHOTS, 'block-picture.png') });
 
   await part(page, 'block-show-matrix').click();
+  assert.match((await part(page, 'block-cells').textContent()) ?? '', /^Strongest cell: [\d\s]+ matches\. Small square: not connected\. Blank: not tried\.$/);
   await part(page, 'block-matrix').focus();
   await page.keyboard.press('ArrowRight');
   const cell = await part(page, 'block-chosen').textContent();

@@ -2,31 +2,33 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BlockScene } from '../../pkg/node.js';
+import { BlockScene, photo_camera, read_project } from '../../pkg/node.js';
 import { greyPng } from '../../pkg/command/png.js';
-import { done, hosted, open, part, SKIP, upload } from './page.js';
+import { done, hosted, open, part, saved, SKIP, upload } from './page.js';
 
 hosted();
 
-const FLIGHT = { strips: 1, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.15 };
+const FLIGHT = { strips: 2, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.15 };
 const FOCAL_MM = 85;
 /** In the direction from object to image, without unit. */
 const K1 = -0.02;
+const CAMERA = { images: '*.png', focal_px: FOCAL_MM / FLIGHT.pixel_mm, principal_point_px: [242, 180], radial: [K1, 0, 0], pixel_mm: FLIGHT.pixel_mm };
 
-test('a pair of a block has its focal length, principal point and distortion', { skip: SKIP }, async () => {
-  const { page, complaints, close } = await open();
+/** Runs a block of photos of one camera and opens its first pair.  @param {import('playwright-core').Page} page @param {object} camera */
+async function openedPair(page, camera) {
   await part(page, 'mode-block').click();
   const scene = new BlockScene(FLIGHT);
-  const photos = [0, 1, 2].map((index) => {
+  const photos = Array.from({ length: FLIGHT.strips * FLIGHT.exposures }, (_, index) => {
     const { width, height, grey } = scene.photo(index);
     return upload(`photo_${index}.png`, greyPng(width, height, grey), 'image/png');
   });
   scene.free();
   await part(page, 'block-files-input').setInputFiles(photos);
-  const camera = { images: '*.png', focal_px: FOCAL_MM / FLIGHT.pixel_mm, principal_point_px: [242, 180], radial: [K1, 0, 0], pixel_mm: FLIGHT.pixel_mm, fixed: true };
   await part(page, 'block-cameras-input').setInputFiles([upload('cameras.json', Buffer.from(JSON.stringify({ cameras: [camera] })), 'application/json')]);
   await part(page, 'block-run').click();
   await page.waitForFunction(() => /^(Done|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
+  await part(page, 'block-export-kind').selectOption('project');
+  const { block } = read_project(await saved(page, 'block-export'));
   await part(page, 'block-show-matrix').click();
   await part(page, 'block-matrix').focus();
   await page.keyboard.press('ArrowRight');
@@ -34,10 +36,30 @@ test('a pair of a block has its focal length, principal point and distortion', {
   await done(page);
   await part(page, 'tab-camera').click();
   const value = async (/** @type {string} */ id) => Number(await part(page, id).inputValue());
-  assert.ok(Math.abs(await value('camera-focal') - FOCAL_MM) < 1e-6);
-  assert.ok(Math.abs(await value('camera-x0') - 2 * FLIGHT.pixel_mm) < 1e-6 && Math.abs(await value('camera-y0')) < 1e-9);
+  const [focal, x0, y0, k1, k2, k3] = await Promise.all(['camera-focal', 'camera-x0', 'camera-y0', 'camera-k1', 'camera-k2', 'camera-k3'].map(value));
+  return { block, shown: { focal, x0, y0, k1, k2, k3 } };
+}
+
+test('a pair of a block has its focal length, principal point and distortion', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  const { shown: { focal = 0, x0 = 0, y0 = 0, k1 = 0 } } = await openedPair(page, { ...CAMERA, fixed: true });
+  assert.ok(Math.abs(focal - FOCAL_MM) < 1e-6);
+  assert.ok(Math.abs(x0 - 2 * FLIGHT.pixel_mm) < 1e-6 && Math.abs(y0) < 1e-9);
   // A correction of what was measured has the other sign; its first term is that of the other direction but for higher ones.
-  assert.ok(Math.abs(await value('camera-k1') * FOCAL_MM ** 2 + K1) < 0.05 * Math.abs(K1), `k1 is ${await value('camera-k1')}`);
+  assert.ok(Math.abs(k1 * FOCAL_MM ** 2 + K1) < 0.05 * Math.abs(K1), `k1 is ${k1}`);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a pair of a block that was adjusted has its calibrated camera, not that of the file', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  const { block, shown } = await openedPair(page, CAMERA);
+  const [camera] = block.cameras;
+  assert.ok(camera && block.images.every(({ pose }) => pose), 'the block is not oriented');
+  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').Camera>} */ (photo_camera(camera));
+  assert.deepEqual(shown, { focal: focal_mm, x0, y0, k1, k2, k3 });
+  // The photos were taken without distortion: what the file says of it is wrong, and the block finds that.
+  assert.ok(Math.abs(camera.radial?.[0] ?? NaN) < 0.5 * Math.abs(K1), `k1 is ${camera.radial}`);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -16,6 +16,8 @@ export class Coming {
   private readonly connections: Connection[] = [];
   private readonly geometries: PairHead['geometry'][] = [];
   private nextAt = 0;
+  /** What came too soon after a view is shown by the next one. */
+  private timer: ReturnType<typeof setTimeout> | null = null;
 
   /** `cameras`: the text of a file of cameras. */
   constructor(private readonly cameras: string | undefined, private readonly show: (view: BlockView) => void) {}
@@ -27,16 +29,23 @@ export class Coming {
       this.connections.push(news.connection);
       this.geometries.push(news.geometry);
     }
-    const began = performance.now();
-    if (began < this.nextAt) return;
-    this.tell();
-    const ended = performance.now();
-    this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
+    this.timer ??= setTimeout(() => {
+      this.timer = null;
+      const began = performance.now();
+      this.tell();
+      const ended = performance.now();
+      this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
+    }, Math.max(0, this.nextAt - performance.now()));
   }
 
   /** Shows all that was found. */
   tell(): void {
     if (this.images.size > 0) this.show(this.view());
+  }
+
+  /** Shows nothing more. */
+  end(): void {
+    if (this.timer !== null) clearTimeout(this.timer);
   }
 
   private view(): BlockView {

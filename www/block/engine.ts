@@ -2,9 +2,9 @@
 import type { Jobs } from '../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../engine/client';
+import { WorkerPool } from '../engine/pool';
 import type { Holder } from '../state/store';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
-import { WorkerPool } from './pool';
 import type { BlockAction } from './reducer';
 import { isBusy, wantedKey } from './state';
 import type { BlockOptions, BlockState } from './state';

@@ -29,7 +29,7 @@ export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFi
     });
     const take = button('Photograph this block', 'block-photograph', () => { void files.simulate(); });
     take.className = 'primary';
-    fill(host, h('p', { class: 'note' }, 'A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.'), take,
+    fill(host, h('p', { class: 'note' }, 'A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.'), h('div', { class: 'buttons' }, take),
       h('fieldset', { class: 'group' }, ...controls.map(({ control }) => control.element)));
     store.watch((s) => [s.flight] as const, ([flight]) => {
       if (flight !== null) for (const { field, control } of controls) control.show(flight[field] ?? null);

@@ -54,8 +54,9 @@ export class Matrix {
     return Math.min(LARGEST, Math.max(smallest, Math.floor(room / count)));
   }
 
-  /** A matrix larger than its host is scrolled. */
+  /** A matrix larger than its host is scrolled; one that is hidden is sized when it comes into sight. */
   private size(): void {
+    if (this.host.closest('[hidden]') !== null) return;
     const side = `${String(HEAD + 2 + this.cellSide() * (this.view()?.images.length ?? 0))}px`;
     Object.assign(this.sheet.style, { width: side, height: side });
     this.surface.redraw();

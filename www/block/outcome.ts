@@ -1,8 +1,8 @@
 /** What of a run, or of a project that was opened, the page shows. */
-import { chosenOf, modelCamera } from '../../pkg/block/index.js';
+import { chosenOf, knownCamera } from '../../pkg/block/index.js';
 import type { BlockRun, GroupedCamera, ReadImage } from '../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../pkg/wasm/tiepoint.js';
-import type { BlockModel, Connection, Project } from '../../pkg/wasm/tiepoint.js';
+import type { BlockModel, Connection, ModelCamera, Project } from '../../pkg/wasm/tiepoint.js';
 import { withAssembly } from './adjustment';
 import { layoutOf } from './layout';
 import type { BlockView, RayCount, ViewCamera, ViewConnection, ViewImage, ViewPoints } from './view';
@@ -30,7 +30,7 @@ export function viewOfParts(
   read: readonly ReadImage[], cameras: readonly GroupedCamera[], of: readonly number[], connections: readonly Connection[], geometries: BlockRun['geometries'],
 ): BlockView {
   const images = read.map(({ name }, i) => ({ name, camera: of[i] ?? 0, pose: null }));
-  const view = viewOf({ cameras: cameras.map(modelCamera), images, points: [] }, connections, read.map(({ head }) => head.exif), new Map(), geometries.map(geometryName));
+  const view = viewOf({ cameras, images, points: [] }, connections, read.map(({ head }) => head.exif), new Map(), geometries.map(geometryName));
   return {
     ...view,
     partial: true,
@@ -41,15 +41,18 @@ export function viewOfParts(
 
 /** What is known of cameras beside the block's model. */
 function withLabels(cameras: readonly ViewCamera[], grouped: readonly GroupedCamera[]): ViewCamera[] {
-  return cameras.map((camera, i) => ({ ...camera, label: grouped[i]?.label ?? camera.label, givenFocalPx: grouped[i]?.focal_px ?? null }));
+  return cameras.map((camera, i) => ({ ...camera, label: grouped[i]?.label ?? camera.label, given: grouped[i] === undefined ? null : knownCamera(grouped[i]) }));
 }
 
 export function viewOfProject({ block, connections }: Project): BlockView {
   return viewOf(block, connections, block.images.map(() => null), chosenOf(block), connections.map(() => ''));
 }
 
+/** A block of whose cameras the focal length may not be known, as long as none of their images is oriented. */
+type Block = Omit<BlockModel, 'cameras'> & { cameras: readonly (ModelCamera | GroupedCamera)[] };
+
 function viewOf(
-  model: BlockModel, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],
+  model: Block, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],
 ): BlockView {
   const { reasons, groups } = explain_connections(model.images.length, [...connections]);
   const chosen = chosenOf(model);
@@ -80,15 +83,15 @@ function viewOf(
   };
 }
 
-function camerasOf({ cameras, images }: BlockModel): ViewCamera[] {
-  return cameras.map(({ width_px: width, height_px: height, focal_px: focal, pixel_mm: pixelMm = null }, i) => {
-    const own = images.filter(({ camera }) => camera === i);
-    const oriented = own.some(({ pose }) => pose != null);
-    return { label: `${String(width)} × ${String(height)} px`, images: own.length, givenFocalPx: null, focalPx: oriented ? focal : null, focalErrorPx: null, pixelMm };
+function camerasOf({ cameras, images }: Block): ViewCamera[] {
+  return cameras.map((camera, i) => {
+    const own = images.filter((image) => image.camera === i);
+    const calibrated = camera.focal_px !== null && own.some(({ pose }) => pose != null) ? { ...camera, focal_px: camera.focal_px } : null;
+    return { label: `${String(camera.width_px)} × ${String(camera.height_px)} px`, images: own.length, given: null, calibrated, focalErrorPx: null };
   });
 }
 
-function imagesOf(model: BlockModel): ViewImage[] {
+function imagesOf(model: Block): ViewImage[] {
   const rays = model.images.map(() => 0);
   for (const point of model.points) for (const { image } of point.rays) rays[image] = (rays[image] ?? 0) + 1;
   return model.images.map(({ name, camera, pose }, i) => {
@@ -97,7 +100,7 @@ function imagesOf(model: BlockModel): ViewImage[] {
   });
 }
 
-function pointsOf({ points }: BlockModel): ViewPoints {
+function pointsOf({ points }: Block): ViewPoints {
   const none = [NaN, NaN, NaN];
   return {
     count: points.length,
@@ -110,7 +113,7 @@ function pointsOf({ points }: BlockModel): ViewPoints {
 }
 
 /** Root mean square length of the residuals of all rays; null where points are not adjusted. */
-function rmseOf({ points }: BlockModel): number | null {
+function rmseOf({ points }: Pick<Block, 'points'>): number | null {
   const known = points.filter(({ rmse_px }) => rmse_px != null);
   const rays = known.reduce((sum, point) => sum + point.rays.length, 0);
   const squares = known.reduce((sum, point) => sum + point.rays.length * (point.rmse_px ?? 0) ** 2, 0);
@@ -118,10 +121,10 @@ function rmseOf({ points }: BlockModel): number | null {
 }
 
 /** Points by their number of rays. */
-function byRays({ points }: BlockModel): RayCount[] {
+function byRays({ points }: Block): RayCount[] {
   const groups = new Map<number, BlockModel['points']>();
   for (const point of points) groups.set(point.rays.length, [...(groups.get(point.rays.length) ?? []), point]);
-  return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ cameras: [], images: [], points: group }) }));
+  return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ points: group }) }));
 }
 
 const MODELS: Readonly<Record<string, string>> = {

@@ -1,6 +1,5 @@
 /** From a pair of the block to the pair's part of the page, and back. */
-import { camera_rules_of, parse_camera_rules, photo_camera } from '../../pkg/wasm/tiepoint.js';
-import type { CameraRule } from '../../pkg/wasm/tiepoint.js';
+import { photo_camera } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../engine/engine';
 import type { Camera } from '../engine/wasm';
 import { SIDES } from '../state/state';
@@ -53,29 +52,13 @@ function readyFor(store: Store, block: BlockStore, camera: Camera | null): void 
   }
 }
 
-/**
- * The camera of both images: its focal length calibrated by the block, or given before that, principal point and distortion from the file of
- * cameras; null where the images have two cameras, or nothing is known.
- */
+/** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
 function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
   const { images = [], cameras = [] } = block.state.shown?.view ?? {};
   const [left, right] = [images[a], images[b]];
   const camera = left !== undefined && left.camera === right?.camera ? cameras[left.camera] : undefined;
-  const focal = camera?.focalPx ?? camera?.givenFocalPx ?? null;
-  if (left === undefined || camera === undefined || focal === null) return null;
-  const { name, width, height } = left;
-  const { principal_point_px: principal, radial, tangential } = givenLens(block, name);
-  return photo_camera({
-    width_px: width, height_px: height, focal_px: focal, principal_point_px: principal ?? [width / 2, height / 2],
-    ...(radial && { radial }), ...(tangential && { tangential }), pixel_mm: camera.pixelMm,
-  });
-}
-
-/** What the file of cameras says of the lens that took an image. */
-function givenLens(block: BlockStore, name: string): Partial<CameraRule> {
-  const { cameras } = block.state.options;
-  const rules = cameras === null ? [] : parse_camera_rules(cameras.text);
-  return rules[camera_rules_of(rules, [name])[0] ?? -1] ?? {};
+  const known = camera?.calibrated ?? camera?.given ?? null;
+  return known === null ? null : photo_camera(known);
 }
 
 function fileOf(block: BlockStore, name: string | undefined): BlockFile | undefined {

@@ -15,6 +15,10 @@ const KEY_PAN = 60;
 const KEY_ZOOM = 1.25;
 /** Above so many images only those that are pointed at or chosen have their names. */
 const NAMED = 60;
+/** Of a name: its base line below the middle of its image, its height, and the room to the next one; in CSS px. */
+const NAME_BELOW = 19;
+const NAME_HEIGHT = 13;
+const NAME_GAP = 6;
 
 export class Picture {
   private readonly surface: Surface;
@@ -177,6 +181,7 @@ export class Picture {
     const marked = [this.store.state.choice, this.hovered].filter((choice) => choice !== null);
     paintLines(context, colours, view, plan, marked);
     paintImages(context, colours, view, plan, marked);
+    paintNames(context, colours, view, plan, marked);
   }
 }
 
@@ -217,9 +222,7 @@ function paintRefused(context: CanvasRenderingContext2D, colours: Colours, view:
 
 function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: PlanView, marked: readonly Choice[]): void {
   const largest = new Set(view.groups[0]);
-  context.font = '11px system-ui, sans-serif';
-  context.textAlign = 'center';
-  view.images.forEach(({ name, oriented }, i) => {
+  view.images.forEach(({ oriented }, i) => {
     const [x, y] = placeOf(view, plan, i);
     const on = marked.some((choice) => (choice.kind === 'image' ? choice.image === i : choice.images.includes(i)));
     const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
@@ -233,15 +236,32 @@ function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: 
     context.lineWidth = sound ? 1.5 : 2;
     context.strokeStyle = sound ? colours.surface : colours.problem;
     context.stroke();
-    if (on || view.images.length <= NAMED) paintName(context, colours, name, x, y + radius + 12);
   });
 }
 
-function paintName(context: CanvasRenderingContext2D, colours: Colours, name: string, x: number, y: number): void {
-  const short = name.replace(/\.[^.]+$/u, '');
+/** Names below their images, as far as there is room beside each other: first those that are pointed at or chosen, which always stand. */
+function paintNames(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: PlanView, marked: readonly Choice[]): void {
+  context.font = '11px system-ui, sans-serif';
+  context.textAlign = 'center';
+  const isMarked = (image: number) => marked.some((choice) => (choice.kind === 'image' ? choice.image === image : choice.images.includes(image)));
+  const all = view.images.map((_, image) => image);
+  const named = [...all.filter(isMarked), ...(view.images.length > NAMED ? [] : all.filter((image) => !isMarked(image)))];
+  const taken: { x: number; y: number; half: number }[] = [];
+  for (const image of named) {
+    const text = (view.images[image]?.name ?? '').replace(/\.[^.]+$/u, '');
+    const [x, middle] = placeOf(view, plan, image);
+    const [y, half] = [middle + NAME_BELOW, 0.5 * context.measureText(text).width];
+    const crowded = taken.some((other) => Math.abs(other.x - x) < other.half + half + NAME_GAP && Math.abs(other.y - y) < NAME_HEIGHT);
+    if (crowded && !isMarked(image)) continue;
+    taken.push({ x, y, half });
+    paintName(context, colours, text, x, y);
+  }
+}
+
+function paintName(context: CanvasRenderingContext2D, colours: Colours, text: string, x: number, y: number): void {
   context.lineWidth = 3;
   context.strokeStyle = colours.ground;
-  context.strokeText(short, x, y);
+  context.strokeText(text, x, y);
   context.fillStyle = colours.text;
-  context.fillText(short, x, y);
+  context.fillText(text, x, y);
 }

@@ -1,4 +1,4 @@
-/** How far a run is: a line and a bar for each stage, with the time that is left. */
+/** How far a run is: a line for each stage, and for the one that runs a bar with the time that is left. */
 import type { StageName, Step } from '../../pkg/block/index.js';
 import { fill, h, section } from '../panel/dom';
 import { count } from '../panel/format';
@@ -25,18 +25,21 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
 }
 
 function stage(name: StageName, step: Step): HTMLElement {
+  const line = (...parts: HTMLElement[]) => h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(step)));
+  if (step.done === step.total) return line();
   const bar = h('progress', { aria: { label: STAGES[name] } });
   bar.max = Math.max(1, step.total);
   bar.value = step.done;
-  return h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), bar, h('span', { class: 'note' }, stepText(step)));
+  return line(bar);
 }
 
-/** "7 of 12, 3 of them from before; 8 s, about 5 s left; IMG_9428.jpg" */
+/** "7 of 12, 3 of them from before; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
 function stepText({ done, total, found, seconds, secondsLeft, name }: Step): string {
+  const goesOn = done < total;
   const parts = [
     `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} of them from before` : ''}`,
-    `${duration(seconds)}${secondsLeft === undefined || done === total ? '' : `, about ${duration(secondsLeft)} left`}`,
-    name ?? '',
+    `${duration(seconds)}${secondsLeft === undefined || !goesOn ? '' : `, about ${duration(secondsLeft)} left`}`,
+    goesOn ? (name ?? '') : '',
   ];
   return parts.filter((part) => part !== '').join('; ');
 }

@@ -131,13 +131,13 @@ function rayTable({ byRays }: BlockView): HTMLElement {
 
 function cameraTable({ cameras, found }: BlockView): HTMLElement {
   // A block that was opened does not say what was known before.
-  const given = ({ givenFocalPx: focal }: ViewCamera) => (focal === null ? (found === null ? '–' : 'unknown') : fixed(focal, 1));
+  const given = ({ given: known }: ViewCamera) => (known === null ? (found === null ? '–' : 'unknown') : fixed(known.focal_px, 1));
   const head = h('thead', {}, h('tr', {}, ...['Camera', 'Images', 'Given f px', 'Calibrated f px'].map((text) => h('th', { scope: 'col' }, text))));
   const number = (text: string) => h('td', { class: 'number' }, text);
   return h('div', { class: 'scroll' }, h('table', { class: 'tight', testid: 'cameras' }, head, h('tbody', {}, ...cameras.map((camera, i) => row(
     `${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, '$1 × ')}`,
     number(count(camera.images)),
     number(given(camera)),
-    number(camera.focalPx === null ? '–' : `${fixed(camera.focalPx, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`),
+    number(camera.calibrated === null ? '–' : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`),
   )))));
 }

@@ -34,6 +34,7 @@ export async function blockRun({ files, options, masks, truth, workers, kept, po
     coming.tell();
     throw error;
   } finally {
+    coming.end();
     port.close();
   }
 }

@@ -46,8 +46,9 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
   const layout = h('span', { class: 'note', testid: 'block-layout' });
   const tools = h('div', { class: 'actions' },
     button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
-  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, null]]);
-  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools),
+  const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
+  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, cells]]);
+  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, cells),
     welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
     h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
   looks.point(null);
@@ -59,13 +60,23 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     open.hidden = choice?.kind !== 'pair' || shown === null;
     open.disabled = isBusy(store.state);
     fill(layout, shown === null ? '' : legend(shown.view));
+    fill(cells, shown === null ? '' : cellLegend(shown.view));
   });
+}
+
+function mostMatches({ connections }: BlockView): number {
+  return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+
+/** What cells mean. */
+function cellLegend(view: BlockView): string {
+  return `Strongest cell: ${count(mostMatches(view))} matches. Small square: not connected. Blank: not tried.`;
 }
 
 /** What places and lines mean. */
 function legend(view: BlockView): string {
   const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
-  const matches = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+  const matches = mostMatches(view);
   const widest = most > 0 ? `${count(most)} points in common` : `${count(matches)} matches`;
   return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
 }
@@ -77,12 +88,12 @@ function say(element: HTMLElement, store: BlockStore, choice: Choice | null, oth
 }
 
 /** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
-function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement | null])[]): { element: HTMLElement; show: (part: number) => void } {
+function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[]): { element: HTMLElement; show: (part: number) => void } {
   const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => { show(i); }));
   const show = (shown: number) => {
     parts.forEach(([, part, tools], i) => {
       part.hidden = i !== shown;
-      if (tools !== null) tools.hidden = i !== shown;
+      tools.hidden = i !== shown;
       buttons[i]?.setAttribute('aria-pressed', String(i === shown));
     });
   };

@@ -7,6 +7,7 @@ import type { BlockEngine, BlockStore } from './engine';
 import { duration, runText } from './progress';
 import { isBusy, isOutdated } from './state';
 import type { BlockState, Shown } from './state';
+import type { BlockView } from './view';
 
 export function mountBlockStatus(store: BlockStore, pair: Store, engine: BlockEngine): HTMLElement {
   const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
@@ -62,7 +63,11 @@ function doneText({ view, seconds }: Shown): string {
   const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
   const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
   const weak = view.weaknesses.length === 0 ? '' : ` ${counted(view.weaknesses.length, 'weakness', 'weaknesses')}, see Results.`;
-  return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${counted(view.points.count, 'point')}.${time}${weak}`;
+  return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${pointsText(view)}.${time}${weak}`;
+}
+
+function pointsText({ points, found }: BlockView): string {
+  return found === null ? counted(points.count, 'point') : `${count(points.count)} of ${counted(found.points, 'point')} chosen`;
 }
 
 function counted(number: number, one: string, many = `${one}s`): string {

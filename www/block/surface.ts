@@ -19,6 +19,8 @@ export class Surface {
   private readonly context: CanvasRenderingContext2D;
   private readonly probe = document.createElement('span');
   private frame = 0;
+  /** Until the theme changes. */
+  private known: Colours | null = null;
   width = 1;
   height = 1;
 
@@ -31,8 +33,12 @@ export class Surface {
     this.probe.hidden = true;
     host.append(this.canvas, this.probe);
     new ResizeObserver(() => { this.resize(); }).observe(host);
-    new MutationObserver(() => { this.redraw(); }).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
-    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => { this.redraw(); });
+    const recolour = () => {
+      this.known = null;
+      this.redraw();
+    };
+    new MutationObserver(recolour).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', recolour);
   }
 
   redraw(): void {
@@ -57,10 +63,13 @@ export class Surface {
   private draw(): void {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
+    // It is drawn when it comes into sight.
+    if (this.host.closest('[hidden]') !== null) return;
     const ratio = window.devicePixelRatio || 1;
     this.context.setTransform(ratio, 0, 0, ratio, 0, 0);
     this.context.clearRect(0, 0, this.width, this.height);
-    this.paint(this.context, this.colours());
+    this.known ??= this.colours();
+    this.paint(this.context, this.known);
   }
 
   /** Custom properties hold both themes' colours; an element's own colour is the one that counts now. */

@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, Connection, ExportFormat } from '../../pkg/wasm/tiepoint.js';
+import type { BlockScore, Connection, ExportFormat, ModelCamera } from '../../pkg/wasm/tiepoint.js';
 import type { LeftOut, Refinement } from '../../pkg/block/index.js';
 
 export interface ViewImage {
@@ -24,13 +24,11 @@ export interface ViewImage {
 export interface ViewCamera {
   label: string;
   images: number;
-  /** What was known before; null where nothing was. */
-  givenFocalPx: number | null;
-  /** Calibrated by the block; null before its adjustment. */
-  focalPx: number | null;
+  /** What was known before; null where its focal length was not. */
+  given: ModelCamera | null;
+  /** As the block adjusted it; null before. */
+  calibrated: ModelCamera | null;
   focalErrorPx: number | null;
-  /** Side of a pixel; null where it is not known. */
-  pixelMm: number | null;
 }
 
 export interface ViewConnection {

@@ -1,5 +1,4 @@
 /** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
-import { WorkerPool } from '../block/pool';
 import { wantedKeys } from '../state/keys';
 import type { StageDone } from '../state/actions';
 import type { GivenImage, Side, StageName, State } from '../state/state';
@@ -9,6 +8,7 @@ import { CallError, Cancelled, WorkerClient } from './client';
 import { plainMessage } from './failure';
 import { nearestPieces } from './nearest';
 import type { Workers } from './inputs';
+import { WorkerPool } from './pool';
 import { RUNS } from './runs';
 import { STAGES, STAGE_NAMES } from './stages';
 import type { WorkerName } from './stages';

@@ -56,7 +56,9 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
     unmask.title = given === null ? '' : `Take ${given.name} away`;
     empty.hidden = image !== null;
     const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
-    fill(name, image === null ? '' : `${image.name}${size}`);
+    // Beside the buttons a long one is cut off.
+    name.title = image === null ? '' : `${image.name}${size}`;
+    fill(name, name.title);
   };
   return { element, show };
 }

@@ -2,12 +2,9 @@
 
 use super::{BlockFlight, BlockView};
 use crate::rotation_from_angles;
+use crate::simulate::mounting::{Mounting, NADIR_MM, five, nadir};
 use crate::simulate::random::{Random, Stream};
 use nalgebra::{Matrix3, Vector3};
-
-/// Principal distance of a camera that looks down, and of a tilted one.
-const NADIR_MM: f64 = 85.0;
-const OBLIQUE_MM: f64 = 65.0;
 
 /// The flight wanders by this share of the base, and the angles by this many degrees.
 const WANDERING: f64 = 0.04;
@@ -65,8 +62,8 @@ pub(super) fn exposures(flight: &BlockFlight) -> Vec<Exposure> {
             let mut turn = |angle: f64| (angle + random.between(-TURNING_DEG, TURNING_DEG)).to_radians();
             let heading = if back { 180.0 } else { 0.0 };
             let body = rotation_from_angles(turn(0.0), turn(0.0), turn(heading));
-            photos.extend(cameras(flight.view).iter().enumerate().map(|(camera, (tilt, focal_mm))| Exposure {
-                rotation: tilt * body,
+            photos.extend(cameras(flight.view).iter().enumerate().map(|(camera, Mounting { rotation, focal_mm })| Exposure {
+                rotation: rotation * body,
                 centre,
                 focal_px: focal_mm / flight.pixel_mm,
                 camera: camera as u32,
@@ -76,14 +73,6 @@ pub(super) fn exposures(flight: &BlockFlight) -> Vec<Exposure> {
     photos
 }
 
-/// The rotation of each camera against the aircraft, and its principal distance in mm.
-fn cameras(view: BlockView) -> Vec<(Matrix3<f64>, f64)> {
-    let down = (Matrix3::identity(), NADIR_MM);
-    if view != BlockView::Oblique {
-        return vec![down];
-    }
-    let tilt = 45_f64.to_radians();
-    let turned =
-        [(tilt, 0.0), (-tilt, 0.0), (0.0, tilt), (0.0, -tilt)].map(|(omega, phi)| (rotation_from_angles(omega, phi, 0.0), OBLIQUE_MM));
-    std::iter::once(down).chain(turned).collect()
+fn cameras(view: BlockView) -> Vec<Mounting> {
+    if view == BlockView::Oblique { five().to_vec() } else { vec![nadir()] }
 }

@@ -1,5 +1,8 @@
 //! A simulated network of rays: rays of points over a made relief, of which everything is known; no pixels.
 //!
+//! It is for the bundle adjustment: it gives what that takes, joined rays of distorted cameras with gross errors, approximate values, GPS
+//! positions and control points, and the noise of each can be chosen. What comes before, features, matches and photos, is simulated in `block`.
+//!
 //! Data flow: [`NetworkFlight`] → `orientations` → `rays` (points, observed rays) → `approximations` (what is known before) →
 //! [`SimulatedNetwork`].
 

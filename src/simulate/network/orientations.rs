@@ -2,6 +2,7 @@
 
 use super::flight::{NetworkFlight, NetworkKind};
 use crate::camera::rotation_from_angles;
+use crate::simulate::mounting::{Mounting, NADIR_MM, five, nadir};
 use crate::simulate::random::Random;
 use crate::{BlockCamera, BlockImage, FreeParameters};
 use nalgebra::Matrix3;
@@ -21,10 +22,7 @@ impl NetworkFlight {
             tangential: self.tangential,
             free: FreeParameters::default(),
         };
-        match self.kind {
-            NetworkKind::Oblique => [1.0, 65.0 / 85.0, 65.0 / 85.0, 65.0 / 85.0, 65.0 / 85.0].map(|f| camera(f * self.focal_px)).to_vec(),
-            NetworkKind::Nadir | NetworkKind::TwoHeights => vec![camera(self.focal_px)],
-        }
+        self.mountings().iter().map(|mounting| camera(mounting.focal_mm / NADIR_MM * self.focal_px)).collect()
     }
 
     /// The true orientations: the images' rows lie along the strips, as the shorter side of a frame does.
@@ -41,8 +39,8 @@ impl NetworkFlight {
                 let position = [middle[0] + x * cos - shift.x * sin, middle[1] + x * sin + shift.x * cos, height + shift.y];
                 let tilts = random.normal_pair() * 0.02;
                 let heading = heading + random.normal_pair().x * 0.05;
-                for (camera, view) in self.views().into_iter().enumerate() {
-                    let rotation = view * rotation_from_angles(tilts.x, tilts.y, heading - std::f64::consts::FRAC_PI_2);
+                for (camera, mounting) in self.mountings().into_iter().enumerate() {
+                    let rotation = mounting.rotation * rotation_from_angles(tilts.x, tilts.y, heading - std::f64::consts::FRAC_PI_2);
                     images.push(BlockImage { camera, rotation: rows(&rotation), position, gps: None });
                 }
             }
@@ -64,19 +62,8 @@ impl NetworkFlight {
         images
     }
 
-    /// Rotations from the carrier's system, whose z points up, into that of each camera.
-    fn views(&self) -> Vec<Matrix3<f64>> {
-        let tilt = std::f64::consts::FRAC_PI_4;
-        match self.kind {
-            NetworkKind::Oblique => vec![
-                Matrix3::identity(),
-                rotation_from_angles(tilt, 0.0, 0.0),
-                rotation_from_angles(-tilt, 0.0, 0.0),
-                rotation_from_angles(0.0, tilt, 0.0),
-                rotation_from_angles(0.0, -tilt, 0.0),
-            ],
-            NetworkKind::Nadir | NetworkKind::TwoHeights => vec![Matrix3::identity()],
-        }
+    fn mountings(&self) -> Vec<Mounting> {
+        if self.kind == NetworkKind::Oblique { five().to_vec() } else { vec![nadir()] }
     }
 }
 

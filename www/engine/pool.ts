@@ -1,6 +1,6 @@
-/** So many workers for the calls of a block: each does one at a time, the others wait in order. */
-import type { CallName, Input, Output } from '../engine/calls';
-import { Cancelled, WorkerClient } from '../engine/client';
+/** As many workers as the processor allows: each does one call at a time, the others wait in order. */
+import type { CallName, Input, Output } from './calls';
+import { Cancelled, WorkerClient } from './client';
 
 /** More workers than these would share memory bandwidth and take memory for an image each. */
 const MOST_WORKERS = 8;
@@ -12,7 +12,7 @@ interface Task {
 
 export class WorkerPool {
   readonly size = Math.min(MOST_WORKERS, Math.max(1, navigator.hardwareConcurrency || 1));
-  private readonly idle: WorkerClient[] = Array.from({ length: this.size }, (_, i) => new WorkerClient(`block ${String(i + 1)}`));
+  private readonly idle: WorkerClient[] = Array.from({ length: this.size }, (_, i) => new WorkerClient(`pool ${String(i + 1)}`));
   private readonly all: readonly WorkerClient[] = [...this.idle];
   private waiting: Task[] = [];
 
