@@ -1,7 +1,8 @@
-//! The geometry of two views refined from one that is known: no samples are drawn, and it stays of the kind it is.
+//! The geometry of two views refined from one that is known, without a new search for it.
 
 use super::direct::check_points;
 use super::frame::{Frame, View, rows};
+use super::fundamental::Fundamentals;
 use super::homography::{Homographies, Plane};
 use super::options::{Cameras, TwoViewOptions};
 use super::refine::refined;
@@ -10,7 +11,7 @@ use super::rotation::{Rotations, Turn, near_focal};
 use super::scale::{Conditions, search_scale};
 use super::support::{CALIBRATED, UNCALIBRATED};
 use super::transfer::square_transfer;
-use super::two_view::{Found, Matches, of_fundamental, of_pose, polished, with_focal};
+use super::two_view::{Found, Matches, general_or_plane, of_fundamental, of_pose, polished};
 use crate::Error;
 use crate::math::{Candidate, Problem};
 use crate::orientation::{Pose, Poses};
@@ -19,7 +20,7 @@ use nalgebra::{Matrix3, Vector3};
 /// As [`two_view`](crate::two_view), for matches whose geometry is `known` from others: at a small share of its price.
 ///
 /// What the first matches told of a plane, a rotation and the focal length stays: matches that were found along epipolar lines agree with
-/// any geometry of these lines. A fundamental matrix becomes a relative orientation where the matches now determine the focal length.
+/// any geometry of these lines. A fundamental matrix of few first matches may turn out to be the map of a plane, or to determine the focal length.
 ///
 /// # Errors
 /// As [`two_view`](crate::two_view).
@@ -81,9 +82,10 @@ fn of_known_lines(
 ) -> Result<TwoView, Error> {
     let model = matches.frame.fundamental_from_px(fundamental_px);
     let start = Candidate { model, scale: known.sigma_px / matches.frame.px() };
-    let found = of_fundamental(matches, &matches.field(), &start);
-    supported(matches, super::fundamental::Fundamentals::SAMPLE, &found)?;
-    Ok(with_focal(matches, found, principal))
+    let field = matches.field();
+    let found = of_fundamental(matches, &field, &start);
+    supported(matches, Fundamentals::SAMPLE, &found)?;
+    general_or_plane(matches, &field, found, principal)
 }
 
 fn of_known_map(matches: &Matches, homography_px: &Matrix3<f64>, known: &TwoView) -> Result<TwoView, Error> {

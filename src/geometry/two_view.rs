@@ -283,15 +283,27 @@ fn of_rotation(matches: &Matches, frame: Frame, rotation: Matrix3<f64>, homograp
 
 fn uncalibrated(matches: &Matches, principal: Option<[[f64; 2]; 2]>) -> Result<TwoView, Error> {
     let field = matches.field();
-    let Some(found) = general(matches, &field) else { return planar(matches, &field, principal) };
+    match general(matches, &field) {
+        Some(found) => general_or_plane(matches, &field, found, principal),
+        None => planar(matches, &field, principal),
+    }
+}
+
+/// What the matches need of unknown cameras whose fundamental matrix is found: that, or the map of a plane that explains it.
+pub(super) fn general_or_plane(
+    matches: &Matches,
+    field: &Field,
+    found: Found<Matrix3<f64>>,
+    principal: Option<[[f64; 2]; 2]>,
+) -> Result<TwoView, Error> {
     let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
     let homographies = Homographies { field: &inner, limits: matches.limits };
     let Some(plane) = consensus(&homographies, None, &matches.search(HALF_SAMPLES)) else {
         return Ok(with_focal(matches, found, principal));
     };
-    let found = beside_plane(matches, &field, &plane.model, found);
+    let found = beside_plane(matches, field, &plane.model, found);
     if matches.explains(&plane.model, &found) {
-        let flat = planar(matches, &field, principal)?;
+        let flat = planar(matches, field, principal)?;
         // Over low relief the map may come near all matches and yet agree with few.
         if NEARLY_ALL[1] * flat.inliers.len() >= NEARLY_ALL[0] * found.inliers.len() {
             return Ok(flat);
@@ -332,7 +344,7 @@ fn beside_plane(matches: &Matches, field: &Field, homography: &Matrix3<f64>, fou
 }
 
 /// The general geometry of unknown cameras, calibrated where the matches determine the focal length.
-pub(super) fn with_focal(matches: &Matches, found: Found<Matrix3<f64>>, principal: Option<[[f64; 2]; 2]>) -> TwoView {
+fn with_focal(matches: &Matches, found: Found<Matrix3<f64>>, principal: Option<[[f64; 2]; 2]>) -> TwoView {
     let fundamental = matches.frame.fundamental_px(&found.model);
     let sigma_px = found.noise.sigma * matches.frame.px();
     let searched = principal.and_then(|p| focal::of_base(&matches.points_of(&found.inliers), &p, &fundamental, sigma_px));
