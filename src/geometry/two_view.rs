@@ -36,13 +36,12 @@ const MOST_FUNDAMENTALS: usize = 3;
 /// Of a thousand pairs without overlap, one may be told to have a geometry.
 const LARGEST_LOG_FALSE_ALARMS: f64 = -6.9;
 
-/// A rotation takes the place of the map of a plane where the mean square of its residuals is no more than this many times as large: an
-/// interior orientation that is not quite right may add as much as the noise is.
-const AS_WELL: f64 = 2.0;
+/// By how much Σ d²/σ² rises where the freedom that the map of a plane has beyond a rotation is significant.
+const SIGNIFICANT: f64 = 30.0;
+/// What distortion that is left adds to the residuals of a rotation, as a share of the mean distance of the points from their centre.
+const DISTORTED: f64 = 0.001;
 /// Standard errors beyond which a residual counts no more.
 const FARTHEST: f64 = 5.0;
-/// Coordinates that differ by less are the same.
-const ROUNDING: f64 = 1e-9;
 
 /// Numbers of matches that differ by less than this fraction's inverse are equal.
 const AS_MANY: usize = 50;
@@ -160,8 +159,9 @@ impl<'a> Matches<'a> {
     fn is_as_good<M>(&self, rotation: &Matrix3<f64>, plane: &Matrix3<f64>, found: &Found<M>) -> bool {
         let largest = FARTHEST * FARTHEST * found.noise.sigma * found.noise.sigma;
         let sum = |map: &Matrix3<f64>| found.inliers.iter().map(|k| square_transfer(map, &self.rays[*k]).min(largest)).sum::<f64>();
-        let rounding = found.inliers.len() as f64 * ROUNDING * ROUNDING;
-        sum(rotation) <= AS_WELL * sum(plane) + rounding
+        let excess = sum(rotation) - sum(plane);
+        let distorted = DISTORTED * self.extent;
+        excess <= SIGNIFICANT * found.noise.sigma * found.noise.sigma || excess <= found.inliers.len() as f64 * distorted * distorted
     }
 
     pub fn result<M>(&self, model: TwoViewModel, found: Found<M>) -> TwoView {
