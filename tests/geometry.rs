@@ -139,6 +139,56 @@ fn disturbed(points: &mut [[f64; 4]], [dx, dy, radial]: [f64; 3]) {
     }
 }
 
+/// Distance of the four coordinates of a match from a fundamental matrix, to first order, px.
+fn distance_px(fundamental: &[[f64; 3]; 3], [x, y, u, v]: [f64; 4]) -> f64 {
+    let matrix = Matrix3::from_fn(|i, j| fundamental[i][j]);
+    let (left, right) = (Vector3::new(x, y, 1.0), Vector3::new(u, v, 1.0));
+    let (line, back) = (matrix * left, matrix.tr_mul(&right));
+    right.dot(&line).abs() / (line.xy().norm_squared() + back.xy().norm_squared()).sqrt()
+}
+
+#[test]
+fn inliers_of_an_estimated_focal_length_agree_with_the_pose_that_is_given() {
+    for seed in 20..24 {
+        let points = CONVERGENT.matches(400, SIGMA_PX, 0.3, seed);
+        let found = two_view(&points, &cameras(None)).unwrap();
+        let (Some(_), TwoViewModel::Calibrated { fundamental, .. }) = (found.focal, found.model) else { panic!("{:?}", found.model) };
+        let agrees = |k: &usize| distance_px(&fundamental, points[*k]) <= found.threshold_px + 1e-9;
+        assert!(found.inliers.iter().all(agrees), "seed {seed}");
+        // The others lie behind a camera.
+        let left_out = (0..points.len()).filter(agrees).filter(|k| !found.inliers.contains(k)).count();
+        assert!(left_out < 10, "seed {seed}: {left_out}");
+    }
+}
+
+#[test]
+fn the_focal_length_does_not_depend_on_where_positions_count_from() {
+    let points = CONVERGENT.matches(400, SIGMA_PX, 0.0, 20);
+    let estimate = |origin: [f64; 2]| {
+        let moved: Vec<[f64; 4]> = points.iter().map(|p| std::array::from_fn(|k| p[k] - origin[k % 2])).collect();
+        let camera = Pinhole { focal_px: None, principal_px: [0.5 * SIZE[0] - origin[0], 0.5 * SIZE[1] - origin[1]] };
+        two_view(&moved, &TwoViewOptions { left: Some(camera), right: Some(camera), ..TwoViewOptions::default() }).unwrap().focal
+    };
+    let usual = estimate([0.0; 2]).expect("convergent views over relief determine it");
+    for origin in [[0.5 * SIZE[0], 0.5 * SIZE[1]], [0.5 * SIZE[0], 0.0], [-3000.0, 200.0]] {
+        let found = estimate(origin).unwrap_or_else(|| panic!("{origin:?}: not determined"));
+        assert!((found.focal_px - usual.focal_px).abs() < 0.2 * usual.standard_error_px, "{origin:?}: {found:?}, {usual:?}");
+    }
+}
+
+#[test]
+fn matches_that_are_all_wrong_have_no_geometry() {
+    for seed in 0..30 {
+        for count in [30, 100] {
+            let strangers = RELIEF.matches(count, SIGMA_PX, 1.0, 1000 + seed);
+            for options in [cameras(Some(FOCAL)), cameras(None)] {
+                let found = two_view(&strangers, &options);
+                assert!(matches!(found, Err(Error::Degenerate { .. })), "seed {seed}: {found:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn the_focal_length_is_estimated_with_its_precision() {
     let mut squares = Vec::new();

@@ -5,8 +5,8 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 use tiepoint::{
-    Camera, DecodeLimits, Decoded, Error, Fiducial, FiducialModel, MatchOptions, PairImage, PairInput, PairResult, PairSettings,
-    PointOptions, RelativeOrientation, Strategy, Weakness, decode, match_pair, orient_fiducials,
+    Camera, DecodeLimits, Decoded, Degeneracy, Error, Fiducial, FiducialModel, MatchOptions, PairImage, PairInput, PairResult,
+    PairSettings, PointOptions, RelativeOrientation, Strategy, Weakness, decode, match_pair, orient_fiducials,
 };
 
 fn folder(name: &str) -> Option<PathBuf> {
@@ -142,4 +142,20 @@ fn scanned_frames_are_oriented_by_their_fiducials() {
         oriented += 1;
     }
     assert!(oriented >= 2);
+}
+
+#[test]
+fn low_relief_without_a_camera_is_a_plane_and_no_rotation() {
+    for (name, photos, expected) in [
+        ("simulated-a", ["left.png", "right.png"], Degeneracy::Plane),
+        ("degenerate_rotation_arches", ["JDW_9518.jpg", "JDW_9519.jpg"], Degeneracy::PureRotation),
+    ] {
+        let Some(folder) = folder(name) else { continue };
+        let [left, right] = photos.map(|photo| image(&folder, photo));
+        let settings =
+            PairSettings { matching: MatchOptions { strategy: Strategy::Gradient, ..MatchOptions::default() }, ..PairSettings::default() };
+        let pair = [&left, &right].map(|d| PairImage { grey: d.grey.view(), exif: None, mask: None });
+        let result = match_pair(pair[0], pair[1], &PairInput::default(), &settings).unwrap();
+        assert_eq!(result.geometry.unwrap().unwrap().degenerate, Some(expected), "{name}");
+    }
 }

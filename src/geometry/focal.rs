@@ -10,8 +10,7 @@ use crate::math::Candidate;
 use crate::orientation::{Field, Pose, Poses, Ray, square_distance};
 use nalgebra::Matrix3;
 
-/// Shortest and longest focal length, in units of the mean distance of the principal points from the corner of their images: 112° to 9.5° of
-/// the diagonal.
+/// Shortest and longest focal length, in units of [`corner_px`]: 112° to 9.5° of the diagonal.
 const RANGE: [f64; 2] = [0.67, 12.0];
 /// Focal lengths that are tried first, evenly by their logarithms.
 const TRIED: usize = 25;
@@ -30,8 +29,8 @@ const LARGEST_ERROR: f64 = 0.25;
 /// Standard errors beyond which a distance counts no more.
 const LARGEST_DISTANCE: f64 = 4.0;
 
-/// What is not known of a camera whose focal length is sought, as a share of the mean distance of the principal points from the corners:
-/// standard errors of the principal point along each axis, and of the radial distortion in the corners.
+/// What is not known of a camera whose focal length is sought, as a share of [`corner_px`]: standard errors of the principal point along
+/// each axis, and of the radial distortion in the corners.
 const INTERIOR_ERRORS: [f64; 3] = [0.01; 3];
 /// Share of these errors by which their effect is found: small enough for a straight line.
 const SMALL: f64 = 0.1;
@@ -53,7 +52,7 @@ pub(super) struct BestFocal<M> {
 /// What is taken for granted while a focal length is tried.
 struct Assumed {
     frame: Frame,
-    /// Mean distance of the principal points from the corners, px.
+    /// That of [`corner_px`].
     corner: f64,
     /// Radial distortion in the corners, as a share of that distance.
     radial: f64,
@@ -73,10 +72,24 @@ impl Assumed {
     }
 }
 
-/// The best focal length by `fit`, which gives the model at one of them, from a start of its own or from the model at another one.
-fn search<M: Copy>(principal: &[[f64; 2]; 2], fit: impl Fn(&Assumed, Option<&M>) -> Option<AtFocal<M>>) -> Option<BestFocal<M>> {
-    let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
-    let corner = 0.5 * (length(principal[0]) + length(principal[1]));
+/// Mean distance of the principal points from the corners of the rectangles about them that hold the matches: where matches reach the borders of
+/// an image and the principal point is its middle, half of the diagonal. It does not depend on where positions count from.
+fn corner_px(points: &[[f64; 4]], principal: &[[f64; 2]; 2]) -> f64 {
+    let farthest = |axis: usize, middle: f64| points.iter().fold(0.0, |far: f64, p| far.max((p[axis] - middle).abs()));
+    let distance = |side: usize| {
+        let [x, y] = [0, 1].map(|axis| farthest(2 * side + axis, principal[side][axis]));
+        (x * x + y * y).sqrt()
+    };
+    0.5 * (distance(0) + distance(1))
+}
+
+/// The best focal length by `fit`, which gives the model at one of them, from a start of its own or from the model at another one. `corner`:
+/// that of [`corner_px`].
+fn search<M: Copy>(
+    principal: &[[f64; 2]; 2],
+    corner: f64,
+    fit: impl Fn(&Assumed, Option<&M>) -> Option<AtFocal<M>>,
+) -> Option<BestFocal<M>> {
     // The interior orientation with these errors, as shares of the distance of the corners.
     let with_errors = |log: f64, [dx, dy, radial]: [f64; 3]| {
         let view = |[x, y]: [f64; 2]| View { centre: [x + dx * corner, y + dy * corner], unit: libm::exp(log) };
@@ -158,7 +171,7 @@ pub(super) fn of_base(
     sigma_px: f64,
 ) -> Option<BestFocal<Pose>> {
     let deciding = deciding(points);
-    search(principal, |assumed, start: Option<&Pose>| {
+    search(principal, corner_px(points, principal), |assumed, start: Option<&Pose>| {
         let frame = &assumed.frame;
         let sigma = sigma_px / frame.px();
         let field = Field::new(&assumed.rays(&deciding), 1);
@@ -182,7 +195,7 @@ pub(super) fn of_rotation(
     sigma_px: f64,
 ) -> Option<BestFocal<Matrix3<f64>>> {
     let deciding = deciding(points);
-    search(principal, |assumed, start: Option<&Matrix3<f64>>| {
+    search(principal, corner_px(points, principal), |assumed, start: Option<&Matrix3<f64>>| {
         let frame = &assumed.frame;
         let sigma = sigma_px / frame.px();
         let field = Field::new(&assumed.rays(&deciding), 1);

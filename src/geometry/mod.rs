@@ -1,10 +1,12 @@
 //! The geometry of two views from matches with gross errors: calibrated or not, over relief, over a plane, from one place.
 
+mod chance;
 mod direct;
 mod focal;
 mod frame;
 mod fundamental;
 mod homography;
+mod known;
 mod options;
 mod parallax;
 mod plane_pose;
@@ -17,6 +19,7 @@ mod transfer;
 mod two_view;
 
 pub use direct::{fundamental_eight_point, fundamental_seven_point, homography_direct};
+pub(crate) use known::two_view_from;
 pub use options::{Pinhole, TwoViewOptions};
 pub use result::{Degeneracy, FocalEstimate, TwoView, TwoViewModel};
 pub use two_view::two_view;

@@ -49,7 +49,7 @@ pub enum Degeneracy {
 pub struct FocalEstimate {
     /// Of both cameras, in px.
     pub focal_px: f64,
-    /// Its standard error in px, from the precision of the matches and from what an error of 1 % of half the image's diagonal in either
+    /// Its standard error in px, from the precision of the matches and from what an error of 1 % of half the diagonal of what is matched in either
     /// coordinate of the principal points, and in the distortion of the corners, would do.
     pub standard_error_px: f64,
 }

@@ -104,8 +104,8 @@ pub(super) fn near_focal(points: &[[f64; 4]], frame: &Frame, start: &Matrix3<f64
         let frame = Frame { left: scaled(frame.left), right: scaled(frame.right) };
         let limits = NoiseLimits { largest_threshold: largest_px / frame.px(), fixed: false };
         let field = Field::new(&frame.rays(points), 1);
-        let found = refined(&Turn, &field, &Candidate { model: *start, scale: limits.largest_threshold }, &limits, field.rays.len())?;
-        let cost: f64 = field.rays.iter().map(|ray| square_transfer(&found.model, ray).sqrt()).sum();
+        let found = refined(&Turn, &field, &Candidate { model: *start, scale: limits.largest_threshold }, &limits, REFINED_BY)?;
+        let cost: f64 = field.rays.iter().take(REFINED_BY).map(|ray| square_transfer(&found.model, ray).sqrt()).sum();
         Some((cost * frame.px(), frame, found.model))
     };
     let best = (-TRIED..=TRIED).filter_map(at).min_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,5 +1,6 @@
 //! From matches to the geometry of their two images: the general one first, then whether the matches need it.
 
+use super::chance::{Support, chance_of_agreeing};
 use super::direct::check_points;
 use super::focal;
 use super::frame::{Frame, View, rows};
@@ -24,10 +25,23 @@ const WHAT: &str = "the geometry of two views";
 const HALF_SAMPLES: usize = 150;
 /// Samples that tell whether nearly all of them do.
 const NEARLY_ALL_SAMPLES: usize = 25;
-/// A map of a plane takes the place of a fundamental matrix where it agrees with two of three of its matches.
-const AS_A_PLANE: [usize; 2] = [2, 3];
+/// A map of a plane, or a relative orientation, takes the place of a fundamental matrix where it agrees with two of three of its matches.
+const NEARLY_ALL: [usize; 2] = [2, 3];
 /// Samples of two points off a plane.
 const OFF_PLANE_SAMPLES: usize = 3000;
+
+/// Most models through a minimal sample.
+const MOST_POSES: usize = 10;
+const MOST_FUNDAMENTALS: usize = 3;
+/// Of a thousand pairs without overlap, one may be told to have a geometry.
+const LARGEST_LOG_FALSE_ALARMS: f64 = -6.9;
+
+/// By how much Σ d²/σ² rises where the freedom that the map of a plane has beyond a rotation is significant.
+const SIGNIFICANT: f64 = 30.0;
+/// What distortion that is left adds to the residuals of a rotation, as a share of the mean distance of the points from their centre.
+const DISTORTED: f64 = 0.001;
+/// Standard errors beyond which a residual counts no more.
+const FARTHEST: f64 = 5.0;
 
 /// Numbers of matches that differ by less than this fraction's inverse are equal.
 const AS_MANY: usize = 50;
@@ -66,26 +80,26 @@ pub fn two_view(points: &[[f64; 4]], options: &TwoViewOptions) -> Result<TwoView
 }
 
 /// The matches, in px and as coordinates.
-struct Matches<'a> {
+pub(super) struct Matches<'a> {
     points: &'a [[f64; 4]],
     options: &'a TwoViewOptions,
-    frame: Frame,
+    pub frame: Frame,
     rays: Vec<Ray>,
-    limits: NoiseLimits,
+    pub limits: NoiseLimits,
     /// Mean distance of the points from their centre, in units of coordinates.
     extent: f64,
     tolerance: Tolerance,
 }
 
 /// A geometry, and the matches that agree with it.
-struct Found<M> {
-    model: M,
-    noise: Noise,
-    inliers: Vec<usize>,
+pub(super) struct Found<M> {
+    pub model: M,
+    pub noise: Noise,
+    pub inliers: Vec<usize>,
 }
 
 impl<'a> Matches<'a> {
-    fn new(points: &'a [[f64; 4]], frame: Frame, options: &'a TwoViewOptions, tolerance: Tolerance) -> Result<Self, Error> {
+    pub fn new(points: &'a [[f64; 4]], frame: Frame, options: &'a TwoViewOptions, tolerance: Tolerance) -> Result<Self, Error> {
         let mut different = points.to_vec();
         different.sort_unstable_by(|a, b| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal));
         different.dedup();
@@ -97,7 +111,7 @@ impl<'a> Matches<'a> {
         Ok(Self { points, options, frame, rays: frame.rays(points), limits: options.limits(frame.px()), extent, tolerance })
     }
 
-    fn field(&self) -> Field {
+    pub fn field(&self) -> Field {
         Field::new(&self.rays, self.options.seed)
     }
 
@@ -113,7 +127,7 @@ impl<'a> Matches<'a> {
     }
 
     /// The matches whose square distance is within the threshold, which follows from the distances of all.
-    fn agreeing<M>(&self, model: M, conditions: Conditions, square: impl Fn(&Ray) -> f64) -> Found<M> {
+    pub fn agreeing<M>(&self, model: M, conditions: Conditions, square: impl Fn(&Ray) -> f64) -> Found<M> {
         let distances: Vec<f64> = self.rays.iter().map(|ray| square(ray).sqrt()).collect();
         let noise = noise(&distances, conditions, &self.limits);
         let inliers = (0..distances.len()).filter(|k| distances[*k] <= noise.threshold).collect();
@@ -125,7 +139,7 @@ impl<'a> Matches<'a> {
         indices.iter().map(|k| self.rays[*k]).collect()
     }
 
-    fn points_of(&self, indices: &[usize]) -> Vec<[f64; 4]> {
+    pub fn points_of(&self, indices: &[usize]) -> Vec<[f64; 4]> {
         indices.iter().map(|k| self.points[*k]).collect()
     }
 
@@ -141,7 +155,16 @@ impl<'a> Matches<'a> {
         general.inliers.iter().copied().filter(move |k| square_transfer(&homography, &self.rays[*k]) > limit * limit)
     }
 
-    fn result<M>(&self, model: TwoViewModel, found: Found<M>) -> TwoView {
+    /// Whether a rotation fits the matches that agree with the map of a plane as well as that does, though it has fewer unknowns.
+    fn is_as_good<M>(&self, rotation: &Matrix3<f64>, plane: &Matrix3<f64>, found: &Found<M>) -> bool {
+        let largest = FARTHEST * FARTHEST * found.noise.sigma * found.noise.sigma;
+        let sum = |map: &Matrix3<f64>| found.inliers.iter().map(|k| square_transfer(map, &self.rays[*k]).min(largest)).sum::<f64>();
+        let excess = sum(rotation) - sum(plane);
+        let distorted = DISTORTED * self.extent;
+        excess <= SIGNIFICANT * found.noise.sigma * found.noise.sigma || excess <= found.inliers.len() as f64 * distorted * distorted
+    }
+
+    pub fn result<M>(&self, model: TwoViewModel, found: Found<M>) -> TwoView {
         let px = self.frame.px();
         TwoView {
             model,
@@ -154,7 +177,14 @@ impl<'a> Matches<'a> {
         }
     }
 
-    fn unsupported(&self, agreeing: usize) -> Error {
+    /// Whether more matches agree than would with the best of all models if all were wrong. `models`: the most through one sample.
+    fn is_supported<M>(&self, found: &Found<M>, sample: usize, models: usize, conditions: Conditions) -> bool {
+        let chance = chance_of_agreeing(self.points, found.noise.threshold * self.frame.px(), conditions);
+        let support = Support { count: self.points.len(), agreeing: found.inliers.len(), sample, models, chance };
+        found.noise.is_supported(sample) && support.log_false_alarms() < LARGEST_LOG_FALSE_ALARMS
+    }
+
+    pub fn unsupported(&self, agreeing: usize) -> Error {
         let reason = format!("{agreeing} of {} matches agree on one, no more than would by chance", self.rays.len());
         Error::Degenerate { what: WHAT, reason }
     }
@@ -166,7 +196,7 @@ fn calibrated(matches: &Matches) -> Result<TwoView, Error> {
     let poses = Poses { field: &field, scale: &scale };
     let best = consensus(&poses, None, &matches.search(matches.options.max_samples as usize)).ok_or_else(|| matches.unsupported(0))?;
     let found = polished(matches, best.model);
-    if !found.noise.is_supported(Poses::SAMPLE) {
+    if !matches.is_supported(&found, Poses::SAMPLE, MOST_POSES, Conditions::One) {
         return Err(matches.unsupported(found.inliers.len()));
     }
     let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
@@ -199,7 +229,7 @@ fn calibrated(matches: &Matches) -> Result<TwoView, Error> {
 }
 
 /// A pose refined by the matches that agree with it alone, these in front of both cameras.
-fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
+pub(super) fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
     let scale = |distances: &mut [f64]| search_scale(distances, Conditions::One, &matches.limits);
     let mut found = agreeing_with_pose(matches, pose);
     for _ in 0..POLISHINGS {
@@ -214,8 +244,14 @@ fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
 
 /// Over a plane two poses fit: the one with more matches, or of equal ones that with the optical axes nearer to parallel.
 fn best_over_plane(matches: &Matches, found: Found<Pose>, homography: &Matrix3<f64>) -> Found<Pose> {
+    // A pose with the base reversed differs by what lies in front of it; the one nearer to what was found would be found again.
+    let seen = |pose: &Pose| found.inliers.iter().filter(|k| pose.in_front(&matches.rays[**k], 0.0)).count();
+    let apart = |pose: &Pose| 1.0 - (found.model.rotation.transpose() * pose.rotation).trace();
+    let poses = poses_of_plane(homography);
+    let facing = poses.chunks_exact(2).map(|pair| if seen(&pair[1]) > seen(&pair[0]) { pair[1] } else { pair[0] });
+    let other = facing.reduce(|a, b| if apart(&b) > apart(&a) { b } else { a });
     let mut all = vec![found];
-    all.extend(poses_of_plane(homography).into_iter().map(|pose| polished(matches, pose)));
+    all.extend(other.map(|pose| polished(matches, pose)));
     let most = all.iter().map(|found| found.inliers.len()).max().unwrap_or(0);
     let enough = most - most / AS_MANY;
     let parallel = |found: &Found<Pose>| found.model.rotation[(2, 2)];
@@ -228,7 +264,7 @@ fn agreeing_with_pose(matches: &Matches, pose: Pose) -> Found<Pose> {
     matches.agreeing(pose, Conditions::One, |ray| square_distance(&essential, *ray))
 }
 
-fn of_pose(frame: &Frame, pose: &Pose) -> TwoViewModel {
+pub(super) fn of_pose(frame: &Frame, pose: &Pose) -> TwoViewModel {
     TwoViewModel::Calibrated {
         fundamental: rows(&frame.fundamental_px(&pose.essential())),
         rotation: rows(&pose.rotation),
@@ -247,17 +283,29 @@ fn of_rotation(matches: &Matches, frame: Frame, rotation: Matrix3<f64>, homograp
 
 fn uncalibrated(matches: &Matches, principal: Option<[[f64; 2]; 2]>) -> Result<TwoView, Error> {
     let field = matches.field();
-    let Some(found) = general(matches, &field) else { return planar(matches, &field, principal) };
+    match general(matches, &field) {
+        Some(found) => general_or_plane(matches, &field, found, principal),
+        None => planar(matches, &field, principal),
+    }
+}
+
+/// What the matches need of unknown cameras whose fundamental matrix is found: that, or the map of a plane that explains it.
+pub(super) fn general_or_plane(
+    matches: &Matches,
+    field: &Field,
+    found: Found<Matrix3<f64>>,
+    principal: Option<[[f64; 2]; 2]>,
+) -> Result<TwoView, Error> {
     let inner = Field::new(&matches.only(&found.inliers), matches.options.seed);
     let homographies = Homographies { field: &inner, limits: matches.limits };
     let Some(plane) = consensus(&homographies, None, &matches.search(HALF_SAMPLES)) else {
         return Ok(with_focal(matches, found, principal));
     };
-    let found = beside_plane(matches, &field, &plane.model, found);
+    let found = beside_plane(matches, field, &plane.model, found);
     if matches.explains(&plane.model, &found) {
-        let flat = planar(matches, &field, principal)?;
+        let flat = planar(matches, field, principal)?;
         // Over low relief the map may come near all matches and yet agree with few.
-        if AS_A_PLANE[1] * flat.inliers.len() >= AS_A_PLANE[0] * found.inliers.len() {
+        if NEARLY_ALL[1] * flat.inliers.len() >= NEARLY_ALL[0] * found.inliers.len() {
             return Ok(flat);
         }
     }
@@ -269,11 +317,11 @@ fn general(matches: &Matches, field: &Field) -> Option<Found<Matrix3<f64>>> {
     let fundamentals = Fundamentals { field, limits: matches.limits };
     let best = consensus(&fundamentals, None, &matches.search(matches.options.max_samples as usize))?;
     let found = of_fundamental(matches, field, &best);
-    found.noise.is_supported(Fundamentals::SAMPLE).then_some(found)
+    matches.is_supported(&found, Fundamentals::SAMPLE, MOST_FUNDAMENTALS, Conditions::One).then_some(found)
 }
 
 /// A fundamental matrix refined by all matches.
-fn of_fundamental(matches: &Matches, field: &Field, best: &Candidate<Matrix3<f64>>) -> Found<Matrix3<f64>> {
+pub(super) fn of_fundamental(matches: &Matches, field: &Field, best: &Candidate<Matrix3<f64>>) -> Found<Matrix3<f64>> {
     let polished = super::refine::refined(&super::fundamental::Epipolar, field, best, &matches.limits, field.rays.len());
     let matrix = polished.unwrap_or(*best).model;
     matches.agreeing(matrix, Conditions::One, |ray| square_distance(&matrix, *ray))
@@ -300,10 +348,15 @@ fn with_focal(matches: &Matches, found: Found<Matrix3<f64>>, principal: Option<[
     let fundamental = matches.frame.fundamental_px(&found.model);
     let sigma_px = found.noise.sigma * matches.frame.px();
     let searched = principal.and_then(|p| focal::of_base(&matches.points_of(&found.inliers), &p, &fundamental, sigma_px));
-    match searched.and_then(|searched| searched.estimate.map(|estimate| (searched.best, estimate))) {
-        Some((best, estimate)) => TwoView { focal: Some(estimate), ..matches.result(of_pose(&best.frame, &best.model), found) },
-        None => matches.result(TwoViewModel::Fundamental { fundamental: rows(&fundamental) }, found),
-    }
+    let calibrated = searched.and_then(|searched| {
+        let estimate = searched.estimate?;
+        let own = Matches::new(matches.points, searched.best.frame, matches.options, matches.tolerance).ok()?;
+        let pose = polished(&own, searched.best.model);
+        // It has fewer unknowns: what it cannot explain, as distortion, stands against it.
+        let serves = NEARLY_ALL[1] * pose.inliers.len() >= NEARLY_ALL[0] * found.inliers.len();
+        serves.then(|| TwoView { focal: Some(estimate), ..own.result(of_pose(&own.frame, &pose.model), pose) })
+    });
+    calibrated.unwrap_or_else(|| matches.result(TwoViewModel::Fundamental { fundamental: rows(&fundamental) }, found))
 }
 
 /// What is left where no fundamental matrix is determined: the map of a plane, or a rotation.
@@ -314,7 +367,7 @@ fn planar(matches: &Matches, field: &Field, principal: Option<[[f64; 2]; 2]>) ->
     let polished = super::refine::refined(&super::homography::Plane, field, &best, &matches.limits, field.rays.len());
     let matrix = polished.unwrap_or(best).model;
     let found = matches.agreeing(matrix, Conditions::Two, |ray| square_transfer(&matrix, ray));
-    if !found.noise.is_supported(Homographies::SAMPLE) {
+    if !matches.is_supported(&found, Homographies::SAMPLE, 1, Conditions::Two) {
         return Err(matches.unsupported(found.inliers.len()));
     }
     let homography_px = matches.frame.homography_px(&matrix);
@@ -326,7 +379,7 @@ fn planar(matches: &Matches, field: &Field, principal: Option<[[f64; 2]; 2]>) ->
     if let Some(turned) = turned.filter(|turned| turned.estimate.is_some() || unmoved) {
         let in_px = turned.best.frame.homography_px(&turned.best.model);
         let own = matches.frame.homography_from_px(&in_px);
-        if matches.explains(&own, &found) {
+        if matches.explains(&own, &found) && matches.is_as_good(&own, &matrix, &found) {
             let result = of_rotation(matches, turned.best.frame, turned.best.model, &own);
             return Ok(TwoView { focal: turned.estimate, ..result });
         }

@@ -72,7 +72,7 @@ pub fn guided_matches(
     if let Some(wrong) = matrix.iter().flatten().find(|v| !v.is_finite()) {
         return Err(Error::InvalidInput { what: "the matrix that guides", got: wrong.to_string(), allowed: "finite numbers".into() });
     }
-    let index = PositionIndex::new(right.positions.iter().enumerate().map(|(k, [x, y])| (k, *x, *y)));
+    let index = PositionIndex::of_squares(right.positions.iter().enumerate().map(|(k, [x, y])| (k, *x, *y)));
     let mut back: Vec<Option<(usize, u32)>> = vec![None; right.positions.len()];
     let mut found: Vec<(usize, Nearest)> = Vec::new();
     let mut candidates: Vec<(u32, usize)> = Vec::new();
@@ -103,9 +103,6 @@ fn nearest_of_candidates(candidates: &[(u32, usize)], positions: &[[f64; 2]], ap
     Some(Nearest { index, square, second_square })
 }
 
-/// Length of the pieces of an epipolar line that are looked up at once, in px.
-const PIECE: f64 = 32.0;
-
 fn visit_near(index: &PositionIndex, guide: &Guide, [x, y]: [f64; 2], radius: f64, mut visit: impl FnMut(usize)) {
     let times = |m: &[[f64; 3]; 3]| m.map(|row| row[0] * x + row[1] * y + row[2]);
     match guide {
@@ -131,28 +128,24 @@ fn visit_near(index: &PositionIndex, guide: &Guide, [x, y]: [f64; 2], radius: f6
     }
 }
 
-/// Visits the points within `radius` of a line whose normal `a`, `b` has length 1, piece by piece along the axis it is nearer to.
+/// What rounding may move a point over the border of a band, px.
+const ROUNDING_PX: f64 = 1e-6;
+
+/// Visits the points within `radius` of a line whose normal `a`, `b` has length 1, along the axis it is nearer to.
 fn visit_line(index: &PositionIndex, [a, b, c]: [f64; 3], radius: f64, visit: &mut impl FnMut(usize)) {
-    let [left, top, right, bottom] = index.bounds();
     let flat = b.abs() >= a.abs();
     // Along the axis `u`, v = offset + slope u; the band reaches `reach` to either side in v.
-    let (first, last, across, along) = if flat { (left, right, b, a) } else { (top, bottom, a, b) };
-    let (slope, offset, reach) = (-along / across, -c / across, radius / across.abs());
-    let mut start = first;
-    while start <= last {
-        let end = start + PIECE;
-        let (v0, v1) = (offset + slope * start, offset + slope * end);
-        let (low, high) = (v0.min(v1) - reach, v0.max(v1) + reach);
-        let rectangle = if flat { [start, low, end, high] } else { [low, start, high, end] };
-        index.around(rectangle, |j, x, y| {
-            let u = if flat { x } else { y };
-            // Each point belongs to one piece.
-            if u >= start && u < end && (a * x + b * y + c).abs() <= radius {
-                visit(j);
-            }
-        });
-        start = end;
-    }
+    let (across, along) = if flat { (b, a) } else { (a, b) };
+    let (slope, offset, reach) = (-along / across, -c / across, radius / across.abs() + ROUNDING_PX);
+    let band = |u0: f64, u1: f64| {
+        let (v0, v1) = (offset + slope * u0, offset + slope * u1);
+        [v0.min(v1) - reach, v0.max(v1) + reach]
+    };
+    index.across(flat, band, |j, x, y| {
+        if (a * x + b * y + c).abs() <= radius {
+            visit(j);
+        }
+    });
 }
 
 fn checked<'a>(what: &'static str, points: Located<'a>) -> Result<&'a [[u8; DESCRIPTOR_BYTES]], Error> {
@@ -199,7 +192,7 @@ mod tests {
     #[test]
     fn candidates_are_those_near_the_line_or_the_place() {
         let (right, _) = points(3000, 2);
-        let index = PositionIndex::new(right.iter().enumerate().map(|(k, [x, y])| (k, *x, *y)));
+        let index = PositionIndex::of_squares(right.iter().enumerate().map(|(k, [x, y])| (k, *x, *y)));
         let guides = [
             Guide::Lines([[0.0, 0.0, 0.1], [0.0, 0.0, -1.0], [-0.02, 1.0, 3.0]]),
             Guide::Lines([[0.0, 0.0, -1.0], [0.0, 0.0, 0.3], [1.0, 0.1, 3.0]]),

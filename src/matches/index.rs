@@ -20,6 +20,16 @@ const MOST_STRIPS: f64 = 4e6;
 impl PositionIndex {
     /// Takes points as index, x, y; positions are finite.
     pub fn new(points: impl Iterator<Item = (usize, f64, f64)> + Clone) -> Self {
+        Self::of_strips(points, |_, _| STRIP)
+    }
+
+    /// As [`Self::new`], of squares that hold about one point each: for what crosses the image in any direction.
+    pub fn of_squares(points: impl Iterator<Item = (usize, f64, f64)> + Clone) -> Self {
+        Self::of_strips(points, |count, [width, height]| [((width * height / count).sqrt()).max((width.max(height)) / count).max(1.0); 2])
+    }
+
+    /// `strip`: width and height in px by the number of points and the size of the rectangle that holds them.
+    fn of_strips(points: impl Iterator<Item = (usize, f64, f64)> + Clone, strip: impl Fn(f64, [f64; 2]) -> [f64; 2]) -> Self {
         let bounds = points.clone().fold([f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY], |b, (_, x, y)| {
             [b[0].min(x), b[1].min(y), b[2].max(x), b[3].max(y)]
         });
@@ -28,9 +38,10 @@ impl PositionIndex {
             return index;
         }
         (index.left, index.top) = (bounds[0].floor(), bounds[1].floor());
-        let needed = [(bounds[2] - index.left) / STRIP[0] + 1.0, (bounds[3] - index.top) / STRIP[1] + 1.0];
+        let strip = strip(points.clone().count() as f64, [bounds[2] - index.left, bounds[3] - index.top]);
+        let needed = [(bounds[2] - index.left) / strip[0] + 1.0, (bounds[3] - index.top) / strip[1] + 1.0];
         let enlarged = (needed[0] * needed[1] / MOST_STRIPS).max(1.0);
-        index.strip = STRIP.map(|side| side * enlarged);
+        index.strip = strip.map(|side| side * enlarged);
         index.strips = ((bounds[2] - index.left) / index.strip[0]) as usize + 1;
         let rows = ((bounds[3] - index.top) / index.strip[1]) as usize + 1;
         let cell =
@@ -58,10 +69,31 @@ impl PositionIndex {
         });
     }
 
-    /// The rectangle `[left, top, right, bottom]` that holds all points.
-    pub fn bounds(&self) -> [f64; 4] {
+    /// Gives the points of a band that crosses the index, and some around it, with their positions: `band` gives its least and largest y
+    /// between two x (`flat`), or its least and largest x between two y.
+    pub fn across(&self, flat: bool, band: impl Fn(f64, f64) -> [f64; 2], mut visit: impl FnMut(usize, f64, f64)) {
         let rows = (self.starts.len() - 1) / self.strips;
-        [self.left, self.top, self.left + self.strips as f64 * self.strip[0], self.top + rows as f64 * self.strip[1]]
+        let [width, height] = self.strip;
+        let (steps, origin, side) = if flat { (self.strips, self.left, width) } else { (rows, self.top, height) };
+        let (cells, cells_origin, cells_side) = if flat { (rows, self.top, height) } else { (self.strips, self.left, width) };
+        for step in 0..steps {
+            let start = origin + step as f64 * side;
+            let [first, last] = band(start, start + side).map(|v| ((v - cells_origin) / cells_side).floor());
+            if !(last >= 0.0 && first < cells as f64) {
+                continue;
+            }
+            let (first, last) = (first.max(0.0) as usize, (last as usize).min(cells - 1));
+            let mut give = |from: usize, to: usize| {
+                for (point, x, y) in &self.entries[self.starts[from] as usize..self.starts[to] as usize] {
+                    visit(*point as usize, *x, *y);
+                }
+            };
+            if flat {
+                (first..=last).for_each(|row| give(row * self.strips + step, row * self.strips + step + 1));
+            } else {
+                give(step * self.strips + first, step * self.strips + last + 1);
+            }
+        }
     }
 
     /// Gives the points of a rectangle `[left, top, right, bottom]` and some around it with their positions, row by row.
@@ -93,14 +125,15 @@ mod tests {
     fn finds_what_the_definition_finds() {
         let points: Vec<(usize, f64, f64)> =
             (0..500).map(|k| (k, ((k * 7919) % 1000) as f64 / 7.0 - 20.0, ((k * 104_729) % 1000) as f64 / 9.0 + 3.0)).collect();
-        let index = PositionIndex::new(points.iter().copied());
-        for (x, y, reach) in [(30.0, 40.0, 12.0), (-25.0, 0.0, 8.0), (125.0, 115.0, 30.0), (500.0, 500.0, 12.0), (50.0, 50.0, 1000.0)] {
-            let mut found = Vec::new();
-            index.within(x, y, reach, |k| found.push(k));
-            found.sort_unstable();
-            let expected: Vec<usize> =
-                points.iter().filter(|p| (p.1 - x).abs() <= reach && (p.2 - y).abs() <= reach).map(|p| p.0).collect();
-            assert_eq!(found, expected);
+        for index in [PositionIndex::new(points.iter().copied()), PositionIndex::of_squares(points.iter().copied())] {
+            for (x, y, reach) in [(30.0, 40.0, 12.0), (-25.0, 0.0, 8.0), (125.0, 115.0, 30.0), (500.0, 500.0, 12.0), (50.0, 50.0, 1000.0)] {
+                let mut found = Vec::new();
+                index.within(x, y, reach, |k| found.push(k));
+                found.sort_unstable();
+                let expected: Vec<usize> =
+                    points.iter().filter(|p| (p.1 - x).abs() <= reach && (p.2 - y).abs() <= reach).map(|p| p.0).collect();
+                assert_eq!(found, expected);
+            }
         }
     }
 

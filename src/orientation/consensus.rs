@@ -131,7 +131,7 @@ impl Poses<'_> {
     /// As [`Self::improved`], until a step is a hundredth of its standard errors, with the conditions at the adjusted coordinates: at the
     /// observed ones their noise biases what is weakly determined.
     pub fn settled(&self, start: &Consensus, count: usize) -> Consensus {
-        self.refined_until(start, count, 50, 0.01, |pose, ray| pose.project(ray).0)
+        self.refined_until(start, count, 50, 0.01, Pose::nearer)
     }
 
     fn refined_until(&self, start: &Consensus, count: usize, steps: usize, share: f64, adjusted: impl Fn(&Pose, &Ray) -> Ray) -> Consensus {

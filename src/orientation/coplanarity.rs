@@ -119,6 +119,12 @@ impl Pose {
         })
     }
 
+    /// The observed coordinates after one step towards those that fulfil the condition: what is left is of the third order of the distance.
+    pub fn nearer(&self, observed: &Ray) -> Ray {
+        let line = self.linearise(&[Vector3::zeros(); 2], observed, observed);
+        line.map_or(*observed, |line| line.adjusted(observed, line.misclosure))
+    }
+
     /// The coordinates nearest to the observed ones that fulfil the condition, and their signed distance.
     pub fn project(&self, observed: &Ray) -> (Ray, f64) {
         let tangents = [Vector3::zeros(); 2];

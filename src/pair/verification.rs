@@ -3,6 +3,7 @@
 
 use super::PairInterior;
 use super::frames::CommonFrame;
+use crate::geometry::two_view_from;
 use crate::matches::within_parallax_gradient;
 use crate::{
     DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
@@ -17,6 +18,9 @@ const REACH: f64 = 3.0;
 /// are normal in their middle only, and beyond this poor positions are as many as good ones (Rousseeuw & Leroy 1987, Robust Regression and
 /// Outlier Detection).
 const TRUSTED: [f64; 2] = [2.5, 2.96];
+
+/// The geometry of fewer first matches may be off by more than guided ones can mend: it is searched for again among these.
+const FEW: usize = 100;
 
 /// Options of [`match_features`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -100,7 +104,9 @@ pub(super) fn verify(
     let (agreeing, second) = (moving_together(&agreeing), moving_together(&second));
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
     let known = TwoViewOptions { threshold_px: Some(start.threshold_px), ..options.clone() };
-    let (found, matches) = match two_view(&positions(&second), &known) {
+    let better =
+        if agreeing.len() < FEW { two_view(&positions(&second), &known) } else { two_view_from(&positions(&second), &known, &start) };
+    let (found, matches) = match better {
         Ok(better) if better.inliers.len() >= agreeing.len() => {
             let matches = better.inliers.iter().map(|k| second[*k]).collect();
             (as_degenerate(better, &start), matches)
@@ -128,11 +134,11 @@ fn trusted(
         return (found, matches);
     }
     let nearer = TwoViewOptions { threshold_px: Some(within), ..options.clone() };
-    match two_view(&positions(&matches), &nearer) {
+    match two_view_from(&positions(&matches), &nearer, &found) {
         Ok(better) => {
             let matches = better.inliers.iter().map(|k| matches[*k]).collect();
             // Beyond the threshold there is nothing left by which strangers could be told from poor positions.
-            (TwoView { sigma_px: found.sigma_px, ..as_degenerate(better, &found) }, matches)
+            (TwoView { sigma_px: found.sigma_px, ..better }, matches)
         }
         Err(_) => (found, matches),
     }
