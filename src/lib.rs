@@ -13,6 +13,7 @@ mod error;
 mod formats;
 mod geometry;
 mod image;
+mod json;
 mod matches;
 mod math;
 mod orientation;

@@ -1,5 +1,6 @@
 //! Small files of text: fiducials, observations and a camera in; points and matches out.
 
+use crate::json::reason_in_text;
 use crate::text::{records, shorten};
 use crate::{Camera, Error, Fiducial, Observation};
 use csv::StringRecord;
@@ -32,7 +33,7 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
 pub fn parse_camera(json: &str) -> Result<Camera, Error> {
     let text = json.trim_start_matches('\u{feff}');
-    let camera: Camera = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: e.to_string() })?;
+    let camera: Camera = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: reason_in_text(&e) })?;
     camera.check().map(|()| camera)
 }
 

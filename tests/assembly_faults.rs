@@ -111,6 +111,7 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
         assert!(!gps.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
         let refused = model.adjusted.images.iter().filter(|image| !image.gps.unwrap().accepted).count();
         assert_eq!(refused, 1);
+        assert!(says(&assembly, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
         let off = scene.off_in_system(&assembly);
         assert!(off.iter().all(|off| *off < 3.0), "{off:?}");
     }
@@ -216,4 +217,100 @@ fn marks_that_do_not_fit_are_told_by_name() {
     assert!(says(&assembly, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
     assert!(says(&assembly, &["gcp 3"]), "{weaknesses:?}");
     assert!(!says(&assembly, &["gcp 1"]), "{weaknesses:?}");
+}
+
+#[test]
+fn surveyed_points_in_another_unit_contradict_recorded_positions() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    let points = surveyed(&scene, 0.3);
+    for (scale, told) in [
+        (1.0, None),
+        (1.1, None),
+        (3.28084, Some(["3.3 times", "are they in feet?"])),
+        (1000.0, Some(["1000 times", "are they in millimetres?"])),
+        (1.6, Some(["1.6 times", "metres are needed"])),
+        (0.001, Some(["0.0010 times", "are they in kilometres?"])),
+    ] {
+        scene.record_places(|image| image != 4);
+        // A receiver without a fix is no reason to doubt the surveyed points.
+        let no_fix = ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] };
+        scene.description.images[7].position = Some(no_fix);
+        scene.description.control = points.clone();
+        for control in &mut scene.description.control {
+            let ObservedPosition::Local { position, sigma } = &mut control.position else { unreachable!() };
+            position.iter_mut().chain(sigma).for_each(|v| *v *= scale);
+        }
+        let assembly = scene.assemble(&selected());
+        let model = &assembly.models[0];
+        assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.weaknesses);
+        assert!(assembly.origin.is_none(), "what the surveyed points are of has no place on the earth");
+        assert!(model.adjusted.images.iter().all(|image| image.gps.is_none()));
+        assert_eq!(says(&assembly, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
+        assert!(told.is_none_or(|words| says(&assembly, &words)), "{scale}: {:?}", model.weaknesses);
+    }
+    // Recorded positions that are as uncertain as the block is wide tell nothing of its size.
+    for image in &mut scene.description.images {
+        let Some(ObservedPosition::Geographic { sigma_m, .. }) = &mut image.position else { unreachable!() };
+        *sigma_m = [600.0; 3];
+    }
+    let assembly = scene.assemble(&selected());
+    assert!(!says(&assembly, &["times as large"]), "{:?}", assembly.models[0].weaknesses);
+}
+
+#[test]
+fn degrees_in_place_of_metres_are_told() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    scene.description.control = surveyed(&scene, 0.3);
+    let assembly = scene.assemble(&selected());
+    assert!(!says(&assembly, &["degrees"]), "{:?}", assembly.models[0].weaknesses);
+    for control in &mut scene.description.control {
+        let ObservedPosition::Local { position, .. } = &mut control.position else { unreachable!() };
+        *position = geographic_from_local(*position, ORIGIN);
+    }
+    let assembly = scene.assemble(&selected());
+    assert!(says(&assembly, &["longitude and latitude", "metres are needed, not degrees"]), "{:?}", assembly.models[0].weaknesses);
+}
+
+#[test]
+fn the_tilt_of_a_block_whose_turn_is_uncertain_is_told() {
+    let mut scene = scene(&BlockFlight { strips: 2, exposures: 6, features: 1000, ..BlockFlight::default() }, 1.0);
+    let width = scene.block.exposures[6].centre[1] - scene.block.exposures[0].centre[1];
+    for (slope, is_tilted) in [(0.0, false), (0.6, true)] {
+        for (index, (image, exposure)) in scene.description.images.iter_mut().zip(&scene.block.exposures).enumerate() {
+            let mut position = exposure.centre;
+            position[2] += if index >= 6 { slope * width } else { 0.0 };
+            image.position = Some(ObservedPosition::Local { position, sigma: [60.0, 60.0, 100.0] });
+        }
+        let assembly = scene.assemble(&selected());
+        let model = &assembly.models[0];
+        assert!(model.in_system && says(&assembly, &["The recorded positions hardly determine"]), "{:?}", model.weaknesses);
+        assert_eq!(says(&assembly, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.weaknesses);
+    }
+}
+
+#[test]
+fn what_leaves_the_turn_of_a_block_open_is_named() {
+    let mut scene = scene(&BlockFlight { strips: 2, exposures: 4, features: 1000, ..BlockFlight::default() }, 1.0);
+    scene.description.control = surveyed(&scene, 0.3);
+    for control in &mut scene.description.control {
+        let ObservedPosition::Local { sigma, .. } = &mut control.position else { unreachable!() };
+        *sigma = [20.0, 20.0, 300.0];
+    }
+    let assembly = scene.assemble(&selected());
+    assert!(says(&assembly, &["The surveyed points", "determine how the whole block is turned"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(!says(&assembly, &["recorded positions"]), "{:?}", assembly.models[0].weaknesses);
+}
+
+#[test]
+fn cameras_are_named_by_their_images() {
+    let flight = BlockFlight { strips: 2, exposures: 5, features: 1000, ..BlockFlight::default() };
+    let mut scene = scene(&flight, 1.0);
+    scene.description.cameras[0].focal_px = None;
+    let assembly = scene.assemble(&selected());
+    assert!(says(&assembly, &["The focal length of the camera was not known"]), "{:?}", assembly.models[0].weaknesses);
+    let second = scene.description.cameras[0].clone();
+    scene.description.cameras.push(second);
+    scene.description.images[5..].iter_mut().for_each(|image| image.camera = 1);
+    let assembly = scene.assemble(&selected());
+    assert!(says(&assembly, &["The focal length of camera 2 (0005.jpg and 4 more images)"]), "{:?}", assembly.models[0].weaknesses);
 }

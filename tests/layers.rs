@@ -5,10 +5,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 20] = [
+const ORDER: [&str; 21] = [
     "error",
     "parameters",
     "text",
+    "json",
     "math",
     "camera",
     "image",

@@ -1,7 +1,7 @@
 // @ts-check
 /** What is known of a block before its images are oriented: cameras, recorded positions, surveyed points. */
 
-import { parse_image_marks, parse_surveyed_points } from '../wasm/tiepoint.js';
+import { check_block_description, parse_image_marks, parse_surveyed_points } from '../wasm/tiepoint.js';
 import { BlockError } from './errors.js';
 
 /**
@@ -22,20 +22,20 @@ const FIXED = { focal: false, principal_point: false, radial: 0, tangential: fal
 
 /**
  * What is known before the orientation. Recorded positions and surveyed points are of different systems: where there are surveyed points,
- * they alone place the block.
+ * they alone place the block, and the distances between recorded positions tell whether they are in metres.
  * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {PlacingOptions} placing @param {ControlText} [control]
  * @returns {{ description: BlockDescription, strayMarks: string[] }} `strayMarks`: images that marks name and that are not in the block
  */
 export function describeBlock(images, cameras, useGps, placing, control) {
   const { surveyed, strayMarks } = control ? controlOf(control, images, placing) : { surveyed: [], strayMarks: [] };
-  const placed = useGps && surveyed.length === 0;
   const description = {
     cameras: cameras.map(({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed }) => (
       { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, ...(fixed && { free: FIXED }) }
     )),
-    images: images.map(({ name, camera, exif }) => ({ name, camera, position: placed && exif.position ? observed(exif.position, placing) : null })),
+    images: images.map(({ name, camera, exif }) => ({ name, camera, position: useGps && exif.position ? observed(exif.position, placing) : null })),
     control: surveyed,
   };
+  check_block_description(description);
   return { description, strayMarks };
 }
 

@@ -94,7 +94,9 @@ pub struct AssemblyImage {
     pub position: Option<ObservedPosition>,
 }
 
-/// A position that was observed; all of a block are of the same kind.
+/// A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three surveyed points or
+/// more of the other, which alone place the block: then distances between the images are compared with the recorded ones, and it is told
+/// where the surveyed points have another unit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "system", rename_all = "snake_case", deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -136,7 +138,7 @@ pub struct AssemblyControl {
 pub struct ControlRay {
     /// Index of the image.
     pub image: usize,
-    /// Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+    /// Column and row in px, inside the image; the centre of the top-left pixel is (0.5, 0.5).
     pub x_px: f64,
     pub y_px: f64,
 }

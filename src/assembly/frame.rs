@@ -13,6 +13,9 @@ pub(super) struct Frame {
     pub control: Vec<([f64; 3], [f64; 3])>,
     /// Where (0, 0, 0) is, for geographic positions.
     pub origin: Option<GeographicOrigin>,
+    /// Positions of images that are of another system than the surveyed points: distances between them are compared, nothing more. Absent
+    /// standard errors are those of coordinates that were not recorded.
+    pub recorded: Vec<Option<PositionPrior>>,
     /// Whether heights that were not recorded are taken as nearly the same, since those that were do not level the block.
     pub is_levelled: bool,
 }
@@ -22,46 +25,77 @@ const LEVELLING: usize = 3;
 /// Standard error in m of a height of which nothing is known but that the flight was about level.
 const LEVEL_SIGMA_M: f64 = 100.0;
 
+/// Surveyed points from which on they place a block by themselves.
+const PLACING: usize = 3;
+
 impl Frame {
-    /// Geographic positions are taken into a system that touches the earth in the middle of most of them.
+    /// Geographic positions are taken into a system that touches the earth in the middle of most of them. Where those of the images are of
+    /// another kind than those of surveyed points, the surveyed points alone give the system.
     ///
     /// # Errors
-    /// [`Error::InvalidInput`] for local and geographic positions in one block.
+    /// [`Error::InvalidInput`] for local and geographic positions of images, or of surveyed points, and for different kinds of both where the
+    /// surveyed points are too few to place the block.
     pub fn new(description: &BlockDescription) -> Result<Self, Error> {
-        let of_images = description.images.iter().filter_map(|image| image.position);
-        let all: Vec<ObservedPosition> = of_images.chain(description.control.iter().map(|control| control.position)).collect();
-        let places: Vec<Place> = all.iter().filter_map(place).collect();
-        if !places.is_empty() && places.len() < all.len() {
-            let got = format!("{} geographic and {} local ones", places.len(), all.len() - places.len());
-            return Err(Error::InvalidInput { what: "observed positions", got, allowed: "either all local or all geographic".into() });
-        }
-        let origin = middle(&places);
-        let heights = places.iter().filter(|place| place.height.is_some()).count();
-        let is_levelled = heights < LEVELLING && heights < places.len();
-        let cartesian = |position: &ObservedPosition| match *position {
-            ObservedPosition::Local { position, sigma } => (position, sigma.map(Some)),
-            ObservedPosition::Geographic { height_m, sigma_m: [east, north, up], .. } => {
-                let up = if height_m.is_some() { Some(up) } else { is_levelled.then_some(LEVEL_SIGMA_M) };
-                let local = |(Place { longitude, latitude, height }, origin): (Place, [f64; 3])| {
-                    local_from_geographic([longitude, latitude, height.unwrap_or(origin[2])], origin)
-                };
-                (place(position).zip(origin).map_or([0.0; 3], local), [Some(east), Some(north), up])
-            }
-        };
-        let prior = |position: &ObservedPosition| {
-            let (position, sigma) = cartesian(position);
-            PositionPrior { position, sigma }
+        let of_images: Vec<ObservedPosition> = description.images.iter().filter_map(|image| image.position).collect();
+        let of_control: Vec<ObservedPosition> = description.control.iter().map(|control| control.position).collect();
+        let are_apart = of_control.len() >= PLACING
+            && matches!((is_geographic(&of_images), is_geographic(&of_control)), (Some(images), Some(control)) if images != control);
+        let (placing, apart) = if are_apart { (of_control, of_images) } else { ([of_images, of_control].concat(), Vec::new()) };
+        let (system, recording) = (System::of(&placing)?, System::of(&apart)?);
+        let of_image = |system: &System, is_wanted: bool| {
+            description.images.iter().map(|image| image.position.as_ref().filter(|_| is_wanted).map(|p| system.prior(p))).collect()
         };
         let surveyed = |position: &ObservedPosition| {
-            let (position, sigma) = cartesian(position);
+            let PositionPrior { position, sigma } = system.prior(position);
             (position, sigma.map(|sigma| sigma.unwrap_or(LEVEL_SIGMA_M)))
         };
         Ok(Self {
-            images: description.images.iter().map(|image| image.position.as_ref().map(prior)).collect(),
+            images: of_image(&system, !are_apart),
+            recorded: of_image(&recording, are_apart),
             control: description.control.iter().map(|control| surveyed(&control.position)).collect(),
-            origin: origin.map(|[longitude_deg, latitude_deg, height_m]| GeographicOrigin { longitude_deg, latitude_deg, height_m }),
-            is_levelled,
+            origin: system.origin.map(|[longitude_deg, latitude_deg, height_m]| GeographicOrigin { longitude_deg, latitude_deg, height_m }),
+            is_levelled: system.is_levelled,
         })
+    }
+}
+
+/// Whether positions are geographic; `None` where there are none or of both kinds.
+fn is_geographic(positions: &[ObservedPosition]) -> Option<bool> {
+    let first = place(positions.first()?).is_some();
+    positions.iter().all(|position| place(position).is_some() == first).then_some(first)
+}
+
+/// The Cartesian system of some observed positions.
+struct System {
+    origin: Option<[f64; 3]>,
+    is_levelled: bool,
+}
+
+impl System {
+    fn of(positions: &[ObservedPosition]) -> Result<Self, Error> {
+        let places: Vec<Place> = positions.iter().filter_map(place).collect();
+        if !places.is_empty() && places.len() < positions.len() {
+            let got = format!("{} geographic and {} local ones", places.len(), positions.len() - places.len());
+            let allowed =
+                format!("either all local or all geographic, or those of images alone and those of {PLACING} or more surveyed points");
+            return Err(Error::InvalidInput { what: "observed positions", got, allowed });
+        }
+        let heights = places.iter().filter(|place| place.height.is_some()).count();
+        Ok(Self { origin: middle(&places), is_levelled: heights < LEVELLING && heights < places.len() })
+    }
+
+    fn prior(&self, position: &ObservedPosition) -> PositionPrior {
+        match *position {
+            ObservedPosition::Local { position, sigma } => PositionPrior { position, sigma: sigma.map(Some) },
+            ObservedPosition::Geographic { height_m, sigma_m: [east, north, up], .. } => {
+                let up = if height_m.is_some() { Some(up) } else { self.is_levelled.then_some(LEVEL_SIGMA_M) };
+                let local = |(Place { longitude, latitude, height }, origin): (Place, [f64; 3])| {
+                    local_from_geographic([longitude, latitude, height.unwrap_or(origin[2])], origin)
+                };
+                let position = place(position).zip(self.origin).map_or([0.0; 3], local);
+                PositionPrior { position, sigma: [Some(east), Some(north), up] }
+            }
+        }
     }
 }
 

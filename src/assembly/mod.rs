@@ -21,6 +21,7 @@ mod refusal;
 mod resection;
 mod result;
 mod start;
+mod units;
 mod weaknesses;
 
 pub use assemble::assemble_block;

@@ -4,7 +4,9 @@ use super::description::BlockDescription;
 use super::frame::Frame;
 use super::result::AssembledPoint;
 use super::result::{AssembledModel, UnorientedReason};
+use super::units::of_units;
 use crate::bundle::RayVerdict;
+use crate::text::counted;
 
 /// An image with fewer accepted rays is weak.
 const FEW_RAYS: usize = 20;
@@ -16,6 +18,8 @@ const MANY_REJECTED: f64 = 0.2;
 const UNCERTAIN_TURN_DEG: f64 = 2.0;
 /// An angle that is not surer than this is not known.
 const UNKNOWN_TURN_DEG: f64 = 45.0;
+/// Views that are this far off the vertical are no vertical photographs.
+const OBLIQUE_DEG: f64 = 10.0;
 /// Images are named one by one up to so many.
 const NAMED: usize = 5;
 
@@ -23,8 +27,9 @@ pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription,
     let mut found = Vec::new();
     found.extend(of_datum(model, complaint));
     found.extend(of_positions(model, description, frame));
+    found.extend(of_units(model, description, frame));
     found.extend(of_marks(model, description));
-    found.extend(of_cameras(model));
+    found.extend(of_cameras(model, description));
     found.extend(of_images(model, description));
     found.extend(of_rays(model));
     found
@@ -38,19 +43,33 @@ fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String>
     Some(complaint.map_or(format!("{free}."), |reason| format!("{free} ({reason}).")))
 }
 
-/// Positions along a line leave the turn about it to their own errors.
+/// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
+/// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
 fn of_turn(model: &AssembledModel) -> Option<String> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let least = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
-    let told = match least {
-        least if least > UNKNOWN_TURN_DEG => {
-            "The recorded positions do not determine how the whole block is turned about their line.".into()
-        }
-        least => format!(
-            "The recorded positions hardly determine how the whole block is turned: its angles are uncertain by ± {least:.0}° or more."
-        ),
+    let datum = model.adjusted.datum;
+    let observed = match (datum.uses_gps(), datum.uses_control()) {
+        (true, true) => "recorded positions and surveyed points",
+        (false, true) => "surveyed points",
+        _ => "recorded positions",
     };
-    (least > UNCERTAIN_TURN_DEG).then_some(told)
+    let told = match least {
+        least if least > UNKNOWN_TURN_DEG => format!("The {observed} do not determine how the whole block is turned about their line"),
+        least => {
+            format!("The {observed} hardly determine how the whole block is turned: its angles are uncertain by ± {least:.0}° or more")
+        }
+    };
+    let tilt = mean_tilt_deg(model);
+    let views = if tilt > OBLIQUE_DEG { format!("; the views are {tilt:.0}° off the vertical on average") } else { String::new() };
+    (least > UNCERTAIN_TURN_DEG).then(|| format!("{told}{views}."))
+}
+
+/// The angle between the mean direction of view and the vertical.
+fn mean_tilt_deg(model: &AssembledModel) -> f64 {
+    let images = &model.adjusted.block.images;
+    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.rotation[2][k]).sum::<f64>());
+    libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
 }
 
 /// Recorded positions that took no part, and heights that were not recorded.
@@ -71,8 +90,11 @@ fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &
     let named = refused.iter().take(NAMED).map(|(image, distance)| format!("{} ({distance:.1} m)", description.images[*image].name));
     if !refused.is_empty() {
         let named = named.collect::<Vec<_>>().join(", ");
-        let (more, n) = (if refused.len() > NAMED { " and others" } else { "" }, refused.len());
-        found.push(format!("{n} recorded positions do not fit and were left out, with how far they lie off: {named}{more}."));
+        let more = if refused.len() > NAMED { " and others" } else { "" };
+        found.push(match refused.len() {
+            1 => format!("1 recorded position does not fit and was left out, with how far it lies off: {named}."),
+            n => format!("{n} recorded positions do not fit and were left out, with how far they lie off: {named}{more}."),
+        });
     }
     found
 }
@@ -88,7 +110,10 @@ fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<Strin
             continue;
         }
         let Some(point) = place(index) else {
-            found.push(format!("The surveyed point {} was left out: its {marks} marks in oriented images do not meet.", control.name));
+            found.push(match marks {
+                1 => format!("The surveyed point {} was left out: it has one mark in oriented images.", control.name),
+                _ => format!("The surveyed point {} was left out: its {marks} marks in oriented images do not meet.", control.name),
+            });
             continue;
         };
         let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
@@ -98,31 +123,45 @@ fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<Strin
         images.sort_unstable();
         if !images.is_empty() {
             let names = images.iter().map(|image| name(*image)).collect::<Vec<_>>().join(", ");
-            found.push(format!("{} of the {marks} marks of the surveyed point {} do not fit: {names}.", images.len(), control.name));
+            let (n, verb) = (images.len(), if images.len() == 1 { "does" } else { "do" });
+            found.push(format!("{n} of the {} of the surveyed point {} {verb} not fit: {names}.", counted(marks, "mark"), control.name));
         }
     }
     found
 }
 
-fn of_cameras(model: &AssembledModel) -> Vec<String> {
+fn of_cameras(model: &AssembledModel, description: &BlockDescription) -> Vec<String> {
     let mut found = Vec::new();
     for (camera, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
-        // As tables number them.
-        let number = camera + 1;
+        let named = camera_named(*camera, description);
         if model.guessed_focal.contains(camera) {
             let estimated = statistics.standard_errors[0];
             found.push(match estimated {
-                Some(error) => format!("The focal length of camera {number} was not known; it is estimated to ± {error:.1} px."),
-                None => format!(
-                    "The focal length of camera {number} was not known, and the block does not determine it: heights are wrong in scale."
-                ),
+                Some(error) => format!("The focal length of {named} was not known; it is estimated to ± {error:.1} px."),
+                None => {
+                    format!("The focal length of {named} was not known, and the block does not determine it: heights are wrong in scale.")
+                }
             });
         }
         for fixed in &statistics.fixed {
-            found.push(format!("The block does not determine {} of camera {number}; it was left as it was.", fixed.parameter.name()));
+            found.push(format!("The block does not determine {} of {named}; it was left as it was.", fixed.parameter.name()));
         }
     }
     found
+}
+
+/// A camera by its number, from 1, and by its images: files number cameras from 0.
+pub(super) fn camera_named(camera: usize, description: &BlockDescription) -> String {
+    if description.cameras.len() == 1 {
+        return "the camera".into();
+    }
+    let mut images = description.images.iter().filter(|image| image.camera == camera).map(|image| image.name.as_str());
+    let number = camera + 1;
+    match (images.next(), images.count()) {
+        (None, _) => format!("camera {number}"),
+        (Some(name), 0) => format!("camera {number} ({name})"),
+        (Some(name), more) => format!("camera {number} ({name} and {})", counted(more, "more image")),
+    }
 }
 
 fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<String> {
@@ -132,7 +171,8 @@ fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<S
         .collect();
     let named = weak.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
     let more = if weak.len() > NAMED { " and others" } else { "" };
-    (!weak.is_empty()).then(|| format!("{} images have fewer than {FEW_RAYS} rays: {named}{more}.", weak.len()))
+    let verb = if weak.len() == 1 { "has" } else { "have" };
+    (!weak.is_empty()).then(|| format!("{} {verb} fewer than {FEW_RAYS} rays: {named}{more}.", counted(weak.len(), "image")))
 }
 
 fn of_rays(model: &AssembledModel) -> Vec<String> {
@@ -140,7 +180,7 @@ fn of_rays(model: &AssembledModel) -> Vec<String> {
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
     if two as f64 > MANY_TWO_RAYS * points as f64 {
-        found.push(format!("{two} of {points} points have two rays only: their errors along the base do not show."));
+        found.push(format!("{two} of {} have two rays only: their errors along the base do not show.", counted(points, "point")));
     }
     let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
     let all = model.adjusted.rays.len() + model.rejected.len();
@@ -156,18 +196,19 @@ impl UnorientedReason {
         match self {
             Self::NoPoints => format!("{name} has no multi-ray points."),
             Self::TooFewPoints { points, needed } => {
-                format!("{name} sees {points} intersected points; at least {needed} are needed.")
+                format!("{name} sees {}; at least {needed} are needed.", counted(points, "intersected point"))
             }
             Self::NoAgreement { agreeing, points, needed } => {
+                let rays = counted(points, "ray");
                 format!(
-                    "{agreeing} of the {points} rays of {name} to intersected points agree on one orientation; at least {needed} must, and a fifth."
+                    "Of the {rays} of {name} to intersected points {agreeing} agree on one orientation; at least {needed} must, and a fifth."
                 )
             }
             Self::Narrow { agreeing } => format!("The {agreeing} rays of {name} that agree lie on a line or in one spot of the image."),
             Self::NoPartner => format!("{name} has too few points in common with any image, or none from another place."),
-            Self::Lost { rays } => format!("{name} was oriented and kept only {rays} rays."),
+            Self::Lost { rays } => format!("{name} was oriented and kept only {}.", counted(rays, "ray")),
             Self::Undetermined { rays } => {
-                format!("{name} was oriented with {rays} rays; the bundle adjustment rejected too many of them.")
+                format!("{name} was oriented with {}; the bundle adjustment rejected too many of them.", counted(rays, "ray"))
             }
         }
     }

@@ -70,7 +70,7 @@ fn check_control(block: &Block) -> Result<(), Error> {
         check_position(&control.position, || place("position"))?;
         check_values("sigma of a position", &control.sigma, 1e-9..=1e9, || place("sigma"))?;
         if std::mem::replace(&mut is_control[control.point], true) {
-            let got = format!("point {} twice", control.point);
+            let got = format!("point {} (counted from 0) twice", control.point);
             return Err(Error::InvalidInput { what: "control points", got, allowed: "each point once".into() });
         }
     }
@@ -83,7 +83,7 @@ fn check_once(block: &Block) -> Result<(), Error> {
     pairs.sort_unstable();
     match pairs.windows(2).find(|w| w[0] == w[1]) {
         Some(w) => {
-            let got = format!("two rays of image {} to point {}", w[0].1, w[0].0);
+            let got = format!("two rays of image {} to point {} (counted from 0)", w[0].1, w[0].0);
             Err(Error::InvalidInput { what: "rays", got, allowed: "at most one ray for each image and point".into() })
         }
         None => Ok(()),

@@ -3,6 +3,7 @@
 use super::ModelCamera;
 use super::check::{check_camera, refuse};
 use crate::Error;
+use crate::json::reason_in_text;
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -42,11 +43,11 @@ impl CameraRule {
     /// # Errors
     /// As [`BlockModel::check`](crate::BlockModel::check).
     pub fn camera(&self, width_px: u32, height_px: u32) -> Result<ModelCamera, Error> {
-        self.camera_as(0, width_px, height_px)
+        self.camera_named(width_px, height_px, || format!("the camera of {}", self.images))
     }
 
-    /// The same, named by its place in the file where it is refused.
-    fn camera_as(&self, index: usize, width_px: u32, height_px: u32) -> Result<ModelCamera, Error> {
+    /// The same, by its name where it is refused.
+    fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> String) -> Result<ModelCamera, Error> {
         let camera = ModelCamera {
             width_px,
             height_px,
@@ -56,7 +57,7 @@ impl CameraRule {
             tangential: self.tangential,
             pixel_mm: self.pixel_mm,
         };
-        check_camera(index, &camera).map(|()| camera)
+        check_camera(&camera, name).map(|()| camera)
     }
 }
 
@@ -72,15 +73,15 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
         cameras: Vec<CameraRule>,
     }
     let text = json.trim_start_matches('\u{feff}');
-    let file: File = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the cameras", reason: e.to_string() })?;
+    let file: File = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the cameras", reason: reason_in_text(&e) })?;
     if file.cameras.is_empty() {
         return refuse("the cameras", "an empty list".into(), "one camera or more");
     }
-    for (index, rule) in file.cameras.iter().enumerate() {
+    for (number, rule) in (1..).zip(&file.cameras) {
         if rule.images.is_empty() {
-            return refuse("the cameras", format!("an empty pattern of camera {index}"), "a pattern of names as DJI_*.JPG");
+            return refuse("the cameras", format!("an empty pattern of camera {number}"), "a pattern of names as DJI_*.JPG");
         }
-        rule.camera_as(index, 1, 1).map(|_| ())?;
+        rule.camera_named(1, 1, || format!("camera {number} of the file"))?;
     }
     Ok(file.cameras)
 }
@@ -154,6 +155,14 @@ mod tests {
             r#"{"cameras": [{"focal_px": 1, "pixel_mm": 0}]}"#,
         ] {
             assert!(parse_camera_rules(wrong).is_err(), "{wrong}");
+        }
+        for (wrong, told) in [
+            (r#"[]"#, "got a list of 0 in line 1, column 2; allowed: an object"),
+            (r#"{"cameras": [{"focal_px": "1170"}]}"#, "got the text \"1170\" in line 1, column 32; allowed: a number"),
+            (r#"{"cameras": [{"focal_px": 900}, {"focal_px": 0}]}"#, "focal_px of camera 2 of the file"),
+        ] {
+            let message = parse_camera_rules(wrong).unwrap_err().to_string();
+            assert!(message.contains(told), "{message}");
         }
     }
 }

@@ -15,20 +15,35 @@ impl BlockModel {
     /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
     /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
     pub fn check(&self) -> Result<(), Error> {
-        self.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(index, camera))?;
+        self.cameras
+            .iter()
+            .enumerate()
+            .try_for_each(|(index, camera)| check_camera(camera, || format!("camera {index} (counted from 0)")))?;
         let mut names = BTreeMap::new();
         for (index, image) in self.images.iter().enumerate() {
             let what = "image of the block";
             if image.name.trim().is_empty() || image.name.chars().any(char::is_control) {
-                return refuse(what, format!("the name {:?} of image {index}", image.name), "a name without control characters");
+                return refuse(
+                    what,
+                    format!("the name {:?} of image {index} (counted from 0)", image.name),
+                    "a name without control characters",
+                );
             }
             if let Some(first) = names.insert(image.name.as_str(), index) {
-                return refuse(what, format!("the name '{}' for images {first} and {index}", image.name), "each name once");
+                return refuse(
+                    what,
+                    format!("the name '{}' for images {first} and {index} (counted from 0)", image.name),
+                    "each name once",
+                );
             }
             if image.camera >= self.cameras.len() {
-                return refuse(what, format!("camera {} of image {index}", image.camera), &format!("cameras below {}", self.cameras.len()));
+                return refuse(
+                    "camera of an image",
+                    format!("index {} for '{}'", image.camera, image.name),
+                    &format!("indices below {}", self.cameras.len()),
+                );
             }
-            image.pose.iter().try_for_each(|pose| check_pose(index, pose))?;
+            image.pose.iter().try_for_each(|pose| check_pose(&image.name, pose))?;
         }
         self.points.iter().enumerate().try_for_each(|(index, point)| self.check_point(index, point))?;
         self.origin.iter().try_for_each(check_origin)
@@ -40,53 +55,60 @@ impl BlockModel {
         if !point.position.iter().flatten().all(|v| v.is_finite()) || !point.rmse_px.iter().all(|v| v.is_finite() && *v >= 0.0) {
             return refuse(
                 what,
-                format!("{:?} with residuals of {:?} px as point {index}", point.position, point.rmse_px),
+                format!("{:?} with residuals of {:?} px as point {index} (counted from 0)", point.position, point.rmse_px),
                 "finite numbers",
             );
         }
         if !share(point.confidence) || !point.rays.iter().all(|ray| share(ray.confidence)) {
-            return refuse(what, format!("a confidence of point {index} outside 0 to 1"), "0 to 1");
+            return refuse(what, format!("a confidence of point {index} (counted from 0) outside 0 to 1"), "0 to 1");
         }
         let mut images = Vec::with_capacity(point.rays.len());
         for ray in &point.rays {
             let Some(image) = self.images.get(ray.image) else {
-                return refuse(what, format!("image {} of point {index}", ray.image), &format!("images below {}", self.images.len()));
+                return refuse(
+                    what,
+                    format!("image {} of point {index} (counted from 0)", ray.image),
+                    &format!("indices below {}", self.images.len()),
+                );
             };
             let camera = &self.cameras[image.camera];
             let inside = (0.0..=f64::from(camera.width_px)).contains(&ray.x_px) && (0.0..=f64::from(camera.height_px)).contains(&ray.y_px);
             if !inside {
-                let got = format!("the ray of point {index} at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
+                let got = format!("the ray of point {index} (counted from 0) at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
                 return refuse(what, got, &format!("places within {} x {} px", camera.width_px, camera.height_px));
             }
             images.push(ray.image);
         }
         images.sort_unstable();
         match images.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(pair) => refuse(what, format!("two rays of point {index} in '{}'", self.images[pair[0]].name), "one ray in an image"),
+            Some(pair) => refuse(
+                what,
+                format!("two rays of point {index} (counted from 0) in '{}'", self.images[pair[0]].name),
+                "one ray in an image",
+            ),
             None => Ok(()),
         }
     }
 }
 
-pub(super) fn check_camera(index: usize, camera: &ModelCamera) -> Result<(), Error> {
+/// Refuses what is no camera; `name` says which one it is.
+pub(super) fn check_camera(camera: &ModelCamera, name: impl Fn() -> String) -> Result<(), Error> {
     let what = "camera of the block";
     let finite = |values: &[f64]| values.iter().all(|v| v.abs() <= 1e9);
     if camera.width_px == 0 || camera.height_px == 0 {
-        return refuse(what, format!("{} x {} px of camera {index}", camera.width_px, camera.height_px), "1 px a side or more");
+        return refuse(what, format!("{} x {} px of {}", camera.width_px, camera.height_px, name()), "1 px a side or more");
     }
-    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || format!("focal_px of camera {index} (counted from 0)"))?;
+    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || format!("focal_px of {}", name()))?;
     if !finite(&camera.principal_point_px) || !finite(&camera.radial) || !finite(&camera.tangential) {
-        return refuse(what, format!("principal point or distortion of camera {index}"), "finite numbers");
+        return refuse(what, format!("principal point or distortion of {}", name()), "finite numbers");
     }
     match camera.pixel_mm {
-        Some(pixel) if !(1e-6..=10.0).contains(&pixel) => {
-            refuse(what, format!("a pixel of {pixel} mm of camera {index}"), "0.000001 to 10")
-        }
+        Some(pixel) if !(1e-6..=10.0).contains(&pixel) => refuse(what, format!("a pixel of {pixel} mm of {}", name()), "0.000001 to 10"),
         _ => Ok(()),
     }
 }
 
-fn check_pose(index: usize, pose: &ModelPose) -> Result<(), Error> {
+fn check_pose(name: &str, pose: &ModelPose) -> Result<(), Error> {
     let what = "image of the block";
     let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let m = &pose.rotation;
@@ -94,10 +116,10 @@ fn check_pose(index: usize, pose: &ModelPose) -> Result<(), Error> {
     let near = |value: f64, wanted: f64| (value - wanted).abs() <= ROTATION_TOLERANCE;
     let square = (0..3).all(|i| (i..3).all(|j| near(dot(&m[i], &m[j]), if i == j { 1.0 } else { 0.0 })));
     if !square || !near(dot(&cross, &m[2]), 1.0) {
-        return refuse(what, format!("{m:?} as rotation of image {index}"), "a rotation matrix");
+        return refuse(what, format!("{m:?} as rotation of '{name}'"), "a rotation matrix");
     }
     if !pose.position.iter().all(|v| v.is_finite()) {
-        return refuse(what, format!("{:?} as position of image {index}", pose.position), "finite numbers");
+        return refuse(what, format!("{:?} as position of '{name}'", pose.position), "finite numbers");
     }
     Ok(())
 }
@@ -127,7 +149,7 @@ mod tests {
         };
         refused(&|m| m.images[1].name = m.images[0].name.clone(), "for images 0 and 1");
         refused(&|m| m.images[1].name = "a\nb".into(), "control");
-        refused(&|m| m.images[0].camera = 1, "camera 1 of image 0");
+        refused(&|m| m.images[0].camera = 1, "index 1 for");
         refused(&|m| m.cameras[0].focal_px = f64::NAN, "focal");
         refused(&|m| m.cameras[0].radial[1] = f64::INFINITY, "distortion");
         refused(&|m| m.cameras[0].height_px = 0, "1 px");

@@ -8,7 +8,8 @@ use nalgebra::Matrix3;
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
-/// The files `images.csv`, `points.csv` and `rays.csv`. Images and points count from 0; what is not known is empty; angles are those of
+/// The files `images.csv`, `points.csv` and `rays.csv`. Images, points and cameras count from 0, as the lists of the project file do, whereas
+/// texts that people read number cameras from 1 and name images; what is not known is empty; angles are those of
 /// M = M3(κ)·M2(φ)·M1(ω) in degrees.
 pub(super) fn write_tables(model: &BlockModel) -> Result<[String; 3], Error> {
     let [mut images, mut points, mut rays] = [const { String::new() }; 3];

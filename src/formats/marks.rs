@@ -58,7 +58,7 @@ fn is_word(field: &str) -> bool {
 }
 
 fn refused(got: String) -> Error {
-    Error::InvalidInput { what: WHAT, got, allowed: "lines of image, point, x, y, each point once in an image".into() }
+    Error::InvalidInput { what: WHAT, got, allowed: "lines of image, point, x, y with decimal points, each point once in an image".into() }
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The block's own file: one line that says what it is, and one of JSON that is checked against it.
 
 use super::BlockModel;
+use crate::json::reason;
 use crate::text::shorten;
 use crate::{BlockOptions, Connection, Error, SelectOptions};
 use serde::{Deserialize, Serialize};
@@ -61,7 +62,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     };
     let header: Header = match serde_json::from_str(line) {
         Ok(header) => header,
-        Err(error) => return refused("line 1", format!("'{}' is not the first line of a project ({error})", shorten(line))),
+        Err(error) => return refused("line 1", format!("'{}' is not the first line of a project ({})", shorten(line), reason(&error))),
     };
     if header.format != FORMAT {
         return refused("line 1", format!("its format is '{}', not '{FORMAT}'", shorten(&header.format)));
@@ -81,7 +82,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     }
     let project: Project = match serde_json::from_str(body) {
         Ok(project) => project,
-        Err(error) => return refused("line 2", error.to_string()),
+        Err(error) => return refused("line 2", reason(&error)),
     };
     check(&project).map(|()| project)
 }

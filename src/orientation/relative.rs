@@ -186,11 +186,12 @@ impl Outcome {
         }
     }
 
-    /// Covariance for a σ, with what neighbours share and what the interior orientations add, where these are known.
+    /// Covariance for a σ: no less than that of independent errors, with what neighbours share and with what the interior orientations add,
+    /// where these are known.
     fn total(&self, propagated: &Matrix5, sigma: f64) -> Matrix5 {
         let independent = propagated * (sigma * sigma);
         let ratio = sigma / self.adjusted.sigma.max(f64::MIN_POSITIVE);
-        let own = self.by_groups.map_or(independent, |by_groups| by_groups * (ratio * ratio));
+        let own = self.by_groups.map_or(independent, |by_groups| neighbours::no_less(&independent, &(by_groups * (ratio * ratio))));
         own + self.by_shared.unwrap_or_else(Matrix5::zeros)
     }
 

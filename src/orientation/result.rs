@@ -118,7 +118,7 @@ pub struct RelativeOrientation {
     /// With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
     pub standard_errors: Option<FiveParameters>,
     /// The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
-    /// share; absent where neither is known.
+    /// share. They are no less than the others; absent where neither is known.
     pub total_standard_errors: Option<FiveParameters>,
     /// Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
     /// rejection has cut their distribution; absent without redundancy.

@@ -39,6 +39,12 @@ impl BlockPoints {
     }
 }
 
+/// Refuses what is known of a block where no block can be so, before its images are matched.
+#[wasm_bindgen]
+pub fn check_block_description(#[wasm_bindgen(unchecked_param_type = "BlockDescription")] description: &JsValue) -> JsResult<()> {
+    read::<BlockDescription>("block", description)?.check().map_err(thrown)
+}
+
 /// The defaults of the options of the assembly.
 #[wasm_bindgen(unchecked_return_type = "AssemblyOptions")]
 pub fn assembly_defaults() -> JsValue {

@@ -1,5 +1,6 @@
 //! Between JavaScript values and plain data.
 
+use crate::json::reason;
 use crate::{Error, InterestPoint};
 use js_sys::{Float64Array, JSON, Object, Reflect};
 use serde::Serialize;
@@ -59,14 +60,9 @@ fn overlay(options: &mut Value, given: Value) {
     }
 }
 
+/// The reason has no place, which would be that in a text that nobody wrote.
 fn refused(what: &'static str, error: &serde_json::Error) -> JsValue {
     thrown(Error::InvalidJson { what, reason: reason(error) })
-}
-
-/// The reason without the place, which would be that in a text that nobody wrote.
-fn reason(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    text.rsplit_once(" at line ").map_or(text.clone(), |(reason, _)| reason.to_string())
 }
 
 /// Packs plain data as an object.

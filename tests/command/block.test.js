@@ -193,6 +193,11 @@ test('surveyed points place the block', () => {
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr, /0 of 4 surveyed points are marked in two images or more; the marks name photo_00000\.PNG/);
   const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /the point P9, which is not among the surveyed points/);
+  const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
+  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: places within its/);
+  const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
+  const { weaknesses } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
+  assert.ok(weaknesses.some((/** @type {string} */ text) => /The surveyed points make the block 3\.\d times as large as the recorded positions: are they in feet\?/.test(text)), weaknesses.join());
 });
 
 test('each rule of pairs chooses its own', () => {

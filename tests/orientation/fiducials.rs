@@ -1,7 +1,10 @@
 //! The total standard errors: what errors of measured fiducial marks do to an orientation, against many measurements of the marks.
 
 use crate::scene::{Dice, FOCAL_MM, NADIR};
-use tiepoint::{Camera, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials, orient_matches};
+use tiepoint::{
+    Camera, ErrorModel, Fiducial, FiducialModel, Interior, Match, OrientationOptions, PairInterior, orient_fiducials, orient_matches,
+    orient_relative_with,
+};
 
 const PIXEL_MM: f64 = 0.254;
 const CENTRE_PX: f64 = 455.0;
@@ -67,4 +70,20 @@ fn without_redundancy_of_the_marks_nothing_is_claimed_of_them() {
     let (own, total) = (found.standard_errors.unwrap(), found.total_standard_errors.unwrap());
     let ratio = total.kappa_deg / own.kappa_deg;
     assert!((0.5..1.6).contains(&ratio), "{ratio}");
+}
+
+#[test]
+fn neighbours_never_make_an_orientation_more_precise_than_independent_observations() {
+    let errors = ErrorModel { neighbourhood_mm: 12.0, ..ErrorModel::default() };
+    let mut larger = 0;
+    for seed in 0..20 {
+        let found = orient_relative_with(&NADIR.observe(400, 0.02, 300 + seed), &errors, FOCAL_MM, &NADIR.options()).unwrap();
+        let five = |e: tiepoint::FiveParameters| [e.omega_deg, e.phi_deg, e.kappa_deg, e.by_mm, e.bz_mm];
+        let (alone, total) = (five(found.standard_errors.unwrap()), five(found.total_standard_errors.unwrap()));
+        assert!(alone.iter().zip(total).all(|(alone, total)| total >= *alone), "{seed}: {alone:?} {total:?}");
+        // Errors that are independent seem to depend on each other by the chance of few groups alone.
+        assert!(alone.iter().zip(total).all(|(alone, total)| total < 1.6 * alone), "{seed}: {alone:?} {total:?}");
+        larger += usize::from(total[0] > 1.01 * alone[0]);
+    }
+    assert!(larger > 0);
 }
