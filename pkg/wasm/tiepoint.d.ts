@@ -474,7 +474,7 @@ export interface FocalEstimate {
      */
     focal_px: number;
     /**
-     * Its standard error in px, from the precision of the matches and from what an error of 1 % of half the image's diagonal in either
+     * Its standard error in px, from the precision of the matches and from what an error of 1 % of half the diagonal of what is matched in either
      * coordinate of the principal points, and in the distortion of the corners, would do.
      */
     standard_error_px: number;
@@ -2349,7 +2349,7 @@ export class BlockPoints {
     /**
      * The block with these of its points, before any of it is oriented.
      */
-    model(cameras: ModelCamera[], images: ModelImage[], chosen: Uint32Array | number[]): BlockModel;
+    model(description: BlockDescription, chosen: Uint32Array | number[]): BlockModel;
     /**
      * A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
      */
@@ -2562,6 +2562,11 @@ export function choose_pairs(positions: Float64Array | number[], similar: Float6
  * The same offset (right minus left position, px) everywhere.
  */
 export function constant_offset(dx: number, dy: number): OffsetField;
+
+/**
+ * Writes a field of a table between commas, in quotation marks where it needs them.
+ */
+export function csv_field(text: string): string;
 
 /**
  * The defaults of all options.
@@ -2902,7 +2907,7 @@ export interface InitOutput {
     readonly blockpoints_assemble: (a: number, b: any, c: any) => [number, number, number];
     readonly blockpoints_count: (a: number) => number;
     readonly blockpoints_join: (a: number, b: any) => [number, number, number];
-    readonly blockpoints_model: (a: number, b: any, c: any, d: number, e: number) => [number, number, number];
+    readonly blockpoints_model: (a: number, b: any, c: number, d: number) => [number, number, number];
     readonly blockpoints_moved: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly blockpoints_new: (a: number, b: number) => [number, number, number];
     readonly blockpoints_ray_count: (a: number) => number;
@@ -2922,6 +2927,7 @@ export interface InitOutput {
     readonly check_flight: (a: any) => [number, number];
     readonly choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
+    readonly csv_field: (a: number, b: number) => [number, number];
     readonly defaults: () => any;
     readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];

@@ -83,15 +83,14 @@ export class BlockPoints {
     }
     /**
      * The block with these of its points, before any of it is oriented.
-     * @param {ModelCamera[]} cameras
-     * @param {ModelImage[]} images
+     * @param {BlockDescription} description
      * @param {Uint32Array | number[]} chosen
      * @returns {BlockModel}
      */
-    model(cameras, images, chosen) {
+    model(description, chosen) {
         const ptr0 = passArray32ToWasm0(chosen, wasm.__wbindgen_malloc);
         const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockpoints_model(this.__wbg_ptr, cameras, images, ptr0, len0);
+        const ret = wasm.blockpoints_model(this.__wbg_ptr, description, ptr0, len0);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -747,6 +746,26 @@ export function constant_offset(dx, dy) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Writes a field of a table between commas, in quotation marks where it needs them.
+ * @param {string} text
+ * @returns {string}
+ */
+export function csv_field(text) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.csv_field(ptr0, len0);
+        deferred2_0 = ret[0];
+        deferred2_1 = ret[1];
+        return getStringFromWasm0(ret[0], ret[1]);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
 }
 
 /**

@@ -16,7 +16,7 @@ export const blockpoints_add_pair: (a: number, b: number, c: number, d: number, 
 export const blockpoints_assemble: (a: number, b: any, c: any) => [number, number, number];
 export const blockpoints_count: (a: number) => number;
 export const blockpoints_join: (a: number, b: any) => [number, number, number];
-export const blockpoints_model: (a: number, b: any, c: any, d: number, e: number) => [number, number, number];
+export const blockpoints_model: (a: number, b: any, c: number, d: number) => [number, number, number];
 export const blockpoints_moved: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
 export const blockpoints_new: (a: number, b: number) => [number, number, number];
 export const blockpoints_ray_count: (a: number) => number;
@@ -36,6 +36,7 @@ export const candidates: (a: number, b: number, c: number, d: number, e: number,
 export const check_flight: (a: any) => [number, number];
 export const choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
 export const constant_offset: (a: number, b: number) => [number, number, number];
+export const csv_field: (a: number, b: number) => [number, number];
 export const defaults: () => any;
 export const draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
 export const draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];

@@ -25,6 +25,15 @@ pub struct Located<'a> {
     pub descriptors: &'a [u8],
 }
 
+/// The square of the distance of the descriptors of two points.
+///
+/// # Panics
+/// Where one of the points is none.
+pub(crate) fn square_distance_of(left: Located<'_>, i: usize, right: Located<'_>, j: usize) -> u32 {
+    let (first, second) = (left.descriptors.as_chunks().0, right.descriptors.as_chunks().0);
+    square_distance(&first[i], &second[j])
+}
+
 /// Options of [`guided_matches`].
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]

@@ -39,6 +39,7 @@ pub use search::{Candidate, Described, candidates_of, match_points};
 pub use strategy::{Descriptors, MatchImage, match_images};
 
 pub(crate) use gradients::verified_set;
+pub(crate) use guided::square_distance_of;
 pub(crate) use least_squares::{Fit as WindowFit, LeastSquares, LeastSquaresOptions, Refusal};
 pub(crate) use parallax_gradient::within_parallax_gradient;
 pub(crate) use refine::refine;

@@ -4,7 +4,7 @@
 use super::PairInterior;
 use super::frames::CommonFrame;
 use crate::geometry::two_view_from;
-use crate::matches::within_parallax_gradient;
+use crate::matches::{square_distance_of, within_parallax_gradient};
 use crate::{
     DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
     TwoViewOptions, guided_matches, nearest_matches, two_view,
@@ -21,6 +21,9 @@ const TRUSTED: [f64; 2] = [2.5, 2.96];
 
 /// The geometry of fewer first matches may be off by more than guided ones can mend: it is searched for again among these.
 const FEW: usize = 100;
+
+/// Share of the first matches that agree whose descriptors tell how far apart those of right matches are.
+const ALIKE: f64 = 0.99;
 
 /// Options of [`match_features`].
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
@@ -94,13 +97,14 @@ pub(super) fn verify(
         Err(error) if error.is_usage() || matches!(error, Error::InvalidInput { .. }) => return Err(error),
         Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(error.to_string()) }),
     };
-    let guided = GuidedOptions { radius_px: REACH * start.threshold_px, ..GuidedOptions::default() };
+    let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
+    let largest_distance = Some(farthest_alike(left, right, &agreeing));
+    let guided = GuidedOptions { radius_px: REACH * start.threshold_px, largest_distance, ..GuidedOptions::default() };
     let mut second = guided_matches(left, right, &guide(&start), &guided)?;
     second.retain(|m| !unwanted(m));
     let moving_together = |matches: &[DescriptorMatch]| -> Vec<DescriptorMatch> {
         matches.iter().zip(within_parallax_gradient(&positions(matches))).filter(|(_, stands)| *stands).map(|(m, _)| *m).collect()
     };
-    let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
     let (agreeing, second) = (moving_together(&agreeing), moving_together(&second));
     // Along epipolar lines alone, more wrong matches may agree than right ones are added.
     let known = TwoViewOptions { threshold_px: Some(start.threshold_px), ..options.clone() };
@@ -116,6 +120,15 @@ pub(super) fn verify(
     let (found, matches) = trusted(found, matches, positions, options);
     let geometry = Ok(TwoView { inliers: (0..matches.len()).collect(), ..found });
     Ok(VerifiedMatches { matches, geometry })
+}
+
+/// How far apart descriptors of one place are at most, by matches that agree: few candidates near a line make any of them the nearest, and
+/// these hardly resemble the point.
+fn farthest_alike(left: Located<'_>, right: Located<'_>, agreeing: &[DescriptorMatch]) -> f64 {
+    let mut squares: Vec<u32> = agreeing.iter().map(|m| square_distance_of(left, m.left, right, m.right)).collect();
+    squares.sort_unstable();
+    let rank = (ALIKE * squares.len() as f64) as usize;
+    squares.get(rank.min(squares.len().saturating_sub(1))).map_or(0.0, |square| f64::from(*square).sqrt())
 }
 
 /// The matches within [`TRUSTED`] standard errors, and their geometry: strangers do not raise these any more.
