@@ -105,10 +105,11 @@ export function chosenOf({ points }) {
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
  */
 function summaryOf(run, groups, exports) {
-  const { images, leftOut, strayMasks, strayMarks, cameras, connections, points, selection } = run;
+  const { images, leftOut, strayMasks, strayMarks, remarks, cameras, connections, points, selection } = run;
   const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
   return {
     images: { read: images.length, left_out: leftOut, masked: images.filter(({ masked }) => masked).length, stray_masks: strayMasks, stray_marks: strayMarks, features: images.reduce((sum, { features }) => sum + features, 0) },
+    remarks,
     cameras: cameras.map((camera, index) => ({ ...camera, images: images.filter((image) => image.camera === index).length })),
     pairs: {
       tried: connections.length,

@@ -202,6 +202,8 @@ export interface BlockRun {
   strayMasks: string[];
   /** Images that marks name and that are not in the block. */
   strayMarks: string[];
+  /** What else of the input was not taken as it was given, or is hardly right. */
+  remarks: string[];
   cameras: GroupedCamera[];
   connections: Connection[];
   /** In the order of `connections`. */

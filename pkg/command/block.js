@@ -101,6 +101,7 @@ async function run(call) {
     for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
     for (const name of found.strayMasks) note(`the mask ${name} belongs to none of the images`);
     for (const name of found.strayMarks) note(`the marks name ${name}, which is none of the images`);
+    for (const remark of found.remarks) note(remark);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
     const refused = /** @type {{ exports: { format: string, refused: string | null }[] }} */ (summary).exports.filter((e) => e.refused !== null);

@@ -148,7 +148,11 @@ test('images of the same content share what is kept of them', () => {
 test('cameras of a file take the place of those of EXIF', () => {
   const at = folder();
   const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
-  const { summary } = ran('--cameras', cameras);
+  const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
+  assert.equal(code, 0, stderr);
+  const summary = JSON.parse(stdout);
+  assert.deepEqual(summary.remarks, ['the camera of PHOTO_0000[0]* is of none of the images']);
+  assert.match(stderr, /^tiepoint: the camera of PHOTO_0000\[0\]\* is of none of the images\n$/);
   assert.equal(summary.cameras.length, 1);
   assert.equal(summary.cameras[0].focal_px, 700);
   assert.deepEqual(summary.orientation.cameras[0].radial, [0.01, 0, 0]);
@@ -156,6 +160,11 @@ test('cameras of a file take the place of those of EXIF', () => {
   const refused = tiepoint(...BLOCK.call, '--out', at, '--cameras', file(at, 'wrong.json', '{"cameras": [{"focal_px": -3}]}'));
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
+  const strange = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
+  assert.deepEqual([strange.code, strange.stdout], [1, '']);
+  assert.match(strange.stderr, /^tiepoint: the cameras are of no image here: DJI_\*\.jpg; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/);
+  const short = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
+  assert.match(short.stderr, /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/);
 });
 
 test('surveyed points place the block', () => {
