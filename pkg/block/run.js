@@ -11,6 +11,7 @@ import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
 import { refineRays } from './refinement.js';
+import { spreadOf } from './spread.js';
 import { runStage } from './stage.js';
 
 /**
@@ -60,7 +61,7 @@ export async function runBlock(sources, options, surroundings) {
       settings, images, leftOut, strayMasks: strays, strayMarks, remarks, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
-      selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      selection: spreadOf(model),
       refinement: refined?.refinement ?? null,
       assembly: oriented.assembly, assemblyReason: oriented.reason,
       model, project,
@@ -90,6 +91,8 @@ function checked(sources) {
   const names = new Set();
   for (const { name } of sources) {
     if (names.has(name)) throw new BlockError(`two images have the name ${name}; allowed: each name once`);
+    // Tables and texts have a line for each image.
+    if (/\p{Cc}/u.test(name)) throw new BlockError(`the image name ${JSON.stringify(name)} holds a control character; allowed: names without them`);
     names.add(name);
   }
   return [...sources];

@@ -212,7 +212,7 @@ test('each rule of pairs chooses its own', () => {
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
   assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as alike/);
-  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness: 5 \(5 from an earlier run\)/);
+  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness of images: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });
 
@@ -241,7 +241,7 @@ test('calls that cannot be run are refused by name', () => {
     [[...BLOCK.call, ...out, '--pear-image', '3'], 2, /did you mean --per-image\?/],
     [['block', BLOCK.photos, join(twins, name), ...out], 2, /have the same name/],
     [['block', join(twins, 'empty'), ...out], 1, /there is no image in this folder/],
-    [['block', join(twins, 'none.jpg'), join(twins, name), ...out], 1, /none\.jpg: there is no such file/],
+    [['block', join(twins, 'none.jpg'), join(twins, name), '--out', join(twins, 'out')], 1, /none\.jpg: there is no such file or folder/],
     [[...BLOCK.call, '--out', join(BLOCK.photos, name)], 1, /cannot write to the folder/],
   ])) {
     const ended = tiepoint(...args);
@@ -249,6 +249,7 @@ test('calls that cannot be run are refused by name', () => {
     // Behind the lines of the stages that were done.
     assert.match(ended.stderr.trimEnd().split('\n').at(-1) ?? '', pattern);
   }
+  assert.ok(!existsSync(join(twins, 'out')));
 });
 
 const STRIP = join(DATA, 'block_caliterra');
