@@ -73,7 +73,7 @@ export const block = {
   details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
     + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. '
     + 'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. Where no image could be oriented, the files are written and the exit code is 1. '
-    + 'Images count from 0 in tables; models count from 1, and what other programs read holds the first of them. JSON: what summary.json holds.',
+    + 'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
   run,
 };
 
