@@ -140,7 +140,7 @@ fn of_rays(model: &AssembledModel) -> Vec<String> {
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
     if two as f64 > MANY_TWO_RAYS * points as f64 {
-        found.push(format!("{two} of {points} points have two rays only: their errors along the base do not show."));
+        found.push(format!("{two} of the {points} points of the adjustment have two rays only: their errors along the base do not show."));
     }
     let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
     let all = model.adjusted.rays.len() + model.rejected.len();
