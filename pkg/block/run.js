@@ -3,7 +3,7 @@
 
 import { block_settings } from '../wasm/tiepoint.js';
 import { doubtfulCameras, groupCameras, strayRules } from './cameras.js';
-import { describeBlock } from './description.js';
+import { describeBlock, impossiblePositions } from './description.js';
 import { BlockError, refusal } from './errors.js';
 import { readImages } from './images.js';
 import { masksOf } from './masks.js';
@@ -38,7 +38,7 @@ export async function runBlock(sources, options, surroundings) {
   const images = read.map(({ name, head, count, content, masked }, index) => (
     { name, key: head.key, content, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
-  const remarks = [...idle.map((images) => `the camera of ${images} is of none of the images`), ...doubtfulCameras(cameras)];
+  const remarks = [...idle.map((images) => `the camera of ${images} is of none of the images`), ...doubtfulCameras(cameras), ...(useGps ? impossiblePositions(images) : [])];
   const { description, strayMarks } = describeBlock(images, cameras, useGps, settings.placing, options.control);
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);

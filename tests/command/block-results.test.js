@@ -99,5 +99,15 @@ test('images of which no two are connected make no block', () => {
   assert.match(stderr, /tiepoint: no two images could be connected; see pairs\.csv\n$/);
   assert.match(stdout, /^images oriented +0 of 3$/m);
   assert.doesNotMatch(stdout, /multi-ray points\./);
+  for (const { reason } of rows(out, 'pairs.csv')) assert.match(reason ?? '', /^"?not connected: no common geometry \(/);
   assert.ok(existsSync(join(out, 'pairs.csv')) && read_project(readFileSync(join(out, 'project.tiepoint'))).block.images.length === 3);
+});
+
+test('recorded positions that cannot be are told', () => {
+  const changed = recorded({ 'photo_00001.png': { latitude_deg: 123 }, 'photo_00005.png': { latitude_deg: 0, longitude_deg: 0, height_m: 0 } });
+  const call = ['block', changed, ...BLOCK.call.slice(2)];
+  const said = 'impossible recorded positions and heights are left out: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
+  const { code, stdout, stderr } = tiepoint(...call, '--out', folder(), '--json');
+  assert.deepEqual([code, JSON.parse(stdout).remarks, stderr], [0, [said], `tiepoint: ${said}\n`]);
+  assert.deepEqual(json(...call, '--out', folder(), '--gps', 'ignore').remarks, []);
 });
