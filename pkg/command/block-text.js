@@ -43,5 +43,5 @@ const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAM
 export function failureOf({ pairs, orientation }) {
   if (orientation.oriented > 0) return null;
   if (pairs.connected === 0) return 'no two images could be connected; see pairs.csv';
-  return `no image could be oriented: ${orientation.reason ?? 'see above'}`;
+  return `no image could be oriented: ${orientation.reason ?? 'summary.json says why of each'}`;
 }

@@ -138,7 +138,12 @@ test('images of the same content share what is kept of them', () => {
   const [name = ''] = readdirSync(BLOCK.photos);
   for (const copy of ['img_10.png', 'img_9.png', 'IMG.png', 'img_9b.png']) copyFileSync(join(BLOCK.photos, name), join(twins, copy));
   const out = folder();
-  const summary = json('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1');
+  const { code, stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1', '--json');
+  const summary = JSON.parse(stdout);
+  // Without any base between them there is nothing to orient.
+  assert.equal(code, 1);
+  assert.match(stderr, /^tiepoint: no image could be oriented: summary\.json says why of each\n$/);
+  assert.deepEqual([summary.orientation.oriented, summary.orientation.unoriented.length], [0, 4]);
   assert.equal(records(out, 'features'), 1);
   assert.equal(summary.images.read, 4);
   const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
