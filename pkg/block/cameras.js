@@ -2,6 +2,7 @@
 /** Which images share a camera, and what is known of it. */
 
 import { camera_rules_of, parse_camera_rules } from '../wasm/tiepoint.js';
+import { BlockError } from './errors.js';
 
 /**
  * @typedef {import('./types.js').GroupedCamera} GroupedCamera
@@ -31,6 +32,32 @@ export function groupCameras(images, rulesText) {
     return place;
   });
   return { cameras, of };
+}
+
+/**
+ * Patterns of a file of cameras that no image's name fits. A file of which all are so is of other images, and refused.
+ * @param {readonly string[]} names @param {string} [rulesText] @returns {string[]}
+ */
+export function strayRules(names, rulesText) {
+  const rules = rulesText === undefined ? [] : parse_camera_rules(rulesText);
+  const strays = rules.filter((rule) => camera_rules_of([rule], [...names]).every((of) => of < 0)).map(({ images }) => images ?? '*');
+  if (strays.length > 0 && strays.length === rules.length) {
+    throw new BlockError(`the cameras are of no image here: ${strays.join(', ')}; allowed: patterns that fit names as ${names.slice(0, 2).join(', ')}`);
+  }
+  return strays;
+}
+
+/** Focal lengths in widths of the image, between which those of cameras are. */
+const FOCAL_WIDTHS = [0.3, 20];
+
+/** What is said of cameras whose focal length is hardly one in px.  @param {readonly GroupedCamera[]} cameras @returns {string[]} */
+export function doubtfulCameras(cameras) {
+  const [least = 0, most = 0] = FOCAL_WIDTHS;
+  return cameras.flatMap(({ label, focal_px, width_px, height_px }) => {
+    const widths = focal_px === null ? 1 : focal_px / Math.max(width_px, height_px);
+    if (widths >= least && widths <= most) return [];
+    return [`the focal length of ${label} is ${focal_px} px, ${Number(widths.toPrecision(2))} of the longer side of the image, where ${least} to ${most} are usual${widths < least ? ': is it in mm?' : ''}`];
+  });
 }
 
 /** @param {FeatureHead} head @returns {GroupedCamera} */

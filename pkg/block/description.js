@@ -39,6 +39,17 @@ export function describeBlock(images, cameras, useGps, placing, control) {
   return { description, strayMarks };
 }
 
+/** Images are named one by one up to so many. */
+const NAMED = 5;
+
+/** What is said of recorded positions that cannot be.  @param {readonly BlockImage[]} images @returns {string[]} */
+export function impossiblePositions(images) {
+  const found = images.flatMap(({ name, exif }) => (exif.impossible ? [`${name} (${exif.impossible})`] : []));
+  if (found.length === 0) return [];
+  const more = found.length > NAMED ? ` and ${found.length - NAMED} more` : '';
+  return [`impossible recorded positions and heights are left out: ${found.slice(0, NAMED).join(', ')}${more}`];
+}
+
 /**
  * A receiver that states its error states that of the place: the height is less sure by the same factor as without it.
  * @param {import('../wasm/tiepoint.js').ExifPosition} position @param {PlacingOptions} placing @returns {ObservedPosition}

@@ -12,7 +12,7 @@ import { refinementSummary, withOutcomes } from './refinement-table.js';
 
 export const PROJECT_FILE = 'project.tiepoint';
 
-export const FIXED_FILES = [PROJECT_FILE, 'images.csv', 'points.csv', 'rays.csv', 'pairs.csv', 'summary.json'];
+export const FIXED_FILES = [PROJECT_FILE, 'images.csv', 'points.csv', 'rays.csv', 'orientation.json', 'pairs.csv', 'summary.json'];
 
 /**
  * Writes everything. A format that this block cannot be written in is told, and the others are written.
@@ -64,11 +64,13 @@ function writeFormat(run, format, write) {
 /** The crate's table of images with what only the run knows.  @param {BlockRun} run @param {string} table */
 function withFacts(run, table) {
   const [header = '', ...lines] = table.trimEnd().split('\n');
+  // As texts number them.
+  const models = new Map((run.assembly?.models ?? []).flatMap(({ images }, model) => images.map((image) => [image, model + 1])));
   const facts = run.images.map(({ features, exif }, index) => {
     const { longitude_deg = '', latitude_deg = '', height_m = '' } = exif.position ?? {};
-    return [features, run.selection.raysOfImages[index], run.selection.placesOfImages[index], exif.orientation ?? '', longitude_deg, latitude_deg, height_m ?? ''];
+    return [models.get(index) ?? '', features, run.selection.raysOfImages[index], run.selection.placesOfImages[index], exif.orientation ?? '', longitude_deg, latitude_deg, height_m ?? ''];
   });
-  const columns = 'features,rays,places,exif_orientation,recorded_longitude_deg,recorded_latitude_deg,recorded_height_m';
+  const columns = 'model,features,rays,places,exif_orientation,recorded_longitude_deg,recorded_latitude_deg,recorded_height_m';
   return [`${header},${columns}`, ...lines.map((line, index) => [line, ...(facts[index] ?? [])].join(',')), ''].join('\n');
 }
 
@@ -105,10 +107,14 @@ export function chosenOf({ points }) {
  * @param {BlockRun} run @param {number[][]} groups @param {{ format: ExportFormat, refused: string | null }[]} exports
  */
 function summaryOf(run, groups, exports) {
-  const { images, leftOut, strayMasks, strayMarks, cameras, connections, points, selection } = run;
+  const { images, leftOut, strayMasks, strayMarks, remarks, cameras, connections, points, selection, model } = run;
+  const oriented = model.images.flatMap(({ pose }, image) => (pose ? [image] : []));
+  // Images that are not oriented have no rays in a model that has others.
+  const fewest = (/** @type {number[]} */ counts) => least(oriented.length > 0 ? oriented.map((image) => counts[image] ?? 0) : counts);
   const kinds = ['connected', 'too_few_matches', 'not_oriented', 'failed'];
   return {
     images: { read: images.length, left_out: leftOut, masked: images.filter(({ masked }) => masked).length, stray_masks: strayMasks, stray_marks: strayMarks, features: images.reduce((sum, { features }) => sum + features, 0) },
+    remarks,
     cameras: cameras.map((camera, index) => ({ ...camera, images: images.filter((image) => image.camera === index).length })),
     pairs: {
       tried: connections.length,
@@ -117,7 +123,7 @@ function summaryOf(run, groups, exports) {
     },
     groups: groups.map((group) => group.map((image) => images[image]?.name)),
     points: { found: points.count, rays: points.rays, with_rays: withRays(points.histogram), joining: points.join },
-    selection: { points: selection.points, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: least(selection.raysOfImages), least_places_of_an_image: least(selection.placesOfImages) },
+    selection: { points: selection.points, rays: selection.raysOfImages.reduce((a, b) => a + b, 0), least_rays_of_an_image: fewest(selection.raysOfImages), least_places_of_an_image: fewest(selection.placesOfImages) },
     refinement: refinementSummary(run),
     orientation: orientationOf(run),
     exports,
@@ -134,10 +140,10 @@ function orientationOf({ assembly, assemblyReason, images, model }) {
     points: model.points.length,
     rays: model.points.reduce((sum, { rays }) => sum + rays.length, 0),
     models: assembly.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
-      images: own.length, in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
+      images: own.length, names: own.map((image) => images[image]?.name), in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
       degrees_of_freedom: adjusted.degrees_of_freedom,
       rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
-      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps ? [gps.residual] : []))), weaknesses,
+      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps?.accepted ? [gps.residual] : []))), weaknesses,
     })),
     cameras: model.cameras,
     unoriented: assembly.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),

@@ -9,7 +9,7 @@ export class BlockError extends Error {}
 /** The name of a block's own file. */
 export const PROJECT_FILE: string;
 
-/** The files that a block is always written as, whatever else is. */
+/** The files that a block is written as whatever formats are asked for; where nothing was oriented without `orientation.json`. */
 export const FIXED_FILES: readonly string[];
 
 /** Writes the files of a block; gives the summary that is among them, with what it is to hold beside the run. */

@@ -8,24 +8,63 @@ import { ray_outcomes } from '../wasm/tiepoint.js';
  * @typedef {import('./types.js').Refinement} Refinement
  */
 
-/** The crate's table of rays with the outcome of each, its standard error and its correlation.  @param {Refinement} refinement @param {string} table */
-export function withOutcomes({ images, positions, outcomes, precision }, table) {
-  const names = ray_outcomes();
-  /** @type {Map<string, number>} */
-  const rays = new Map();
-  images.forEach((image, ray) => rays.set([image, positions[2 * ray], positions[2 * ray + 1]].join(), ray));
+/**
+ * The crate's table of rays with the outcome of each, its standard error and its correlation. A point of the table is the refined one that
+ * it has most places in common with: an image may show two features at one place.
+ * @param {Refinement} refinement @param {string} table
+ */
+export function withOutcomes(refinement, table) {
   const [header = '', ...lines] = table.trimEnd().split('\n');
-  const [ofImage, ofX, ofY] = ['image', 'x_px', 'y_px'].map((column) => header.split(',').indexOf(column));
-  const columns = header.split(',').length;
-  const facts = (/** @type {string} */ line) => {
-    const fields = fieldsOf(line, columns);
-    const ray = rays.get([ofImage, ofX, ofY].map((column) => Number(fields[column ?? 0])).join());
+  const columns = header.split(',');
+  const [ofPoint, ...ofPlace] = ['point', 'image', 'x_px', 'y_px'].map((column) => columns.indexOf(column));
+  const rows = lines.map((line) => {
+    const fields = fieldsOf(line, columns.length);
+    return { line, point: fields[ofPoint ?? 0], place: ofPlace.map((column) => Number(fields[column])).join() };
+  });
+  const rays = raysAt(refinement);
+  const names = ray_outcomes();
+  const refined = samePoints(rows, rays);
+  const facts = (/** @type {(typeof rows)[number]} */ { point, place }) => {
+    const own = rays.get(place)?.find((ray) => ray.point === refined.get(point));
     // Surveyed points have rays of their own.
-    if (ray === undefined) return ',,';
-    const known = Array.from(precision.subarray(2 * ray, 2 * ray + 2), (value) => (Number.isNaN(value) ? '' : value));
-    return [names[outcomes[ray] ?? 0], ...known].join();
+    if (!own) return ',,';
+    const known = Array.from(refinement.precision.subarray(2 * own.ray, 2 * own.ray + 2), (value) => (Number.isNaN(value) ? '' : value));
+    return [names[refinement.outcomes[own.ray] ?? 0], ...known].join();
   };
-  return [`${header},refinement,standard_error_px,correlation`, ...lines.map((line) => `${line},${facts(line)}`), ''].join('\n');
+  return [`${header},refinement,standard_error_px,correlation`, ...rows.map((row) => `${row.line},${facts(row)}`), ''].join('\n');
+}
+
+/** The refined rays at each place of an image.  @param {Refinement} refinement */
+function raysAt({ starts, images, positions }) {
+  /** @type {Map<string, { point: number, ray: number }[]>} */
+  const rays = new Map();
+  for (let point = 0; point + 1 < starts.length; point++) {
+    for (let ray = starts[point] ?? 0; ray < (starts[point + 1] ?? 0); ray++) {
+      const place = [images[ray], positions[2 * ray], positions[2 * ray + 1]].join();
+      const others = rays.get(place);
+      if (others) others.push({ point, ray });
+      else rays.set(place, [{ point, ray }]);
+    }
+  }
+  return rays;
+}
+
+/**
+ * The refined point of each point of the table.
+ * @param {{ point: string | undefined, place: string }[]} rows @param {ReturnType<typeof raysAt>} rays @returns {Map<string | undefined, number>}
+ */
+function samePoints(rows, rays) {
+  /** @type {Map<string | undefined, Map<number, number>>} */
+  const common = new Map();
+  for (const { point, place } of rows) {
+    const counts = common.get(point) ?? new Map();
+    for (const ray of rays.get(place) ?? []) counts.set(ray.point, (counts.get(ray.point) ?? 0) + 1);
+    common.set(point, counts);
+  }
+  return new Map([...common].flatMap(([point, counts]) => {
+    const [most] = [...counts].sort(([a, m], [b, n]) => n - m || a - b);
+    return most ? [[point, most[0]]] : [];
+  }));
 }
 
 /** The fields of a line, of which one may stand between quotation marks.  @param {string} line @param {number} columns @returns {string[]} */

@@ -119,7 +119,7 @@ async function matchRays(rays, images, keys, options, { pool, store, progress, s
   const count = rays.image.length;
   const places = rankInImage(rays.image, images);
   const records = new RecordsAtHand(store, keys);
-  const found = { points: rays.starts.length - 1, images: rays.image, positions: new Float32Array(2 * count), outcomes: new Uint8Array(count), precision: new Float32Array(2 * count) };
+  const found = { points: rays.starts.length - 1, starts: rays.starts, images: rays.image, positions: new Float32Array(2 * count), outcomes: new Uint8Array(count), precision: new Float32Array(2 * count) };
   /** @param {{ first: number, end: number }} group points */
   const act = async ({ first, end }) => {
     const [from, to] = [at(rays.starts, first), at(rays.starts, end)];
@@ -220,7 +220,12 @@ class RecordsAtHand {
     if (!windows) throw new BlockError('what was kept of an image was changed while the run went on: start it again');
     const last = windows.count > 0 ? at(windows.places, 4 * (windows.count - 1)) : -1;
     const firsts = new Uint32Array(last + 2);
-    for (let window = 0; window < windows.count; window++) firsts.fill(window + 1, at(windows.places, 4 * window) + 1);
+    // Windows stand in the order of their rays: the numbers of windows of rays, summed up.
+    for (let window = 0; window < windows.count; window++) {
+      const next = at(windows.places, 4 * window) + 1;
+      firsts[next] = at(firsts, next) + 1;
+    }
+    for (let ray = 0; ray <= last; ray++) firsts[ray + 1] = at(firsts, ray) + at(firsts, ray + 1);
     return { windows, firsts };
   }
 }

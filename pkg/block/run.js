@@ -2,8 +2,8 @@
 /** A block from its image files to its tie points: the stages in order, whatever runs their jobs and keeps their records. */
 
 import { block_settings } from '../wasm/tiepoint.js';
-import { groupCameras } from './cameras.js';
-import { describeBlock } from './description.js';
+import { doubtfulCameras, groupCameras, strayRules } from './cameras.js';
+import { describeBlock, impossiblePositions } from './description.js';
 import { BlockError, refusal } from './errors.js';
 import { readImages } from './images.js';
 import { masksOf } from './masks.js';
@@ -11,6 +11,7 @@ import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
 import { refineRays } from './refinement.js';
+import { spreadOf } from './spread.js';
 import { runStage } from './stage.js';
 
 /**
@@ -30,12 +31,14 @@ export async function runBlock(sources, options, surroundings) {
   const useGps = options.gps !== 'ignore';
   const given = checked(sources);
   const { masks, strays } = masksOf(given, options.masks ?? []);
+  const idle = strayRules(given.map(({ name }) => name), options.cameras?.text);
   const { images: read, leftOut } = await readImages(given, masks, settings.features, surroundings);
   if (read.length < 2) throw new BlockError(`a block needs two images or more; ${read.length} of ${sources.length} could be read${firstReason(leftOut)}`);
   const { cameras, of } = groupCameras(read, options.cameras?.text);
   const images = read.map(({ name, head, count, content, masked }, index) => (
     { name, key: head.key, content, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
+  const remarks = [...idle.map((images) => `the camera of ${images} is of none of the images`), ...doubtfulCameras(cameras), ...(useGps ? impossiblePositions(images) : [])];
   const { description, strayMarks } = describeBlock(images, cameras, useGps, settings.placing, options.control);
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
@@ -55,10 +58,10 @@ export async function runBlock(sources, options, surroundings) {
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
     const project = { block: model, connections, joining: settings.block, selection: settings.selection };
     return {
-      settings, images, leftOut, strayMasks: strays, strayMarks, cameras, connections,
+      settings, images, leftOut, strayMasks: strays, strayMarks, remarks, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
-      selection: { points: selected.points.length, raysOfImages: Array.from(selected.rays_of_images), placesOfImages: Array.from(selected.places_of_images) },
+      selection: spreadOf(model),
       refinement: refined?.refinement ?? null,
       assembly: oriented.assembly, assemblyReason: oriented.reason,
       model, project,
@@ -88,6 +91,8 @@ function checked(sources) {
   const names = new Set();
   for (const { name } of sources) {
     if (names.has(name)) throw new BlockError(`two images have the name ${name}; allowed: each name once`);
+    // Tables and texts have a line for each image.
+    if (/\p{Cc}/u.test(name)) throw new BlockError(`the image name ${JSON.stringify(name)} holds a control character; allowed: names without them`);
     names.add(name);
   }
   return [...sources];

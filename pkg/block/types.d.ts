@@ -115,6 +115,8 @@ export interface Windows { head: WindowHead; count: number; places: Uint32Array;
 /** What became of the rays that were refined, one after the other. */
 export interface Refinement {
   points: number;
+  /** The first ray of each point, and the number of rays. */
+  starts: Uint32Array;
   /** How many rays had each outcome. */
   counts: Record<RayOutcome, number>;
   images: Uint32Array;
@@ -202,12 +204,15 @@ export interface BlockRun {
   strayMasks: string[];
   /** Images that marks name and that are not in the block. */
   strayMarks: string[];
+  /** What else of the input was not taken as it was given, or is hardly right. */
+  remarks: string[];
   cameras: GroupedCamera[];
   connections: Connection[];
   /** In the order of `connections`. */
   geometries: PairHead['geometry'][];
   /** `histogram`: how many points have 0, 1, 2, … rays; `shared`: two images and how many points they have in common, stride 3. */
   points: { join: JoinCounts; count: number; rays: number; histogram: number[]; shared: number[] };
+  /** What the model holds: after the orientation, which chooses again and rejects rays, the points and rays of its largest part. */
   selection: { points: number; raysOfImages: number[]; placesOfImages: number[] };
   /** Null where rays are not refined. */
   refinement: Refinement | null;

@@ -3,14 +3,15 @@ import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
 import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points, score_block } from '../node.js';
+import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
-import { filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
+import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
+import { checkTruth, exportPaths } from './foresight.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
-import { fixed, table } from './text.js';
 import { Written } from './written.js';
 
 /**
@@ -70,7 +71,9 @@ export const block = {
     JSON_FLAG,
   ],
   details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
-    + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. JSON: what summary.json holds.',
+    + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. '
+    + 'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. Where no image could be oriented, the files are written and the exit code is 1. '
+    + 'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
   run,
 };
 
@@ -86,24 +89,32 @@ async function run(call) {
   const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values), ...masksOf(values) };
   const truth = values.get('truth');
   const known = typeof truth === 'string' ? truthOf(truth) : null;
+  // What can be refused before anything is computed.
+  const names = sources.map(({ name }) => name);
+  const exported = exportPaths(names, formats);
+  if (known) checkTruth(String(truth), known, names);
   makeFolder(out);
   removeUnfinished(out);
   const written = new Written(out);
-  written.refuseStrangers(FIXED_FILES);
+  written.refuseOthers([...FIXED_FILES, ...exported], formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new StageProgress(values.has('json'));
   try {
     const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.show(step) });
     shown.end();
     const score = known && about(String(truth), () => score_block(found.model, known));
-    const summary = writeBlock(found, formats, (name, text) => written.put(name, text), score ? { score } : {});
+    const summary = /** @type {any} */ (writeBlock(found, formats, (name, text) => written.put(name, text), score ? { score } : {}));
     written.finish();
+    for (const { path: was, kept } of written.setAside) note(`${was} was changed while the run went on: what it held is now ${kept}`);
     for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
     for (const name of found.strayMasks) note(`the mask ${name} belongs to none of the images`);
     for (const name of found.strayMarks) note(`the marks name ${name}, which is none of the images`);
+    for (const remark of found.remarks) note(remark);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
-    const refused = /** @type {{ exports: { format: string, refused: string | null }[] }} */ (summary).exports.filter((e) => e.refused !== null);
+    const failure = failureOf(summary);
+    if (failure !== null) throw new DataError(failure);
+    const refused = /** @type {{ format: string, refused: string | null }[]} */ (summary.exports).filter((e) => e.refused !== null);
     if (refused.length > 0) throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
   } finally {
     shown.end();
@@ -166,6 +177,7 @@ function settingsOf(values) {
 /** The images of folders, by name, and single images, in the order in which they were given.  @param {string[]} given @returns {Source[]} */
 function sourcesOf(given) {
   if (given.length === 0) throw new UsageError('FOLDER or IMAGE is missing: tiepoint block FOLDER --out DIR');
+  for (const one of given) if (!exists(one)) throw new DataError(`${one}: there is no such file or folder`);
   const paths = given.flatMap((one) => (isFolder(one) ? imagesIn(one) : [one]));
   /** @type {Map<string, string>} */
   const seen = new Map();
@@ -186,23 +198,4 @@ function imagesIn(folder) {
   const names = filesIn(folder).filter((name) => IMAGE.test(name));
   if (names.length === 0) throw new DataError(`${folder}: there is no image in this folder (JPEG, PNG, TIFF, BMP, WebP, PNM)`);
   return names.map((name) => join(folder, name));
-}
-
-/** @param {string} out @param {any} summary @returns {string[]} */
-function describe(out, { images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
-  return [
-    table([
-      ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features],
-      ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
-      ['multi-ray points', points.found], ['their rays', points.rays], ['points chosen', selection.points], ['their rays', selection.rays],
-      ['fewest rays of an image', selection.least_rays_of_an_image], ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []), ['images oriented', orientation.oriented],
-      ...(orientation.models ?? []).slice(0, 1).flatMap((/** @type {any} */ model) => [['sigma0 [px]', fixed(model.sigma0_px, 3)], ['residuals, RMS [px]', fixed(model.rmse_px, 3)]]),
-      ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
-      ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),
-    ]),
-    ...(orientation.reason ? ['', `not oriented: ${orientation.reason}`] : []),
-    ...(orientation.models ?? []).flatMap((/** @type {any} */ model) => model.weaknesses.map((/** @type {string} */ text) => `weak: ${text}`)),
-    ...(orientation.unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`),
-    '', `written to ${out}`,
-  ];
 }

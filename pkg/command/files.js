@@ -60,6 +60,9 @@ export function isFolder(path) {
   return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
 }
 
+/** @param {string} path */
+export const exists = (path) => statSync(path, { throwIfNoEntry: false }) !== undefined;
+
 /** The names of the files of a folder, in the order of their letters and of the numbers in them.  @param {string} path @returns {string[]} */
 export function filesIn(path) {
   const entries = attempt('read the folder', path, () => readdirSync(path, { withFileTypes: true }));

@@ -7,7 +7,7 @@ import { DEFAULT_WORKERS, flag, JSON_FLAG, parameterOption, path, workersOption 
 import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
-import { shellWord } from './text.js';
+import { shellCommand } from './text.js';
 import { runStage } from '../block/stage.js';
 
 /** @typedef {import('../node.js').BlockFlight} BlockFlight @typedef {import('../node.js').Parameter} Parameter */
@@ -67,7 +67,7 @@ async function run({ values }) {
     replaceInto(out, 'truth.json', `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`);
     const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
     if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });
-    else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', words.map(shellWord).join(' '));
+    else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', shellCommand(words));
   } finally {
     shown.end();
     await pool.close();

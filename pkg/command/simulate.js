@@ -7,7 +7,7 @@ import { print, printJson } from './output.js';
 import { greyPng } from './png.js';
 import { Progress } from './progress.js';
 import { simulateBlock } from './simulate-block.js';
-import { shellWord } from './text.js';
+import { shellCommand } from './text.js';
 import { denseMap, greyDigest } from './truth.js';
 
 /**
@@ -67,7 +67,7 @@ function make(values, preset) {
   progress.end();
   const words = matchCommand(files, made);
   if (values.has('json')) printJson({ files, match: words });
-  else print(`written to ${out}: ${Object.values(FILES).join(', ')}`, '', 'Try:', words.map(shellWord).join(' '));
+  else print(`written to ${out}: ${Object.values(FILES).join(', ')}`, '', 'Try:', shellCommand(words));
 }
 
 /** @type {Record<string, string>} */

@@ -8,8 +8,11 @@ const WIDTH = 24;
 /** The bar is drawn again after so many milliseconds. */
 const PAUSE_MS = 100;
 
-/** @type {Record<Step['stage'], string>} */
-const WORDS = { photos: 'photos', images: 'images', likeness: 'likeness', pairs: 'pairs', points: 'points', windows: 'windows of rays', refinement: 'refinement', orientation: 'orientation' };
+/** What the steps of each stage are; of the last one there is one step, which is not counted.  @type {Record<Step['stage'], string>} */
+const WORDS = {
+  photos: 'photos', images: 'images', likeness: 'likeness of images', pairs: 'pairs', points: 'images and pairs joined to points', windows: 'images for windows of rays',
+  refinement: 'groups of points refined', orientation: 'orientation',
+};
 
 export class StageProgress {
   #bar = process.stderr.isTTY === true;
@@ -29,7 +32,8 @@ export class StageProgress {
     if (ended && !(this.#quiet && !this.#bar)) {
       this.end();
       const found = step.found > 0 ? ` (${step.found} from an earlier run)` : '';
-      process.stderr.write(`${WORDS[step.stage]}: ${step.total}${found} in ${duration(step.seconds)}\n`);
+      const counted = step.stage === 'orientation' ? '' : `: ${step.total}`;
+      process.stderr.write(`${WORDS[step.stage]}${counted}${found} in ${duration(step.seconds)}\n`);
     }
   }
 

@@ -1,6 +1,8 @@
 // @ts-check
 /** Plain text for a terminal: tables and wrapped paragraphs. */
 
+import { programWords } from './program.js';
+
 /**
  * Columns side by side: the first to the left, the others to the right.
  * @param {(string | number)[][]} rows @returns {string}
@@ -29,5 +31,11 @@ export function wrap(text, width, indent = '') {
   return lines.map((line) => indent + line).join('\n');
 }
 
+/**
+ * A command of this program as a shell takes it, the program called as it is now.
+ * @param {readonly string[]} words the name of the program and what follows it
+ */
+export const shellCommand = ([, ...words]) => [...programWords(process.argv[1] ?? '', process.cwd()), ...words].map(shellWord).join(' ');
+
 /** A word as a shell takes it.  @param {string} word */
-export const shellWord = (word) => (/^[\w./,:=@%+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+const shellWord = (word) => (/^[\w./,:=@%+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);

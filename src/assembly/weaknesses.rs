@@ -180,7 +180,8 @@ fn of_rays(model: &AssembledModel) -> Vec<String> {
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
     if two as f64 > MANY_TWO_RAYS * points as f64 {
-        found.push(format!("{two} of {} have two rays only: their errors along the base do not show.", counted(points, "point")));
+        let all = counted(points, "point");
+        found.push(format!("{two} of {all} of the adjustment have two rays only: their errors along the base do not show."));
     }
     let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
     let all = model.adjusted.rays.len() + model.rejected.len();

@@ -84,6 +84,8 @@ impl ConnectionGraph {
             PairOutcome::Waiting => "not matched yet".into(),
             PairOutcome::Connected { matches } => format!("connected by {matches} matches"),
             PairOutcome::TooFewMatches { matches, needed } => format!("not connected: {matches} matches, {needed} are needed"),
+            // Without any that agree, the reason tells how many there were.
+            PairOutcome::NotOriented { matches: 0, reason } => format!("not connected: no common geometry ({reason})"),
             PairOutcome::NotOriented { matches, reason } => format!("not connected: {matches} matches of no common geometry ({reason})"),
             PairOutcome::Failed { reason } => format!("not connected: {reason}"),
         };
@@ -138,6 +140,8 @@ mod tests {
         assert_eq!(answer(2, 3), "not connected: 30 matches of no common geometry (9 inliers); chosen as alike");
         assert!(answer(0, 4).starts_with("not tried"));
         assert!(graph.explain([0, 0]).is_err() && graph.explain([0, 5]).is_err());
+        graph.set([2, 3], PairRule::Alike, PairOutcome::NotOriented { matches: 0, reason: "9 given".into() }).unwrap();
+        assert_eq!(graph.explain([2, 3]).unwrap(), "not connected: no common geometry (9 given); chosen as alike");
     }
 
     #[test]

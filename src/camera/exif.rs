@@ -29,6 +29,9 @@ pub struct ExifImage {
     /// quarter to the left, the others mirrored too. Positions in px are always those of the stored image.
     pub orientation: Option<u8>,
     pub position: Option<ExifPosition>,
+    /// What of the recorded position cannot be and was left out, with its value: all of it, or the height alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub impossible: Option<String>,
 }
 
 /// A place on the earth as a receiver had it.
@@ -52,13 +55,15 @@ impl ExifImage {
     /// CIPA DC-008-2019, Exif 2.32, sections 4.6.4 to 4.6.6.
     pub fn read(file: &[u8], width: u64, height: u64) -> Self {
         let Some(exif) = read_exif(file) else { return Self::default() };
+        let (position, impossible) = position(&exif);
         let orientation = number(&exif, Tag::Orientation).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);
         Self {
             make: text(&exif, Tag::Make),
             model: text(&exif, Tag::Model),
             camera: ExifCamera::of(&exif, width, height),
             orientation,
-            position: position(&exif),
+            position,
+            impossible,
         }
     }
 }
@@ -116,17 +121,30 @@ fn plausible(pixel_mm: f64) -> Option<f64> {
     (1e-4..=1.0).contains(&pixel_mm).then_some(pixel_mm)
 }
 
-/// The place; absent where its hemisphere is not told or an angle is out of range, as (0, 0) is, which receivers without a fix write.
-fn position(exif: &Exif) -> Option<ExifPosition> {
-    let longitude_deg = angle(exif, Tag::GPSLongitude, Tag::GPSLongitudeRef, ["E", "W"]).filter(|v| v.abs() <= 180.0)?;
-    let latitude_deg = angle(exif, Tag::GPSLatitude, Tag::GPSLatitudeRef, ["N", "S"]).filter(|v| v.abs() <= 90.0)?;
+/// Heights beyond so many metres are damaged fields.
+const MOST_HEIGHT_M: f64 = 1e5;
+
+/// The place, and what of it cannot be: an angle or a height out of range, or (0, 0), which receivers without a fix write. Absent where its
+/// hemisphere is not told.
+fn position(exif: &Exif) -> (Option<ExifPosition>, Option<String>) {
+    let longitude = angle(exif, Tag::GPSLongitude, Tag::GPSLongitudeRef, ["E", "W"]);
+    let latitude = angle(exif, Tag::GPSLatitude, Tag::GPSLatitudeRef, ["N", "S"]);
+    let (Some(longitude_deg), Some(latitude_deg)) = (longitude, latitude) else { return (None, None) };
+    if latitude_deg.abs() > 90.0 {
+        return (None, Some(format!("latitude {latitude_deg}")));
+    }
+    if longitude_deg.abs() > 180.0 {
+        return (None, Some(format!("longitude {longitude_deg}")));
+    }
     if longitude_deg == 0.0 && latitude_deg == 0.0 {
-        return None;
+        return (None, Some("longitude 0, latitude 0".into()));
     }
     // The reference 1 says below sea level.
     let sign = if number(exif, Tag::GPSAltitudeRef) == Some(1.0) { -1.0 } else { 1.0 };
-    let height_m = number(exif, Tag::GPSAltitude).filter(|v| v.abs() <= 1e5).map(|v| sign * v + 0.0);
-    Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, Tag::GPSHPositioningError) })
+    let height = number(exif, Tag::GPSAltitude).filter(|v| v.is_finite()).map(|v| sign * v + 0.0);
+    let height_m = height.filter(|v| v.abs() <= MOST_HEIGHT_M);
+    let impossible = height.filter(|_| height_m.is_none()).map(|v| format!("height {v} m"));
+    (Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, Tag::GPSHPositioningError) }), impossible)
 }
 
 /// Degrees, minutes and seconds with the hemisphere: positive in the first one.
@@ -240,13 +258,22 @@ mod tests {
                 .map(|field| if field.0 == tag { (tag, field.1, value.clone()) } else { field })
                 .collect::<Vec<_>>()
         };
-        for fields in
-            [changed(1, text(b'X')), changed(2, ratios(&[(91, 1)])), changed(2, ratios(&[(1, 0)])), changed(4, ratios(&[(u32::MAX, 1)]))]
-        {
-            assert!(ExifImage::read(&file(1, &fields), 10, 10).position.is_none(), "{fields:?}");
+        let nowhere = vec![(1, 2, text(b'N')), (2, 5, ratios(&[(0, 1); 3])), (3, 2, text(b'E')), (4, 5, ratios(&[(0, 1); 3]))];
+        // Nothing is said of fields that tell no place.
+        for (fields, said) in [
+            (changed(1, text(b'X')), None),
+            (changed(2, ratios(&[(1, 0)])), None),
+            (changed(2, ratios(&[(91, 1)])), Some("latitude 91")),
+            (changed(4, ratios(&[(u32::MAX, 1)])), Some("longitude 4294967295")),
+            (nowhere, Some("longitude 0, latitude 0")),
+        ] {
+            let found = ExifImage::read(&file(1, &fields), 10, 10);
+            assert!(found.position.is_none(), "{fields:?}");
+            assert_eq!(found.impossible.as_deref(), said, "{fields:?}");
         }
-        let nowhere = [(1, 2, text(b'N')), (2, 5, ratios(&[(0, 1); 3])), (3, 2, text(b'E')), (4, 5, ratios(&[(0, 1); 3]))];
-        assert!(ExifImage::read(&file(1, &nowhere), 10, 10).position.is_none());
+        let high = [place(false, false), vec![(6, 5, ratios(&[(u32::MAX, 1)]))]].concat();
+        let found = ExifImage::read(&file(1, &high), 10, 10);
+        assert_eq!((found.position.unwrap().height_m, found.impossible.as_deref()), (None, Some("height 4294967295 m")));
         assert_eq!(ExifImage::read(b"no file of a known kind", 10, 10), ExifImage::default());
         assert_eq!(ExifImage::read(&file(9, &[]), 10, 10).orientation, None);
     }

@@ -2,11 +2,12 @@
 
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
-import { appendFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { appendFileSync, copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { dirname, join } from 'node:path';
 import { test } from 'node:test';
 import { read_project, sha256 } from '../../pkg/node.js';
 import { readFeatures } from '../../pkg/block/records.js';
+import { Written } from '../../pkg/command/written.js';
 import { contents, killed, photographed, records } from './blocks.js';
 import { file, folder, image, json, tiepoint } from './command.js';
 
@@ -84,6 +85,76 @@ test('a file that no run has written is not written over', () => {
   assert.equal(readFileSync(join(out, 'points.csv'), 'utf8'), 'mine');
   // Found before anything is computed.
   assert.equal(records(out, 'features'), 0);
+});
+
+test('files that were changed since a run wrote them are not written over', () => {
+  const out = folder();
+  const call = [...BLOCK.call, '--out', out];
+  json(...call, '--export', 'colmap');
+  const kept = contents(out, '');
+  const refused = (/** @type {string} */ name, /** @type {RegExp} */ pattern, /** @type {string[]} */ ...options) => {
+    const { code, stderr } = tiepoint(...call, ...options);
+    assert.deepEqual([code, pattern.test(stderr)], [1, true], stderr);
+    // Before anything is computed, so that no line of a stage stands before it.
+    assert.equal(stderr.trimEnd().split('\n').length, 1, stderr);
+    assert.match(readFileSync(join(out, name), 'utf8'), /mine$/);
+  };
+  appendFileSync(join(out, 'pairs.csv'), 'mine');
+  refused('pairs.csv', /pairs\.csv is in the way: it was changed since it was written; move it, or name another folder with --out/);
+  writeFileSync(join(out, 'pairs.csv'), kept.get('pairs.csv') ?? '');
+  // Kept by a run that does not write it, it is still known as one that was written.
+  appendFileSync(join(out, 'colmap', 'matches.txt'), 'mine');
+  json(...call);
+  refused('colmap/matches.txt', /matches\.txt is in the way: it was changed since it was written/, '--export', 'colmap');
+  writeFileSync(join(out, 'colmap', 'matches.txt'), kept.get('colmap/matches.txt') ?? '');
+  json(...call, '--export', 'colmap');
+  assert.deepEqual(contents(out, ''), kept);
+});
+
+test('a file of the user is found before anything is computed, whatever would write it', () => {
+  for (const [name, ...options] of [['orientation.json'], ['colmap/features/photo_00002.png.txt', '--export', 'colmap'], ['bingo/bingo.dat', '--export', 'csv,bingo']]) {
+    const out = folder();
+    const path = join(out, ...(name ?? '').split('/'));
+    mkdirSync(dirname(path), { recursive: true });
+    writeFileSync(path, 'mine');
+    const { code, stderr } = tiepoint(...BLOCK.call, '--out', out, ...options);
+    assert.deepEqual([code, readFileSync(path, 'utf8')], [1, 'mine'], stderr);
+    assert.match(stderr, /^tiepoint: .* is in the way: no run has written it; .*\n$/);
+    assert.equal(records(out, 'features'), 0);
+  }
+});
+
+test('what comes in the way while a run goes on is set aside', async () => {
+  const out = folder();
+  const written = new Written(out);
+  written.put('points.csv', 'ours');
+  written.finish();
+  const next = new Written(out);
+  next.refuseOthers(['points.csv'], []);
+  writeFileSync(join(out, 'points.csv'), 'mine');
+  next.put('points.csv', 'ours again');
+  next.finish();
+  assert.deepEqual(next.setAside, [{ path: join(out, 'points.csv'), kept: join(out, 'points.csv.mine') }]);
+  assert.deepEqual(['points.csv', 'points.csv.mine'].map((name) => readFileSync(join(out, name), 'utf8')), ['ours again', 'mine']);
+  const last = new Written(out);
+  last.refuseOthers(['points.csv'], []);
+  last.finish();
+  assert.deepEqual([...contents(out).keys()], ['points.csv.mine']);
+});
+
+test('names that a format cannot hold and a truth of other images are refused before anything is computed', () => {
+  const named = folder();
+  NAMES.forEach((name, i) => copyFileSync(join(BLOCK.photos, name), join(named, i === 2 ? 'a photo.png' : name)));
+  const out = folder();
+  const call = ['block', named, ...BLOCK.call.slice(2), '--out', out];
+  const blank = tiepoint(...call, '--export', 'csv,colmap,nvm');
+  assert.deepEqual([blank.code, records(out, 'features')], [1, 0]);
+  assert.match(blank.stderr, /^tiepoint: these images cannot be exported as colmap, nvm \(.*'a photo\.png'; allowed: names without blanks\): rename them, or leave out what cannot hold their names\n$/);
+  const truth = structuredClone(BLOCK.truth);
+  for (const one of truth.block.images) one.name = `other_${one.name}`;
+  const other = tiepoint(...BLOCK.call, '--out', out, '--truth', file(folder(), 'other.json', JSON.stringify(truth)));
+  assert.deepEqual([other.code, records(out, 'features')], [1, 0]);
+  assert.match(other.stderr, /^tiepoint: .*other\.json: truth of the block: got none of the block's images; allowed: a truth of these images\n$/);
 });
 
 test('killed while it writes, the next run knows its files', async () => {

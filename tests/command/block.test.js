@@ -138,7 +138,12 @@ test('images of the same content share what is kept of them', () => {
   const [name = ''] = readdirSync(BLOCK.photos);
   for (const copy of ['img_10.png', 'img_9.png', 'IMG.png', 'img_9b.png']) copyFileSync(join(BLOCK.photos, name), join(twins, copy));
   const out = folder();
-  const summary = json('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1');
+  const { code, stdout, stderr } = tiepoint('block', twins, ...BLOCK.call.slice(2), '--out', out, '--pairs', 'sequence', '--sequence', '1', '--json');
+  const summary = JSON.parse(stdout);
+  // Without any base between them there is nothing to orient.
+  assert.equal(code, 1);
+  assert.match(stderr, /^tiepoint: no image could be oriented: summary\.json says why of each\n$/);
+  assert.deepEqual([summary.orientation.oriented, summary.orientation.unoriented.length], [0, 4]);
   assert.equal(records(out, 'features'), 1);
   assert.equal(summary.images.read, 4);
   const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
@@ -148,7 +153,11 @@ test('images of the same content share what is kept of them', () => {
 test('cameras of a file take the place of those of EXIF', () => {
   const at = folder();
   const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
-  const { summary } = ran('--cameras', cameras);
+  const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
+  assert.equal(code, 0, stderr);
+  const summary = JSON.parse(stdout);
+  assert.deepEqual(summary.remarks, ['the camera of PHOTO_0000[0]* is of none of the images']);
+  assert.match(stderr, /^tiepoint: the camera of PHOTO_0000\[0\]\* is of none of the images\n$/);
   assert.equal(summary.cameras.length, 1);
   assert.equal(summary.cameras[0].focal_px, 700);
   assert.deepEqual(summary.orientation.cameras[0].radial, [0.01, 0, 0]);
@@ -156,6 +165,11 @@ test('cameras of a file take the place of those of EXIF', () => {
   const refused = tiepoint(...BLOCK.call, '--out', at, '--cameras', file(at, 'wrong.json', '{"cameras": [{"focal_px": -3}]}'));
   assert.equal(refused.code, 1);
   assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
+  const strange = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
+  assert.deepEqual([strange.code, strange.stdout], [1, '']);
+  assert.match(strange.stderr, /^tiepoint: the cameras are of no image here: DJI_\*\.jpg; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/);
+  const short = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
+  assert.match(short.stderr, /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/);
 });
 
 test('surveyed points place the block', () => {
@@ -208,7 +222,7 @@ test('each rule of pairs chooses its own', () => {
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
   assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as alike/);
-  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness: 5 \(5 from an earlier run\)/);
+  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness of images: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });
 
@@ -237,7 +251,7 @@ test('calls that cannot be run are refused by name', () => {
     [[...BLOCK.call, ...out, '--pear-image', '3'], 2, /did you mean --per-image\?/],
     [['block', BLOCK.photos, join(twins, name), ...out], 2, /have the same name/],
     [['block', join(twins, 'empty'), ...out], 1, /there is no image in this folder/],
-    [['block', join(twins, 'none.jpg'), join(twins, name), ...out], 1, /none\.jpg: there is no such file/],
+    [['block', join(twins, 'none.jpg'), join(twins, name), '--out', join(twins, 'out')], 1, /none\.jpg: there is no such file or folder/],
     [[...BLOCK.call, '--out', join(BLOCK.photos, name)], 1, /cannot write to the folder/],
   ])) {
     const ended = tiepoint(...args);
@@ -245,6 +259,7 @@ test('calls that cannot be run are refused by name', () => {
     // Behind the lines of the stages that were done.
     assert.match(ended.stderr.trimEnd().split('\n').at(-1) ?? '', pattern);
   }
+  assert.ok(!existsSync(join(twins, 'out')));
 });
 
 const STRIP = join(DATA, 'block_caliterra');

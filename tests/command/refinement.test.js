@@ -4,6 +4,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
+import { withOutcomes } from '../../pkg/block/refinement-table.js';
 import { ray_outcomes, read_project } from '../../pkg/node.js';
 import { contents, killed, photographed, records } from './blocks.js';
 import { folder, json, tiepoint } from './command.js';
@@ -50,6 +51,19 @@ test('each ray has its outcome, and those that were refined their precision', ()
   assert.ok(references.size > 0 && [...references.values()].every((count) => count === 1));
 });
 
+test('two features at one place of an image keep the outcomes of their own points', () => {
+  const names = ray_outcomes();
+  const outcomes = ['reference', 'refined', 'reference', names.find((name) => name !== 'reference' && name !== 'refined') ?? ''];
+  const refinement = {
+    points: 2, counts: /** @type {any} */ ({}), starts: Uint32Array.of(0, 2, 4), images: Uint32Array.of(0, 1, 0, 1), positions: Float32Array.of(1, 2, 30, 40, 5, 6, 30, 40),
+    outcomes: Uint8Array.from(outcomes, (outcome) => names.indexOf(/** @type {any} */ (outcome))), precision: Float32Array.of(NaN, NaN, 0.5, 0.875, NaN, NaN, NaN, NaN),
+  };
+  const rays = ['7,0,"a,b.png",5,6,1', '7,1,c.png,30,40,1', '8,0,"a,b.png",1,2,1', '8,1,c.png,30,40,1', '9,1,c.png,3,4,1'];
+  const table = withOutcomes(refinement, ['point,image,name,x_px,y_px,confidence', ...rays, ''].join('\n'));
+  const found = table.trimEnd().split('\n').slice(1).map((line) => line.split(',').slice(-3).join());
+  assert.deepEqual(found, ['reference,,', `${outcomes[3]},,`, 'reference,,', 'refined,0.5,0.875', ',,']);
+});
+
 test('any number of workers gives the same bytes', () => {
   const out = folder();
   json(...REFINED, '--out', out, '--workers', '1', '--truth', BLOCK.truthFile);
@@ -66,14 +80,14 @@ test('killed while windows are kept or points refined, it goes on to the same by
 test('windows that were kept are not cut again; damaged ones are', () => {
   const out = folder();
   const call = [...REFINED, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile];
-  assert.match(tiepoint(...call).stderr, /windows of rays: 6 in/);
+  assert.match(tiepoint(...call).stderr, /images for windows of rays: 6 in/);
   const at = join(out, 'work', 'windows');
   const [one = '', other = ''] = readdirSync(at).map((name) => join(at, name));
   const bytes = readFileSync(one);
   bytes[bytes.length - 1] = (bytes.at(-1) ?? 0) ^ 1;
   writeFileSync(one, bytes);
   rmSync(other);
-  assert.match(tiepoint(...call).stderr, /windows of rays: 6 \(4 from an earlier run\) in/);
+  assert.match(tiepoint(...call).stderr, /images for windows of rays: 6 \(4 from an earlier run\) in/);
   assert.deepEqual(contents(out), contents(WHOLE));
 });
 

@@ -99,4 +99,6 @@ test('two images of one name, and a single image, are refused', async () => {
   await assert.rejects(runBlock([one, one], OPTIONS, surroundings), /two images have the name photo_00000\.png; allowed: each name once/);
   await assert.rejects(runBlock([one], OPTIONS, surroundings), /a block needs two images or more; 1 of 1 could be read/);
   await assert.rejects(runBlock([], OPTIONS, surroundings), /0 of 0/);
+  const broken = { ...one, name: 'a\nb.png' };
+  await assert.rejects(runBlock([broken, one], OPTIONS, surroundings), /the image name "a\\nb\.png" holds a control character; allowed: names without them/);
 });

@@ -1,8 +1,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { test } from 'node:test';
-import { folder, json, tiepoint } from './command.js';
+import { programWords } from '../../pkg/command/program.js';
+import { folder, json, PROGRAM, tiepoint } from './command.js';
 
 const SMALL = ['--width-px', '200', '--height-px', '220'];
 const OTHER = ['--width-px', '200', '--height-px', '210'];
@@ -113,4 +114,17 @@ test('the report of a flight is one file that holds everything', () => {
   json('report', ...match.slice(1), '--out', out);
   assert.equal(readFileSync(file, 'utf8'), page);
   assert.match(tiepoint('report', ...match.slice(1)).stderr, /--out is missing/);
+});
+
+test('the next command is told as this one was called', () => {
+  const next = tiepoint('simulate', '--out', folder(), ...SMALL).stdout.trimEnd().split('\n').at(-1) ?? '';
+  assert.ok(next.startsWith('node ') && next.includes('tiepoint.js match '), next);
+  const [, program = '', ...words] = next.split(' ');
+  assert.equal(resolve(program), PROGRAM);
+  assert.equal(tiepoint(...words).code, 0);
+  const called = (/** @type {string} */ path) => programWords(path, '/home/me').join(' ');
+  assert.equal(called('/home/me/tiepoint/pkg/bin/tiepoint.js'), 'node tiepoint/pkg/bin/tiepoint.js');
+  assert.equal(called('/opt/tiepoint/pkg/bin/tiepoint.js'), 'node /opt/tiepoint/pkg/bin/tiepoint.js');
+  assert.equal(called('/home/me/node_modules/.bin/tiepoint'), 'npx tiepoint');
+  assert.equal(called('/usr/local/bin/tiepoint'), 'tiepoint');
 });

@@ -38,7 +38,7 @@ def ours(photos: list[Path], out: Path, threads: int) -> tuple[float, dict[str, 
     ended = subprocess.run([*command, '--export', 'colmap'], capture_output=True, text=True, check=True)
     seconds = time.perf_counter() - started
     model = pycolmap.Reconstruction(str(next(out.rglob('cameras.txt')).parent))
-    stages = {stage: float(took) for stage, took in re.findall(r'^(\w+): \d+.* in ([\d.]+) s$', ended.stderr, re.M)}
+    stages = {stage: float(took) for stage, took in re.findall(r'^([a-z ]+?)(?:: \d+.*)? in ([\d.]+) s$', ended.stderr, re.M)}
     return seconds, stages, json.loads((out / 'summary.json').read_text()), centres_of(model)
 
 

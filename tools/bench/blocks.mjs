@@ -83,7 +83,7 @@ async function byCommand() {
     const { output } = await run(process.execPath, [join(ROOT, 'pkg/bin/tiepoint.js'), 'block', join(DATA, NAME), '--out', out, '--workers', String(WORKERS)], { quiet: true });
     const seconds = (performance.now() - began) / 1000;
     const { orientation } = JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8'));
-    const stages = [...output.matchAll(/^(\w+): \d+.* in ([\d.]+) s$/gm)].map(([, name, s]) => [name, Number(s)]);
+    const stages = [...output.matchAll(/^([a-z ]+?)(?:: \d+.*)? in ([\d.]+) s$/gm)].map(([, name, s]) => [name, Number(s)]);
     return { seconds, stages: Object.fromEntries(stages), oriented: orientation.oriented, rmsePx: orientation.models[0].rmse_px, centres: '' };
   } finally {
     rmSync(out, { recursive: true });

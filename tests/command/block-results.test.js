@@ -1,0 +1,113 @@
+/** What is said of a block that was computed: one set of numbers in all files, every model by itself, and an exit code for none. */
+
+import assert from 'node:assert/strict';
+import { copyFileSync, existsSync, readdirSync, readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { deflateSync } from 'node:zlib';
+import { exifBlock } from '../../pkg/block/exif.js';
+import { pngOf } from '../../pkg/block/png.js';
+import { spreadOf } from '../../pkg/block/spread.js';
+import { Photo, read_exif, read_project } from '../../pkg/node.js';
+import { photographed } from './blocks.js';
+import { file, folder, image, json, speckle, tiepoint } from './command.js';
+
+const BLOCK = photographed();
+
+/** @param {string} out @param {string} name @returns {Record<string, string>[]} */
+function rows(out, name) {
+  const [header = '', ...lines] = readFileSync(join(out, name), 'utf8').trimEnd().split('\n');
+  return lines.map((line) => Object.fromEntries(header.split(',').map((column, i) => [column, line.split(',')[i] ?? ''])));
+}
+
+/** A folder of the block's photos, some of them with another recorded position.  @param {Record<string, Partial<import('../../pkg/node.js').ExifPosition>>} changes by name */
+function recorded(changes) {
+  const at = folder();
+  for (const name of readdirSync(BLOCK.photos)) {
+    const change = changes[name];
+    if (!change) {
+      copyFileSync(join(BLOCK.photos, name), join(at, name));
+      continue;
+    }
+    const bytes = readFileSync(join(BLOCK.photos, name));
+    const photo = Photo.decode(bytes);
+    const { camera, position, make, model } = read_exif(bytes, photo.width, photo.height);
+    assert.ok(camera && position);
+    const { longitude_deg, latitude_deg, height_m } = { ...position, ...change };
+    const exif = exifBlock({ make: make ?? '', model: model ?? '', focalMm: camera.focal_mm, pixelMm: camera.pixel_mm ?? 0, longitude: longitude_deg, latitude: latitude_deg, height: height_m ?? 0 });
+    file(at, name, pngOf(photo.width, photo.height, photo.grey(), deflateSync, exif));
+  }
+  return at;
+}
+
+test('all files and the text give the same numbers of points and rays', () => {
+  const out = folder();
+  const { selection, orientation } = json(...BLOCK.call, '--out', out);
+  const [images, points, rays] = ['images', 'points', 'rays'].map((name) => rows(out, `${name}.csv`));
+  assert.ok(images && points && rays);
+  assert.deepEqual([points.length, rays.length], [orientation.points, orientation.rays]);
+  assert.deepEqual([points.length, rays.length], [selection.points, selection.rays]);
+  for (const row of images) assert.equal(Number(row.rays), rays.filter((ray) => ray.image === row.image).length, row.name);
+  assert.equal(selection.least_rays_of_an_image, Math.min(...images.map((row) => Number(row.rays))));
+  const { stdout, stderr } = tiepoint(...BLOCK.call, '--out', out);
+  const labels = stdout.split('\n').map((line) => line.split('  ')[0]).filter((label) => label !== '');
+  assert.deepEqual(labels, [...new Set(labels)]);
+  assert.match(stdout, new RegExp(`^points chosen +${points.length}\nrays of points chosen +${rays.length}$`, 'm'));
+  // Steps are not told as points.
+  assert.match(stderr, /^images and pairs joined to points: \d+ in/m);
+  assert.match(stderr, /^orientation in/m);
+});
+
+test('places are the nine of each image', () => {
+  const camera = { width_px: 300, height_px: 90, focal_px: 1, principal_point_px: /** @type {[number, number]} */ ([0, 0]), radial: /** @type {[number, number, number]} */ ([0, 0, 0]), tangential: /** @type {[number, number]} */ ([0, 0]) };
+  const point = (/** @type {number[][]} */ ...rays) => ({ rays: rays.map(([of = 0, x_px = 0, y_px = 0]) => ({ image: of, x_px, y_px })) });
+  const model = { cameras: [camera], images: ['a', 'b', 'c'].map((name) => ({ name, camera: 0 })), points: [point([0, 0, 0], [1, 300, 90]), point([0, 99.9, 29.9], [1, 200, 60]), point([0, 100, 29.9])] };
+  assert.deepEqual(spreadOf(model), { points: 3, raysOfImages: [3, 2, 0], placesOfImages: [2, 1, 0] });
+});
+
+test('every model is told by itself, with its images', () => {
+  const other = photographed('--seed', '9');
+  const mixed = folder();
+  for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(mixed, name));
+  const others = readdirSync(other.photos).sort().slice(0, 3).map((name) => `other_${name}`);
+  for (const name of others) copyFileSync(join(other.photos, name.replace('other_', '')), join(mixed, name));
+  const out = folder();
+  const call = ['block', mixed, ...BLOCK.call.slice(2), '--out', out];
+  const { orientation } = json(...call);
+  assert.deepEqual(orientation.models.map((/** @type {any} */ { images, names }) => [images, names]), [[6, readdirSync(BLOCK.photos)], [3, others]]);
+  assert.deepEqual(rows(out, 'images.csv').map(({ model }) => model), [...'222111111']);
+  const { stdout } = tiepoint(...call);
+  assert.match(stdout, /^images oriented +6 of 9\nmodels +2$/m);
+  assert.match(stdout, /^model 1: photo_00000\.png, .* and 1 more; sigma0 0\.\d+ px$/m);
+  assert.match(stdout, /^model 2, in orientation\.json alone: other_photo_00000\.png, other_photo_00001\.png, other_photo_00002\.png; sigma0 0\.\d+ px$/m);
+  const first = stdout.split('\nmodel 2')[0] ?? '';
+  for (const text of orientation.models[1].weaknesses) assert.ok(stdout.includes(`  weak: ${text}`) && (orientation.models[0].weaknesses.includes(text) || !first.includes(text)), text);
+});
+
+test('positions that do not fit are not in the RMS of those that do', () => {
+  const { orientation: { models: [model] } } = json('block', recorded({ 'photo_00004.png': { height_m: 5000 } }), ...BLOCK.call.slice(2), '--out', folder());
+  assert.ok(model.weaknesses.some((/** @type {string} */ text) => text.includes('photo_00004.png (')), JSON.stringify(model.weaknesses));
+  for (const error of model.position_rmse_m) assert.ok(error < 20, JSON.stringify(model));
+});
+
+test('images of which no two are connected make no block', () => {
+  const at = folder();
+  for (let i = 0; i < 3; i++) image(at, `${i}.png`, 240, 180, (col, row) => speckle(col + 1000 * i, row));
+  const out = folder();
+  const { code, stdout, stderr } = tiepoint('block', at, '--out', out, '--features', '300');
+  assert.equal(code, 1);
+  assert.match(stderr, /tiepoint: no two images could be connected; see pairs\.csv\n$/);
+  assert.match(stdout, /^images oriented +0 of 3$/m);
+  assert.doesNotMatch(stdout, /multi-ray points\./);
+  for (const { reason } of rows(out, 'pairs.csv')) assert.match(reason ?? '', /^"?not connected: no common geometry \(/);
+  assert.ok(existsSync(join(out, 'pairs.csv')) && read_project(readFileSync(join(out, 'project.tiepoint'))).block.images.length === 3);
+});
+
+test('recorded positions that cannot be are told', () => {
+  const changed = recorded({ 'photo_00001.png': { latitude_deg: 123 }, 'photo_00005.png': { latitude_deg: 0, longitude_deg: 0, height_m: 0 } });
+  const call = ['block', changed, ...BLOCK.call.slice(2)];
+  const said = 'impossible recorded positions and heights are left out: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
+  const { code, stdout, stderr } = tiepoint(...call, '--out', folder(), '--json');
+  assert.deepEqual([code, JSON.parse(stdout).remarks, stderr], [0, [said], `tiepoint: ${said}\n`]);
+  assert.deepEqual(json(...call, '--out', folder(), '--gps', 'ignore').remarks, []);
+});
