@@ -13,6 +13,8 @@ export type Action =
   | { type: 'flight'; flight: Flight }
   | { type: 'swap' }
   | { type: 'settings'; settings: Settings }
+  /** The field of a setting holds a value that is not allowed. */
+  | { type: 'refused'; label: string }
   | { type: 'camera'; camera: Camera | null }
   | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
   | { type: 'mask'; side: Side; mask: GivenMask | null }

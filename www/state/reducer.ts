@@ -14,7 +14,9 @@ export function reduce(state: State, action: Action): State {
   const next = changed(state, action);
   // What is busy says itself when it ends.
   const over = DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== 'busy';
-  return over ? { ...next, notice: null } : next;
+  // Fields show new settings in place of what they held.
+  const shown = next.settings !== state.settings && next.refused !== null;
+  return over || shown ? { ...next, notice: over ? null : next.notice, refused: shown ? null : next.refused } : next;
 }
 
 function changed(state: State, action: Action): State {
@@ -31,6 +33,8 @@ function changed(state: State, action: Action): State {
       return swapped(state);
     case 'settings':
       return { ...state, settings: action.settings, paused: false };
+    case 'refused':
+      return { ...state, refused: action.label };
     case 'camera':
       return { ...state, camera: action.camera, paused: false };
     case 'photo':

@@ -159,6 +159,8 @@ export interface Notice {
 export interface State {
   catalogue: Catalogue | null;
   settings: Settings | null;
+  /** The label of a setting whose field holds a value that is not allowed; the settings hold its last valid one. */
+  refused: string | null;
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
   masks: Record<Side, GivenMask | null>;
@@ -184,6 +186,7 @@ export interface State {
 export const INITIAL: State = {
   catalogue: null,
   settings: null,
+  refused: null,
   images: { left: null, right: null },
   photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
   masks: { left: null, right: null },
