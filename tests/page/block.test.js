@@ -218,3 +218,20 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([['narrow
     await close();
   });
 }
+
+test('the table of images shows at 1440 px, without a sideways scroll, which are oriented', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1440, height: 900 } } });
+  await photograph(page);
+  await part(page, 'block-run').click();
+  await status(page, /^Done/);
+  await part(page, 'tab-block-images').click();
+  const state = page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:last-child').first();
+  await state.waitFor();
+  assert.equal(await state.textContent(), 'oriented');
+  const [cell, frame] = [await state.boundingBox(), await page.locator('#panel-block-images .rows').boundingBox()];
+  assert.ok(cell && frame && cell.x + cell.width <= frame.x + frame.width, JSON.stringify([cell, frame]));
+  // All images are of one camera, of which a column would tell nothing.
+  assert.equal(await part(page, 'sort-camera').count(), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});
