@@ -53,8 +53,11 @@ const problems = remember((
   return found;
 });
 
-/** Finds the marks' points and images as the run does; before there are images, those that the marks name stand for them. */
+/** As large as a photo may be: how large the images are, and with it whether a mark is outside its own, the run knows. */
+const ANY_CAMERA = { width_px: 1e7, height_px: 1e7, focal_px: null, principal_point_px: null, radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null };
+
+/** Finds the marks' points and images as the run does; before there is a block, the images that the marks name stand for its own. */
 function place(files: BlockState['files'], placing: object, points: string, marks: string): void {
-  const names = files.length > 0 ? files.map(({ name }) => name) : [...new Set(parse_image_marks(marks).map(({ image }) => image))];
-  describeBlock(names.map((name) => ({ name, camera: 0 })), [], false, placing, { points, marks });
+  const names = files.length >= 2 ? files.map(({ name }) => name) : [...new Set(parse_image_marks(marks).map(({ image }) => image))];
+  describeBlock(names.map((name) => ({ name, camera: 0 })), [ANY_CAMERA], false, placing, { points, marks });
 }

@@ -6,9 +6,9 @@ declare module '*/pkg/block/jobs.js' {
 }
 
 declare module '*/pkg/block/description.js' {
-  /** The page asks it for its refusals alone: of images and cameras their names and numbers are enough for that. */
+  /** The page asks it for its refusals alone: names of images are enough for that. */
   export function describeBlock(
-    images: readonly { name: string; camera: number }[], cameras: readonly never[], useGps: false, placing: object, control: import('../../pkg/block/index.js').ControlText,
+    images: readonly { name: string; camera: number }[], cameras: readonly object[], useGps: false, placing: object, control: import('../../pkg/block/index.js').ControlText,
   ): unknown;
 }
 
