@@ -86,7 +86,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'offset-problem', /^Give both numbers, or empty both/);
   // Nothing of it was taken.
   await page.waitForTimeout(400);
-  assert.match((await part(page, 'status').textContent()) ?? '', /^Done/);
+  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: the value typed is not allowed/);
   await type(page, 'camera-focal', '150');
   assert.equal(await invalid(page, 'camera-focal'), null);
   assert.equal(await part(page, 'camera-focal-problem').textContent(), '');
@@ -94,6 +94,9 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'base', /150\.0 mm/);
   await type(page, 'offset-dy', '1');
   await says(page, 'offset-found', /^Given/);
+  await says(page, 'status', /^Origin of the left image in the scan: the value typed is not allowed/);
+  await type(page, 'origin-left-col', '');
+  assert.match(await done(page), /^Done/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -206,19 +209,24 @@ test('each bad file of several is told, and what was open only where something w
   await close();
 });
 
-test('the status line says that a value is out of range, until it is not', { skip: SKIP }, async () => {
+test('the status line says that a value is not allowed, until it is', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
   const field = page.locator('input[type="number"][data-key="points.suppression_window"]');
   await field.fill('4');
-  await says(page, 'status', /^Suppression window: the value typed is out of range and not used\. Results are of the last valid settings\.$/);
+  await says(page, 'status', /^Suppression window: the value typed is not allowed and not used\. Results are of the last valid one\.$/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
   await field.fill('3');
+  assert.match(await done(page), /^Done/);
+  await part(page, 'tab-camera').click();
+  await type(page, 'camera-focal', '-5');
+  await says(page, 'status', /^Focal length: the value typed is not allowed/);
+  await type(page, 'camera-focal', '153.38');
   assert.match(await done(page), /^Done/);
   await part(page, 'mode-block').click();
   const pairs = page.locator('main.block input[type="number"][data-key="multiscale.number"]');
   await pairs.fill('-1');
-  await says(page, 'block-status', /out of range and not used/);
+  await says(page, 'block-status', /not allowed and not used/);
   await pairs.fill('2000');
   await says(page, 'block-status', /^Give the images/);
   assert.deepEqual(complaints, []);
