@@ -31,6 +31,7 @@ import { readable } from './state/names';
 import { shownPair } from './state/select';
 import type { Side } from './state/state';
 import { Store } from './state/store';
+import { truthOf } from './state/truth';
 import { Input } from './view/input';
 import { Navigator } from './view/navigate';
 import { View } from './view/view';
@@ -102,7 +103,7 @@ function mountHeader(): void {
   on('open', () => { pick(null); });
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
   on('open-first', () => { pick(null); });
-  on('swap', () => { engine.swap(); });
+  on('swap', () => { swap(); });
   on('export-csv', () => exportMatches(store.state, engine));
   on('export-json', () => { exportEverything(store.state); });
   on('export-report', () => exportReport(store, engine));
@@ -121,10 +122,18 @@ function mountHeader(): void {
   });
 }
 
-/** Hides the welcome; the keyboard goes on to the images where it was in there. */
+/** What is known of the truth says where left pixels are seen in the right image: it holds in the simulated order alone. */
+function swap(): void {
+  const known = truthOf(store.state) !== null;
+  engine.swap();
+  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The simulated pair is compared with its truth in its own order only: swap again for that.' } });
+}
+
+/** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */
 function leaveWelcome(left: boolean): void {
   const welcome = byId('welcome');
-  const focused = welcome.contains(document.activeElement);
+  const { activeElement } = document;
+  const focused = welcome.contains(activeElement) || (!welcome.hidden && [byId('open'), byId('sample')].some((press) => press === activeElement));
   welcome.hidden = left;
   if (left && focused) byId('view').focus();
 }

@@ -1,68 +1,17 @@
 import assert from 'node:assert/strict';
-import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { pathToFileURL } from 'node:url';
 import { unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
-import { BlockScene } from '../../pkg/node.js';
 import { greyPng } from '../../pkg/command/png.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { serve } from '../../tools/lib/static-server.mjs';
-import { DIST, done, hosted, number, open, part, saved, SHOTS, SKIP, upload } from './page.js';
+import { block, drop, photoFolder, photograph, status } from './blocks.js';
+import { DIST, done, hosted, number, part, saved, SHOTS, SKIP, upload } from './page.js';
 
 hosted('/block/');
-
-/** Small photos: six of them are rendered and matched in a few seconds. */
-const FLIGHT = { strips: 2, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.15 };
-
-/** @typedef {import('playwright-core').Page} Page */
-
-/** @param {Page} page @param {RegExp} pattern @returns {Promise<string>} the status line once it is so */
-async function status(page, pattern) {
-  await page.waitForFunction(([source]) => new RegExp(source ?? '').test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), [pattern.source], { timeout: 40_000 });
-  return (await part(page, 'block-status').textContent()) ?? '';
-}
-
-/** A page that shows its part for blocks.  @param {Parameters<typeof open>[0]} [how] */
-async function block(how) {
-  const opened = await open(how);
-  await part(opened.page, 'mode-block').click();
-  await opened.page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
-  return opened;
-}
-
-/** Photographs the flight in the page.  @param {Page} page */
-async function photograph(page, flight = FLIGHT) {
-  await part(page, 'tab-block-flight').click();
-  for (const [field, value] of Object.entries(flight)) await page.locator(`input[data-key="block_flight.${field}"]`).first().fill(String(value));
-  await part(page, 'block-photograph').click();
-  await status(page, /Press Run/);
-}
-
-/** A folder with photos of the flight and what is no image.  @param {number} count */
-function photoFolder(count) {
-  const folder = mkdtempSync(join(tmpdir(), 'tiepoint-photos-'));
-  const scene = new BlockScene(FLIGHT);
-  for (let index = 0; index < count; index++) {
-    const { width, height, grey } = scene.photo(index);
-    writeFileSync(join(folder, `photo_${index}.png`), greyPng(width, height, grey));
-  }
-  scene.free();
-  writeFileSync(join(folder, 'truth.json'), '{}');
-  return folder;
-}
-
-/** Drops files of these names that hold no image.  @param {Page} page @param {string[]} names */
-async function drop(page, names) {
-  const transfer = await page.evaluateHandle((given) => {
-    const data = new DataTransfer();
-    for (const name of given) data.items.add(new File(['no image'], name));
-    return data;
-  }, names);
-  for (const type of ['dragenter', 'dragover', 'drop']) await part(page, 'block-picture').dispatchEvent(type, { dataTransfer: transfer });
-}
 
 test('a simulated block is matched; picture, matrix, pair and exports answer', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
@@ -269,3 +218,20 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([['narrow
     await close();
   });
 }
+
+test('the table of images shows at 1440 px, without a sideways scroll, which are oriented', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block({ options: { viewport: { width: 1440, height: 900 } } });
+  await photograph(page);
+  await part(page, 'block-run').click();
+  await status(page, /^Done/);
+  await part(page, 'tab-block-images').click();
+  const state = page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:last-child').first();
+  await state.waitFor();
+  assert.equal(await state.textContent(), 'oriented');
+  const [cell, frame] = [await state.boundingBox(), await page.locator('#panel-block-images .rows').boundingBox()];
+  assert.ok(cell && frame && cell.x + cell.width <= frame.x + frame.width, JSON.stringify([cell, frame]));
+  // All images are of one camera, of which a column would tell nothing.
+  assert.equal(await part(page, 'sort-camera').count(), 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -86,7 +86,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'offset-problem', /^Give both numbers, or empty both/);
   // Nothing of it was taken.
   await page.waitForTimeout(400);
-  assert.match((await part(page, 'status').textContent()) ?? '', /^Done/);
+  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: the value typed is not allowed/);
   await type(page, 'camera-focal', '150');
   assert.equal(await invalid(page, 'camera-focal'), null);
   assert.equal(await part(page, 'camera-focal-problem').textContent(), '');
@@ -94,6 +94,9 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'base', /150\.0 mm/);
   await type(page, 'offset-dy', '1');
   await says(page, 'offset-found', /^Given/);
+  await says(page, 'status', /^Origin of the left image in the scan: the value typed is not allowed/);
+  await type(page, 'origin-left-col', '');
+  assert.match(await done(page), /^Done/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -188,5 +191,58 @@ test('all is in sight: one row of tools at 1280 px, wrapped bars at 360 px, wide
     const { x, width } = await box(id);
     assert.ok(x >= 0 && x + width <= 360, id);
   }
+  await close();
+});
+
+test('each bad file of several is told, and what was open only where something was', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.waitForFunction(() => document.querySelector('[data-testid="sample"]:enabled') !== null);
+  const files = ['bad.jpg', 'worse.jpg', 'a.txt'].map((name) => ({ name, mimeType: '', buffer: Buffer.from('nothing of use') }));
+  const give = () => part(page, 'file-input').setInputFiles(files);
+  await give();
+  await says(page, 'status', /a\.txt holds no fiducial marks: .*bad\.jpg cannot be opened: .*worse\.jpg cannot be opened: /);
+  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /What was open/);
+  await sample(page);
+  await give();
+  await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* What was open is kept\.$/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('the status line says that a value is not allowed, until it is', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const field = page.locator('input[type="number"][data-key="points.suppression_window"]');
+  await field.fill('4');
+  await says(page, 'status', /^Suppression window: the value typed is not allowed and not used\. Results are of the last valid one\.$/);
+  assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
+  await field.fill('3');
+  assert.match(await done(page), /^Done/);
+  await part(page, 'tab-camera').click();
+  await type(page, 'camera-focal', '-5');
+  await says(page, 'status', /^Focal length: the value typed is not allowed/);
+  await type(page, 'camera-focal', '153.38');
+  assert.match(await done(page), /^Done/);
+  await part(page, 'mode-block').click();
+  const pairs = page.locator('main.block input[type="number"][data-key="multiscale.number"]');
+  await pairs.fill('-1');
+  await says(page, 'block-status', /not allowed and not used/);
+  await pairs.fill('2000');
+  await says(page, 'block-status', /^Give the images/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a simulated pair that is swapped says that its truth is of the other order', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  assert.ok(await part(page, 'score').isVisible());
+  await part(page, 'swap').click();
+  await says(page, 'status', /^Done: .*compared with its truth in its own order only: swap again/);
+  assert.equal(await part(page, 'score').count(), 0);
+  await part(page, 'swap').click();
+  await part(page, 'score').waitFor();
+  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /truth/);
+  assert.deepEqual(complaints, []);
   await close();
 });

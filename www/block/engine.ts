@@ -3,8 +3,10 @@ import type { Jobs } from '../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../engine/client';
 import { WorkerPool } from '../engine/pool';
+import { sentence } from '../panel/format';
 import type { Holder } from '../state/store';
 import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
+import { firstProblem } from './given';
 import type { BlockAction } from './reducer';
 import { isBusy, wantedKey } from './state';
 import type { BlockOptions, BlockState } from './state';
@@ -30,6 +32,11 @@ export class BlockEngine {
     const { state } = this.store;
     const { settings } = state.options;
     if (settings === null || state.running.kind === 'yes') return;
+    const problem = firstProblem(state);
+    if (problem !== null) {
+      this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `Not run: ${sentence(problem)}` } });
+      return;
+    }
     const key = wantedKey(state);
     const { files, truth } = state;
     const started = performance.now();

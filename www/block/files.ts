@@ -1,7 +1,10 @@
-/** Takes files of a block in: images, a folder of them, cameras, a block that was saved. A file that cannot be used changes nothing. */
+/** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import { Cancelled } from '../engine/client';
+import { sentence } from '../panel/format';
 import type { BlockFile } from './calls';
 import type { BlockEngine, BlockStore } from './engine';
+import { PARTNER_MISSING, problemsOf } from './given';
+import type { GivenText } from './given';
 
 /** A file with its path below the folder that was given; the path is empty for a file given by itself. */
 export interface FoundFile {
@@ -15,10 +18,7 @@ const CAMERAS = /\.json$/iu;
 
 let nextId = 1;
 
-/** Files as masks of images, which their names tell. */
-export function maskFiles(files: readonly File[]): BlockFile[] {
-  return files.map((file) => ({ id: nextId++, name: file.name, file }));
-}
+const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Control points', marks: 'Marks of control points' };
 
 export class BlockFiles {
   constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
@@ -30,7 +30,7 @@ export class BlockFiles {
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
     const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
     if (project !== undefined) await this.open(project.file);
-    if (cameras !== undefined) await this.takeCameras(cameras.file);
+    if (cameras !== undefined) await this.takeText('cameras', cameras.file);
     const aside = found.length - images.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (images.length > 0 || aside > 0) this.add(images, aside);
   }
@@ -49,9 +49,20 @@ export class BlockFiles {
     }
   }
 
-  async takeCameras(file: File): Promise<void> {
-    this.store.dispatch({ type: 'options', options: { cameras: { name: file.name, text: await file.text() } } });
-    this.say('info', `Cameras from ${file.name}: they are read when the block runs.`);
+  /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
+  async takeText(given: GivenText, file: File): Promise<void> {
+    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
+    const problem = problemsOf(this.store.state)[given];
+    if (problem === undefined) this.say('info', `${TEXTS[given]} from ${file.name}.`);
+    else if (problem === PARTNER_MISSING[given]) this.say('info', `${TEXTS[given]} from ${file.name}. ${problem}.`);
+    else this.say('problem', `${sentence(problem)} The block cannot be run with it.`);
+  }
+
+  /** Takes masks in place of those that are there. */
+  takeMasks(files: readonly File[]): void {
+    this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: nextId++, name: file.name, file })) } });
+    const problem = problemsOf(this.store.state).masks;
+    if (problem !== undefined) this.say('problem', `${sentence(problem)} The block cannot be run with them.`);
   }
 
   /** Opens a block that was saved. */

@@ -52,7 +52,7 @@ export function mountBlock(pair: Store, pairEngine: Engine): void {
 
   mountActions(actions, store, files);
   mountExports(exports, store, engine);
-  mountSettings(settings.panels[0], store);
+  mountSettings(settings.panels[0], store, files);
   mountFlight(settings.panels[1], store, files);
   mountProgress(results.panels[0], store);
   mountResults(results.panels[0], store);

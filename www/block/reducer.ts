@@ -12,10 +12,12 @@ export type BlockAction =
   | { type: 'mode'; mode: Mode }
   | { type: 'files'; files: readonly BlockFile[]; truth: BlockModel | null }
   | { type: 'options'; options: Partial<BlockOptions> }
+  /** The field of a setting holds a value that is not allowed. */
+  | { type: 'refused'; label: string }
   | { type: 'flight'; flight: BlockFlight }
   | { type: 'started'; key: string }
   | { type: 'step'; step: Step }
-  /** What the run has found so far. */
+  /** What the run has found so far: it is shown where no finished block is. */
   | { type: 'part'; view: BlockView; files: readonly BlockFile[] }
   | { type: 'done'; key: string; view: BlockView; files: readonly BlockFile[]; seconds: number }
   /** `failure`: null where the user ended it. */
@@ -33,10 +35,11 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     case 'mode':
       return { ...state, mode: action.mode };
     case 'files':
-      // A run that goes on keeps the files it was given.
-      return { ...state, files: action.files, truth: action.truth, running: state.running.kind === 'yes' ? state.running : { kind: 'no' } };
+      return { ...state, files: action.files, truth: action.truth, running: onOtherInput(state.running) };
     case 'options':
-      return { ...state, options: { ...state.options, ...action.options }, notice: null };
+      return { ...state, options: { ...state.options, ...action.options }, running: onOtherInput(state.running), notice: null, refused: action.options.settings === undefined ? state.refused : null };
+    case 'refused':
+      return { ...state, refused: action.label, notice: state.notice?.kind === 'busy' ? state.notice : null };
     case 'flight':
       return { ...state, flight: action.flight };
     case 'choose':
@@ -52,6 +55,11 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     default:
       return withRun(state, action);
   }
+}
+
+/** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */
+function onOtherInput(running: BlockState['running']): BlockState['running'] {
+  return running.kind === 'yes' ? running : { kind: 'no' };
 }
 
 /** What refers to the images of a block that is no longer shown. */
@@ -79,7 +87,7 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     case 'step':
       return running.kind === 'yes' ? { ...state, running: { ...running, steps: { ...running.steps, [action.step.stage]: action.step } } } : state;
     case 'part': {
-      if (running.kind !== 'yes') return state;
+      if (running.kind !== 'yes' || (state.shown !== null && !state.shown.view.partial)) return state;
       const { view, files } = action;
       const shown = { key: running.key, view, files, seconds: 0, steps: {} };
       return { ...state, shown, opened: null, choice: sameChoice(state, view) };

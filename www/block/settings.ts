@@ -4,8 +4,9 @@ import type { Value } from '../panel/control';
 import { button, fill, h } from '../panel/dom';
 import type { BlockSettings, Parameter } from '../../pkg/wasm/tiepoint.js';
 import type { BlockStore } from './engine';
-import { maskFiles } from './files';
-import type { TextFile } from './state';
+import type { BlockFiles } from './files';
+import { problemsOf } from './given';
+import type { Given, GivenText } from './given';
 
 type Groups = Record<string, Record<string, Value | undefined>>;
 
@@ -15,7 +16,7 @@ const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['mu
 /** Parameters that matter for one rule of pairs alone. */
 const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];
 
-export function mountSettings(host: HTMLElement, store: BlockStore): void {
+export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
   store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
     if (catalogue === null) return;
     const { defaults } = catalogue;
@@ -26,12 +27,13 @@ export function mountSettings(host: HTMLElement, store: BlockStore): void {
       },
       standard: () => readValue(defaults, parameter),
       whenEmpty: () => 'by itself',
+      refused: () => { store.dispatch({ type: 'refused', label: parameter.label }); },
     }));
     const groups = GROUPS.map(([group, title]) => {
       const own = controls.filter(({ parameter }) => parameter.key.startsWith(`${group}.`));
       return h('fieldset', { class: 'group' }, h('legend', {}, title), ...own.map(({ element }) => element));
     });
-    fill(host, positions(store), ...groups, textFiles(store));
+    fill(host, positions(store), ...groups, besides(store, files));
     store.watch((s) => [s.options.settings] as const, ([settings]) => {
       if (settings === null) return;
       for (const { parameter, element, show } of controls) {
@@ -77,24 +79,34 @@ function positions(store: BlockStore): HTMLElement {
 const CAMERAS = 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
 const CONTROL = 'None. Two files place the block by surveyed points: lines of name, x, y, z and perhaps two standard errors, and lines of image, point, column, row.';
 
-/** Files of text that say more of the block than its images do. */
-function textFiles(store: BlockStore): HTMLElement {
+/** Files that say more of the block than its images do. */
+function besides(store: BlockStore, files: BlockFiles): HTMLElement {
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
-    textFile(store, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
-    textFile(store, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
-    textFile(store, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'),
-    masks(store));
+    textFile(store, files, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
+    textFile(store, files, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
+    textFile(store, files, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'),
+    masks(store, files));
 }
 
 const MASKS = 'None. Images of the same size, black where no features are wanted; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
 
-function masks(store: BlockStore): HTMLElement {
+/** What is wrong with what was given, beside where it is given. */
+function problemOf(store: BlockStore, given: Given): HTMLElement {
+  const line = h('p', { class: 'field-problem', testid: `block-${given}-problem` });
+  store.watch((s) => [s.files, s.options] as const, () => {
+    const text = problemsOf(store.state)[given] ?? '';
+    if (line.textContent !== text) line.textContent = text;
+  });
+  return line;
+}
+
+function masks(store: BlockStore, files: BlockFiles): HTMLElement {
   const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: 'block-masks-input', aria: { label: 'Files: Masks' } });
   input.accept = 'image/*,.tif,.tiff,.pgm,.pnm';
   input.multiple = true;
   input.addEventListener('change', () => {
-    const given = maskFiles([...(input.files ?? [])]);
-    if (given.length > 0) store.dispatch({ type: 'options', options: { masks: given } });
+    const given = [...(input.files ?? [])];
+    if (given.length > 0) files.takeMasks(given);
     input.value = '';
   });
   const name = h('p', { class: 'note', testid: 'block-masks-name' });
@@ -104,24 +116,23 @@ function masks(store: BlockStore): HTMLElement {
     fill(name, given.length === 0 ? MASKS : given.length === 1 ? (given[0]?.name ?? '') : `${String(given.length)} masks: ${given.slice(0, 3).map((mask) => mask.name).join(', ')}${given.length > 3 ? ' …' : ''}`);
     remove.hidden = given.length === 0;
   });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button('Masks …', 'block-masks', () => { input.click(); }), remove), name, input);
+  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button('Masks …', 'block-masks', () => { input.click(); }), remove), name, problemOf(store, 'masks'), input);
 }
 
-function textFile(store: BlockStore, option: 'cameras' | 'control' | 'marks', title: string, none: string, accept: string): HTMLElement {
+function textFile(store: BlockStore, files: BlockFiles, option: GivenText, title: string, none: string, accept: string): HTMLElement {
   const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `block-${option}-input`, aria: { label: `File: ${title}` } });
   input.accept = accept;
-  const give = (file: TextFile | null) => { store.dispatch({ type: 'options', options: { [option]: file } }); };
   input.addEventListener('change', () => {
     const file = input.files?.[0];
-    if (file !== undefined) void file.text().then((text) => { give({ name: file.name, text }); });
+    if (file !== undefined) void files.takeText(option, file);
     input.value = '';
   });
   const name = h('p', { class: 'note', testid: `block-${option}-name` });
-  const remove = button('Remove', `block-${option}-remove`, () => { give(null); });
+  const remove = button('Remove', `block-${option}-remove`, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
   remove.setAttribute('aria-label', `Remove: ${title}`);
   store.watch((s) => [s.options[option]] as const, ([given]) => {
     fill(name, given?.name ?? none);
     remove.hidden = given === null;
   });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, input);
+  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, problemOf(store, option), input);
 }

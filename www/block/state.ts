@@ -62,6 +62,8 @@ export interface BlockState {
   /** Of photos that were simulated. */
   truth: BlockModel | null;
   options: BlockOptions;
+  /** The label of a setting whose field holds a value that is not allowed; the options hold its last valid one. */
+  refused: string | null;
   flight: BlockFlight | null;
   running: Running;
   /** The block on the screen. */
@@ -78,6 +80,7 @@ export const BLOCK_INITIAL: BlockState = {
   files: [],
   truth: null,
   options: { settings: null, gps: 'use', cameras: null, control: null, marks: null, masks: [] },
+  refused: null,
   flight: null,
   running: { kind: 'no' },
   shown: null,

@@ -1,6 +1,7 @@
 /** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
 import { button, fill, h } from '../panel/dom';
-import { count } from '../panel/format';
+import { count, sentence } from '../panel/format';
+import { refusedText } from '../panel/status';
 import { readable } from '../state/names';
 import type { Store } from '../state/store';
 import type { BlockEngine, BlockStore } from './engine';
@@ -37,12 +38,14 @@ function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'don
   const { running, notice, shown, files } = state;
   if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
   if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
+  if (state.refused !== null) return { text: refusedText(state.refused), kind: 'problem' };
   if (running.kind === 'ended') {
-    if (running.failure === null) return { text: 'Cancelled. What was done is shown and kept: Go on takes it up where it ended.', kind: 'idle' };
-    return { text: `The block was not finished: ${running.failure.replace(/\.$/u, '')}. What was done is kept.`, kind: 'problem' };
+    const former = shown !== null && !shown.view.partial ? ' The block on the screen is the former one.' : '';
+    if (running.failure === null) return { text: `Cancelled.${former} What was done is ${former === '' ? 'shown and ' : ''}kept: Go on takes it up where it ended.`, kind: 'idle' };
+    return { text: `The block was not finished: ${sentence(running.failure)}${former === '' ? ' What was done is kept.' : former}`, kind: 'problem' };
   }
-  if (shown !== null && !isOutdated(state)) return doneLine(shown);
-  if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null ? 'Press Run.' : 'Other images or settings than those of the block on the screen: press Run.'}`, kind: 'idle' };
+  if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
+  if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null || shown.view.partial ? 'Press Run.' : 'Other images or settings than those of the block on the screen: press Run.'}`, kind: 'idle' };
   return { text: 'Give the images of a block: files, a folder, or the simulated block.', kind: 'idle' };
 }
 

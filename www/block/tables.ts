@@ -39,7 +39,7 @@ function imageRows({ images, leftOut, cameras }: BlockView): Rows {
       numbers('rays', 'Rays', '', 0, (i) => known(images[i]?.rays), 'To the points that were chosen, without those that were rejected.'),
       numbers('places', 'Places', '', 0, (i) => known(images[i]?.places), 'Of the nine von Gruber places of the image, those that hold a chosen point.'),
       numbers('rmse', 'RMSE', 'px', 2, (i) => known(images[i]?.rmsePx), 'Root mean square length of the residuals of its rays.'),
-      numbers('camera', 'Camera', '', 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`),
+      ...(cameras.length > 1 ? [numbers('camera', 'Camera', '', 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`)] : []),
       words('state', 'State', (i) => stateOf(images[i]?.why ?? leftOut[i - images.length]?.reason ?? ''), 'Whether it is oriented, and if not, why.'),
     ],
   };

@@ -2,6 +2,7 @@
 import { CallError, Cancelled } from '../engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../engine/wasm';
+import { sentence } from '../panel/format';
 import { readable } from '../state/names';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
@@ -21,6 +22,12 @@ function sideOfMask(mask: File, index: number): Side {
   return /left/iu.test(mask.name) || index === 0 ? 'left' : 'right';
 }
 
+/** What came of a file; null where the page shows it. */
+type Told = { kind: 'info' | 'problem'; text: string } | null;
+
+const problem = (text: string): Told => ({ kind: 'problem', text });
+const info = (text: string): Told => ({ kind: 'info', text });
+
 export class Files {
   constructor(private readonly store: Store, private readonly engine: Engine) {}
 
@@ -30,34 +37,36 @@ export class Files {
     this.store.dispatch({ type: 'notice', notice: null });
     const { images, masks, tables, cameras } = sortFiles(files);
     if (images.length > 2) {
-      this.problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`);
+      this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
       return;
     }
+    const told: Told[] = [];
     const camera = cameras[0];
-    if (camera !== undefined) await this.takeCamera(camera);
-    for (const [i, table] of tables.entries()) await this.takeFiducials(table, side ?? this.sideOfTable(table, i));
-    if (images.length > 0) await this.takeImages(images, side);
-    for (const [i, mask] of masks.entries()) await this.takeMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i));
+    if (camera !== undefined) told.push(await this.takeCamera(camera));
+    for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+    if (images.length > 0) told.push(...await this.takeImages(images, side));
+    for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+    this.tell(told);
   }
 
   /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
   async takeMask(file: File, side: Side): Promise<void> {
+    this.tell([await this.readMask(file, side)]);
+  }
+
+  private async readMask(file: File, side: Side): Promise<Told> {
     const opened = this.store.state.images[side];
-    if (opened === null) {
-      this.problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
-      return;
-    }
+    if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
     try {
-      const { info } = await this.engine.open(side, opened);
+      const { info: photo } = await this.engine.open(side, opened);
       const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
-      if (mask.width !== info.width || mask.height !== info.height) {
-        this.problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(info.width)} × ${String(info.height)} px: a mask is as large as its image. Nothing was changed.`);
-        return;
+      if (mask.width !== photo.width || mask.height !== photo.height) {
+        return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.` } });
+      return info(`${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
     } catch (error) {
-      this.failed(`${file.name} cannot be used as a mask`, error);
+      return this.failed(`${file.name} cannot be used as a mask`, error);
     }
   }
 
@@ -68,9 +77,9 @@ export class Files {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
       this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
-      this.store.dispatch({ type: 'notice', notice: null });
+      this.tell([]);
     } catch (error) {
-      this.failed('The pair could not be rendered', error);
+      this.tell([this.failed('The pair could not be rendered', error)]);
     }
   }
 
@@ -80,16 +89,20 @@ export class Files {
     if (sample !== undefined) await this.takeFlight(sample.name, sample.flight);
   }
 
-  private problem(text: string): void {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'problem', text } });
+  /** Says together what came of files that were given together. */
+  private tell(told: readonly Told[]): void {
+    const said = told.filter((one) => one !== null);
+    const bad = said.some(({ kind }) => kind === 'problem');
+    const { left, right } = this.store.state.images;
+    // Where nothing was open there is nothing to be afraid for.
+    const kept = bad && (left !== null || right !== null) ? ' What was open is kept.' : '';
+    const text = `${said.map((one) => one.text).join(' ')}${kept}`;
+    this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
   }
 
-  private failed(what: string, error: unknown): void {
-    if (error instanceof Cancelled) {
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled. Nothing was changed.' } });
-      return;
-    }
-    this.problem(`${what}: ${readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error))}. What was open is kept.`);
+  private failed(what: string, error: unknown): Told {
+    if (error instanceof Cancelled) return info('Cancelled. Nothing was changed.');
+    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error)))}`);
   }
 
   /** Fiducials named "right", or the second of two tables, belong right. */
@@ -99,33 +112,30 @@ export class Files {
     return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? 'right' : 'left';
   }
 
-  private async takeFiducials(file: File, side: Side): Promise<void> {
+  private async takeFiducials(file: File, side: Side): Promise<Told> {
     try {
       const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
       this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${String(fiducials.length)} fiducial ${fiducials.length === 1 ? 'mark' : 'marks'} of the ${side} image from ${file.name}.` } });
+      return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? 'mark' : 'marks'} of the ${side} image from ${file.name}.`);
     } catch (error) {
-      this.failed(`${file.name} holds no fiducial marks`, error);
+      return this.failed(`${file.name} holds no fiducial marks`, error);
     }
   }
 
-  private async takeCamera(file: File): Promise<void> {
+  private async takeCamera(file: File): Promise<Told> {
     try {
       const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
       this.store.dispatch({ type: 'camera', camera });
-      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: `Camera data from ${file.name}.` } });
+      return info(`Camera data from ${file.name}.`);
     } catch (error) {
-      this.failed(`${file.name} holds no camera data`, error);
+      return this.failed(`${file.name} holds no camera data`, error);
     }
   }
 
   /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
-  private async takeImages(files: readonly File[], side: Side | null): Promise<void> {
+  private async takeImages(files: readonly File[], side: Side | null): Promise<Told[]> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
-    if (tooLarge !== undefined) {
-      this.problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read. What was open is kept.`);
-      return;
-    }
+    if (tooLarge !== undefined) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
     const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, file] of files.entries()) {
@@ -133,29 +143,22 @@ export class Files {
       if (target !== undefined) images[target] = { id: nextId++, name: file.name, source: { kind: 'file', file } };
     }
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${files.map((file) => file.name).join(' and ')} …` } });
-    await this.check(images);
+    return this.check(images);
   }
 
-  private async check(images: Partial<Record<Side, GivenImage>>): Promise<void> {
+  private async check(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-    const bad = outcomes.findIndex((outcome) => outcome.status === 'rejected');
-    if (bad < 0) {
-      this.store.dispatch({ type: 'images', images });
-      this.store.dispatch({ type: 'notice', notice: null });
-      return;
-    }
-    const name = entries[bad]?.[1].name ?? 'the file';
-    const outcome = outcomes[bad];
-    this.failedImage(name, outcome?.status === 'rejected' ? (outcome.reason as unknown) : null);
+    const told = outcomes.flatMap((outcome, i) => (outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : []));
+    if (told.length === 0) this.store.dispatch({ type: 'images', images });
+    return told;
   }
 
-  private failedImage(name: string, error: unknown): void {
+  private failedImage(name: string, error: unknown): Told {
     if (error instanceof CallError && error.ended) {
-      this.problem(`${name} could not be opened: the worker ran out of memory (${error.message}). What was open is kept. Try a smaller image, or close other tabs.`);
-    } else {
-      this.failed(`${name} cannot be opened`, error);
+      return problem(`${name} could not be opened: the worker ran out of memory (${error.message}). Try a smaller image, or close other tabs.`);
     }
+    return this.failed(`${name} cannot be opened`, error);
   }
 
   /** Where a single image goes: an empty place, else the active one. */

@@ -11,6 +11,8 @@ export interface Binding {
   standard: () => Value;
   /** What an empty field stands for; null where the field may not be empty. */
   whenEmpty: () => number | string | null;
+  /** Told that the field holds a value that is not allowed and not used. */
+  refused?: () => void;
 }
 
 export interface Control {
@@ -44,7 +46,10 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
     problem.textContent = '';
     reset.hidden = binding.standard() === value;
   };
-  field.onProblem((text) => { problem.textContent = text; });
+  field.onProblem((text) => {
+    problem.textContent = text;
+    binding.refused?.();
+  });
   const refuse = (text: string) => {
     problem.textContent = text;
     element.querySelector(`[id="${id}"]`)?.setAttribute('aria-invalid', 'true');

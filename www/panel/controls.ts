@@ -26,6 +26,7 @@ export function mountControls(host: HTMLElement, store: Store): void {
       set: (value) => { change(store, parameter.key, value); },
       standard: () => readSetting(catalogue.defaults, parameter.key),
       whenEmpty: () => whenEmpty(store, catalogue, parameter.key),
+      refused: () => { store.dispatch({ type: 'refused', part: 'settings', label: parameter.label }); },
     }));
     const groups = Object.entries(GROUPS).map(([group, title]) => {
       const own = controls.filter(({ parameter }) => parameter.key.startsWith(`${group}.`));

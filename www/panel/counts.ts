@@ -1,6 +1,7 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
 import type { PointCounts } from '../engine/wasm';
-import { isCurrent, isStale } from '../state/keys';
+import { comparesMoments, isCurrent, isStale } from '../state/keys';
+import { hasPaperCamera } from '../state/paper';
 import { GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
 import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
@@ -17,12 +18,18 @@ const PAPER: Readonly<Record<keyof PointCounts, readonly [number, number] | null
   after_suppression: [10761, 9681],
 };
 const PAPER_MATCHES = 1325;
+const PAPER_THRESHOLD = 40;
 
 const PHASES: readonly [keyof PointCounts, string][] = [
   ['candidates', 'Operator'],
   ['after_roundness', 'Roundness'],
   ['after_suppression', 'Suppression'],
 ];
+
+/** The settings by which the paper counted, whose Table 1 says nothing of others. */
+function countsAsPaper({ settings, catalogue }: State): boolean {
+  return settings !== null && comparesMoments(settings) && settings.points.operator === catalogue?.defaults.points.operator;
+}
 
 /** Rules that only some strategies have. */
 const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converged', 'imprecise', 'frame']);
@@ -54,20 +61,21 @@ function phaseTable(state: State): HTMLElement {
   const left = state.results.pointsLeft?.value;
   const right = state.results.pointsRight?.value;
   const matches = state.results.match?.value.counts.matches;
+  const compared = hasPaperCamera(state) && countsAsPaper(state);
+  const paper = (numbers: readonly number[] | null) => (compared ? [h('td', { class: 'number paper' }, numbers?.map(count).join(' / ') ?? '–')] : []);
   const body = PHASES.map(([field, label]) => row(
     label,
     cell(`count-left-${field}`, count(left?.counts[field])),
     cell(`count-right-${field}`, count(right?.counts[field])),
-    h('td', { class: 'number paper' }, PAPER[field]?.map(count).join(' / ') ?? '–'),
+    ...paper(PAPER[field]),
   ));
   const threshold = (value: number | undefined) => (value === undefined ? '–' : significant(value));
   return h('table', { aria: { label: 'Points after each phase' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Phase'), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right'),
-      h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r'))),
+      compared ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null)),
     h('tbody', {}, ...body,
-      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)),
-        h('td', { class: 'number paper' }, [PAPER_MATCHES, PAPER_MATCHES].map(count).join(' / '))), isStale(state, 'match') && !pointsAreStale(state)),
-      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), h('td', { class: 'number paper' }, '40 / 40'))));
+      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...paper([PAPER_MATCHES, PAPER_MATCHES])), isStale(state, 'match') && !pointsAreStale(state)),
+      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), ...paper([PAPER_THRESHOLD, PAPER_THRESHOLD]))));
 }
 
 function ruleTable(state: State, store: Store): HTMLElement {

@@ -25,3 +25,8 @@ export function significant(value: number): string {
 export function percent(share: number): string {
   return `${(100 * share).toFixed(1)} %`;
 }
+
+/** With one full stop at its end. */
+export function sentence(text: string): string {
+  return `${text.replace(/\.$/u, '')}.`;
+}

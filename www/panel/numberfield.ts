@@ -1,4 +1,6 @@
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
+import type { TypedPart } from '../state/state';
+import type { Store } from '../state/store';
 import { h } from './dom';
 
 export interface NumberField {
@@ -39,6 +41,12 @@ function typed({ value, valueAsNumber, validity }: HTMLInputElement): number | u
 function mark(input: HTMLInputElement, wrong: boolean): void {
   if (wrong) input.setAttribute('aria-invalid', 'true');
   else input.removeAttribute('aria-invalid');
+}
+
+/** Tells the state of the first of some fields, with their labels, in which something was typed that is not allowed. */
+export function tellRefused(store: Store, part: TypedPart, fields: readonly (readonly [string, HTMLInputElement])[]): void {
+  const wrong = fields.find(([, input]) => input.getAttribute('aria-invalid') === 'true' && typed(input) !== undefined);
+  store.dispatch({ type: 'refused', part, label: wrong?.[0] ?? null });
 }
 
 /** Shows a number, unless the field already says the same. */

@@ -3,6 +3,7 @@ import type { FiveParameters, RelativeOrientation, Weakness } from '../engine/wa
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
 import { readable } from '../state/names';
+import { hasPaperCamera } from '../state/paper';
 import { pixelMm } from '../state/residuals';
 import { orientationAt, truthOf } from '../state/truth';
 import type { State } from '../state/state';
@@ -88,6 +89,7 @@ function truthFor(state: State, { base_mm: base }: RelativeOrientation): FivePar
 
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthFor(state, result);
+  const ofPaper = truth === null && hasPaperCamera(state);
   const { standard_errors: errors, total_standard_errors: total } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
@@ -95,8 +97,9 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+    const printed = ofPaper ? [number(`paper-${field}`, paperValue, digits, 'paper'), number(`paper-error-${field}`, paperError, digits, 'paper')] : [];
     const compared = truth === null
-      ? [number(`paper-${field}`, paperValue, digits, 'paper'), number(`paper-error-${field}`, paperError, digits, 'paper')]
+      ? printed
       : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
     return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
   });
@@ -104,11 +107,12 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
     ['Std error', 'What the scatter of the matches leaves uncertain.'],
     ...(total === null ? [] : [['In total', 'The same with what does not average out over the matches: neighbouring ones share errors, since their windows see the same, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
+    ...(ofPaper ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
     ...(truth === null
-      ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][]
+      ? []
       : [['True error', 'Value minus truth, that of by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
   ];
-  const paper = truth === null ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  const paper = ofPaper ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
   return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)))),
     h('tbody', {}, ...rows))), paper);
@@ -167,7 +171,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
       help: 'The last step relative to a millionth of the standard errors: below 1 the adjustment has converged.',
     },
     { name: 'Base b, principal distance', testid: 'base', value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`, help: 'The base component that was fixed gives by and bz their scale.' },
-    { name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' },
+    ...(hasPaperCamera(state) ? [{ name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' }] : []),
   ];
   return facts(list);
 }

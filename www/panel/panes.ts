@@ -56,9 +56,9 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
     unmask.title = given === null ? '' : `Take ${given.name} away`;
     empty.hidden = image !== null;
     const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
-    // Beside the buttons a long one is cut off.
+    // Beside the buttons a long one is cut off, and the size left out where it has no place.
     name.title = image === null ? '' : `${image.name}${size}`;
-    fill(name, name.title);
+    fill(name, h('span', {}, image?.name ?? ''), h('span', {}, size));
   };
   return { element, show };
 }

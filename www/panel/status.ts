@@ -66,9 +66,16 @@ function lineOf(state: State): Line {
   if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
   if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
   if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };
+  const [refused] = Object.values(state.refused);
+  if (refused !== undefined) return { text: refusedText(refused), kind: 'problem' };
   const line = resting(state, wanted, done);
   if (state.notice === null) return line;
   return line.kind === 'done' || line.kind === 'partial' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
+}
+
+/** What is said while a field holds a value that is not allowed. */
+export function refusedText(label: string): string {
+  return `${label}: the value typed is not allowed and not used. Results are of the last valid one.`;
 }
 
 function resting(state: State, wanted: number, done: number): Line {

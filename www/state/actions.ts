@@ -1,7 +1,7 @@
 /** Everything that can happen to the state. */
 import type { Camera, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../engine/wasm';
 import type {
-  Display, GivenImage, GivenMask, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult,
+  Display, GivenImage, GivenMask, Notice, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart,
 } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
@@ -13,6 +13,8 @@ export type Action =
   | { type: 'flight'; flight: Flight }
   | { type: 'swap' }
   | { type: 'settings'; settings: Settings }
+  /** Of the fields of a part of the state, the one of this label holds a value that is not allowed; null where none does. */
+  | { type: 'refused'; part: TypedPart; label: string | null }
   | { type: 'camera'; camera: Camera | null }
   | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
   | { type: 'mask'; side: Side; mask: GivenMask | null }

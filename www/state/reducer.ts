@@ -1,6 +1,6 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
-import { INITIAL } from './state';
+import { INITIAL, TYPED_PARTS } from './state';
 import type { Display, PhotoData, Results, Side, State } from './state';
 
 const NO_DATA: PhotoData = { fiducials: [], origin: null };
@@ -11,10 +11,15 @@ const DEEDS: ReadonlySet<Action['type']> = new Set([
 ]);
 
 export function reduce(state: State, action: Action): State {
-  const next = changed(state, action);
+  const next = withShown(state, changed(state, action));
   // What is busy says itself when it ends.
   const over = DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== 'busy';
   return over ? { ...next, notice: null } : next;
+}
+
+/** Fields show new values in place of what they held. */
+function withShown(state: State, next: State): State {
+  return TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]).reduce((shown, part) => ({ ...shown, refused: without(shown.refused, part) }), next);
 }
 
 function changed(state: State, action: Action): State {
@@ -31,6 +36,8 @@ function changed(state: State, action: Action): State {
       return swapped(state);
     case 'settings':
       return { ...state, settings: action.settings, paused: false };
+    case 'refused':
+      return { ...state, refused: action.label === null ? without(state.refused, action.part) : { ...state.refused, [action.part]: action.label } };
     case 'camera':
       return { ...state, camera: action.camera, paused: false };
     case 'photo':

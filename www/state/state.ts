@@ -156,9 +156,15 @@ export interface Notice {
   text: string;
 }
 
+/** Parts of the state that are typed in fields. */
+export const TYPED_PARTS = ['settings', 'camera', 'photos', 'offset'] as const;
+export type TypedPart = (typeof TYPED_PARTS)[number];
+
 export interface State {
   catalogue: Catalogue | null;
   settings: Settings | null;
+  /** Labels of fields that hold a value that is not allowed; the last valid one is in use. */
+  refused: Readonly<Partial<Record<TypedPart, string>>>;
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
   masks: Record<Side, GivenMask | null>;
@@ -184,6 +190,7 @@ export interface State {
 export const INITIAL: State = {
   catalogue: null,
   settings: null,
+  refused: {},
   images: { left: null, right: null },
   photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
   masks: { left: null, right: null },

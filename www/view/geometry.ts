@@ -53,9 +53,16 @@ export function drawView(t: Transform, clip: Rect): Float64Array {
   return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
 }
 
-/** The view that shows the whole image. */
+/** What the bar with the image's name takes of the top of its pane, as in the style sheet. */
+const HEAD = 40;
+
+/** The view that shows the whole image, in the middle of its pane where the bar over it leaves that free, else below the bar. */
 export function fitView(pane: Rect, width: number, height: number): PaneView {
-  return { x: width / 2, y: height / 2, scale: Math.min(pane.width / width, pane.height / height) };
+  // In a pane hardly higher than the bar there is no place beside it.
+  const head = Math.min(HEAD, pane.height / 4);
+  const scale = Math.min(pane.width / width, (pane.height - head) / height);
+  const top = Math.max(head, (pane.height - scale * height) / 2);
+  return { x: width / 2, y: (pane.height / 2 - top) / scale, scale };
 }
 
 export const MAX_SCALE = 64;

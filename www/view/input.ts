@@ -31,7 +31,8 @@ export class Input {
     host.addEventListener('pointercancel', (event) => { this.presses.delete(event.pointerId); });
     host.addEventListener('pointerleave', () => { view.point(null); });
     host.addEventListener('wheel', (event) => { this.wheel(event); }, { passive: false });
-    host.addEventListener('keydown', (event) => { this.key(event); });
+    // The bar of the view belongs to it: after a press there the keys go on.
+    (host.closest('.stage') ?? host).addEventListener('keydown', (event) => { this.key(event as KeyboardEvent); });
   }
 
   private place(event: MouseEvent): [number, number] {
@@ -96,7 +97,7 @@ export class Input {
   }
 
   private key(event: KeyboardEvent): void {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.target !== this.view.host) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select, .welcome') !== null) return;
     if (this.command(event.key, event.shiftKey ? 4 : 1)) event.preventDefault();
   }
 
