@@ -27,6 +27,8 @@ const HALF_SAMPLES: usize = 150;
 const NEARLY_ALL_SAMPLES: usize = 25;
 /// A map of a plane, or a relative orientation, takes the place of a fundamental matrix where it agrees with two of three of its matches.
 const NEARLY_ALL: [usize; 2] = [2, 3];
+/// Without cameras it does so, too, where it agrees with so many of them although it does not explain the others.
+const DOMINANT: [usize; 2] = [5, 6];
 /// Samples of two points off a plane.
 const OFF_PLANE_SAMPLES: usize = 3000;
 
@@ -53,7 +55,8 @@ const POLISHINGS: usize = 2;
 ///
 /// With both focal lengths it is the relative orientation (five points); with principal points alone the fundamental matrix and, where the
 /// matches determine it, the focal length with the relative orientation; without cameras the fundamental matrix (seven points). Where the
-/// matches need no more than a map of a plane, or a rotation, the result says so: see [`TwoView::degenerate`].
+/// matches need no more than a map of a plane, or a rotation, the result says so: see [`TwoView::degenerate`]; without cameras it is the map
+/// of a plane that five of six of them agree with, too.
 ///
 /// Good matches are those within a threshold. It follows from their own precision and from the number of wrong matches about it, up to
 /// [`TwoViewOptions::largest_threshold_px`], or is given. Residuals see only what lies across the epipolar line.
@@ -302,12 +305,16 @@ pub(super) fn general_or_plane(
         return Ok(with_focal(matches, found, principal));
     };
     let found = beside_plane(matches, field, &plane.model, found);
-    if matches.explains(&plane.model, &found) {
-        let flat = planar(matches, field, principal)?;
-        // Over low relief the map may come near all matches and yet agree with few.
-        if NEARLY_ALL[1] * flat.inliers.len() >= NEARLY_ALL[0] * found.inliers.len() {
-            return Ok(flat);
-        }
+    // Without cameras nothing but relief comes of a fundamental matrix, and strangers along its lines cannot be told from relief.
+    // Over low relief the map may come near all matches and yet agree with few. Without cameras relief serves nothing, and cannot be told
+    // from strangers along the lines.
+    let explains = matches.explains(&plane.model, &found);
+    let [part, of] = if explains { NEARLY_ALL } else { DOMINANT };
+    if (explains || principal.is_none())
+        && let Ok(flat) = planar(matches, field, principal)
+        && of * flat.inliers.len() >= part * found.inliers.len()
+    {
+        return Ok(flat);
     }
     Ok(with_focal(matches, found, principal))
 }
