@@ -677,7 +677,9 @@ export interface ControlPoint {
 }
 
 /**
- * A position that was observed; all of a block are of the same kind.
+ * A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three surveyed points or
+ * more of the other, which alone place the block: then distances between the images are compared with the recorded ones, and it is told
+ * where the surveyed points have another unit.
  */
 export type ObservedPosition = { system: "local"; position: [number, number, number]; sigma: [number, number, number] } | { system: "geographic"; longitude_deg: number; latitude_deg: number; height_m?: number | null; sigma_m: [number, number, number] };
 
@@ -713,7 +715,7 @@ export interface ControlRay {
      */
     image: number;
     /**
-     * Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     * Column and row in px, inside the image; the centre of the top-left pixel is (0.5, 0.5).
      */
     x_px: number;
     y_px: number;
@@ -1678,7 +1680,7 @@ export interface RelativeOrientation extends FiveParameters {
     standard_errors: FiveParameters | null;
     /**
      * The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
-     * share; absent where neither is known.
+     * share. They are no less than the others; absent where neither is known.
      */
     total_standard_errors: FiveParameters | null;
     /**
@@ -2167,6 +2169,10 @@ export interface ExifImage {
      */
     orientation: number | null;
     position: ExifPosition | null;
+    /**
+     * What of the recorded position cannot be and was left out, with its value: all of it, or the height alone.
+     */
+    impossible?: string;
 }
 
 /**
@@ -2549,6 +2555,11 @@ export function camera_rules_of(rules: CameraRule[], names: string[]): Int32Arra
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
 
 /**
+ * Refuses what is known of a block where no block can be so, before its images are matched.
+ */
+export function check_block_description(description: BlockDescription): void;
+
+/**
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
  */
 export function check_flight(flight: Given<Flight>): void;
@@ -2924,6 +2935,7 @@ export interface InitOutput {
     readonly blockscene_truth: (a: number) => any;
     readonly camera_rules_of: (a: any, b: any) => [number, number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+    readonly check_block_description: (a: any) => [number, number];
     readonly check_flight: (a: any) => [number, number];
     readonly choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];

@@ -698,6 +698,17 @@ export function candidates(index, left_points, left_descriptors, right_points, r
 }
 
 /**
+ * Refuses what is known of a block where no block can be so, before its images are matched.
+ * @param {BlockDescription} description
+ */
+export function check_block_description(description) {
+    const ret = wasm.check_block_description(description);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
  * @param {Given<Flight>} flight
  */

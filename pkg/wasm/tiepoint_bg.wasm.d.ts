@@ -33,6 +33,7 @@ export const blockscene_surface_at: (a: number, b: number, c: number, d: number)
 export const blockscene_truth: (a: number) => any;
 export const camera_rules_of: (a: any, b: any) => [number, number, number, number];
 export const candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
+export const check_block_description: (a: any) => [number, number];
 export const check_flight: (a: any) => [number, number];
 export const choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
 export const constant_offset: (a: number, b: number) => [number, number, number];
