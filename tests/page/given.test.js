@@ -58,6 +58,23 @@ test('files are read when they are given, and told by name', { skip: SKIP }, asy
   await close();
 });
 
+test('cameras that are of no image are told: all of them at once, one beside others with the block', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const folder = photoFolder(2);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await status(page, /^2 images/);
+  await give(page, 'cameras', 'cameras.json', '{"cameras": [{"images": "DJI_*", "focal_px": 500}]}');
+  await status(page, /^cameras\.json: the cameras are of no image here: DJI_\*.* The block cannot be run with it\.$/);
+  await give(page, 'cameras', 'cameras.json', '{"cameras": [{"images": "DJI_*", "focal_px": 500}, {"images": "photo_*", "focal_px": 600}]}');
+  await status(page, /^Cameras from cameras\.json\.$/);
+  await part(page, 'block-run').click();
+  await status(page, /^(Done|No image)/);
+  assert.match((await part(page, 'block-remarks').textContent()) ?? '', /the camera of DJI_\* is of none of the images/);
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test('a run that fails leaves the finished block on the page', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block();
   const folder = photoFolder(2);

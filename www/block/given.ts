@@ -1,4 +1,5 @@
 /** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
+import { strayRules } from '../../pkg/block/cameras.js';
 import { describeBlock } from '../../pkg/block/description.js';
 import { masksOf } from '../../pkg/block/masks.js';
 import { parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../../pkg/wasm/tiepoint.js';
@@ -43,7 +44,7 @@ const problems = remember((
       return false;
     }
   };
-  if (cameras !== null) look('cameras', cameras.name, () => parse_camera_rules(cameras.text));
+  if (cameras !== null) look('cameras', cameras.name, () => (files.length > 0 ? strayRules(files.map(({ name }) => name), cameras.text) : parse_camera_rules(cameras.text)));
   const pointsRead = control !== null && look('control', control.name, () => parse_surveyed_points(control.text));
   const marksRead = marks !== null && look('marks', marks.name, () => parse_image_marks(marks.text));
   if (pointsRead && marksRead) look('marks', marks.name, () => { place(files, placing, control.text, marks.text); });

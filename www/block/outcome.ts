@@ -21,7 +21,7 @@ export function viewOfRun(run: BlockRun): BlockView {
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
   const cameras = withLabels(view.cameras, run.cameras);
   const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null, places: run.selection.placesOfImages[i] ?? null }));
-  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, strayMarks: run.strayMarks, found: { points: points.count, rays: points.rays }, refinement: run.refinement?.counts ?? null };
+  const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, strayMarks: run.strayMarks, remarks: run.remarks, found: { points: points.count, rays: points.rays }, refinement: run.refinement?.counts ?? null };
   return withAssembly(whole, assembly, run.assemblyReason);
 }
 
@@ -66,6 +66,7 @@ function viewOf(
     leftOut: [],
     strayMasks: [],
     strayMarks: [],
+    remarks: [],
     cameras: camerasOf(model),
     connections: links,
     groups,

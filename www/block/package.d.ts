@@ -12,6 +12,10 @@ declare module '*/pkg/block/description.js' {
   ): unknown;
 }
 
+declare module '*/pkg/block/cameras.js' {
+  export function strayRules(names: readonly string[], rulesText?: string): string[];
+}
+
 declare module '*/pkg/block/masks.js' {
   export function masksOf(sources: readonly { name: string }[], given: readonly { name: string }[]): unknown;
 }

@@ -28,9 +28,10 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
     leftOut(view),
     strays('Masks of no image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
     strays('Marks in images that are not here', 'block-stray-marks', view.strayMarks, 'not among the images that were read'),
+    listOf('Remarks', 'block-remarks', view.remarks),
     section('Block', 'block-facts', facts(factsOf(view))),
     view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
-    view.weaknesses.length === 0 ? null : section('Weaknesses', 'block-weaknesses', h('ul', {}, ...view.weaknesses.map((text) => h('li', {}, text)))),
+    listOf('Weaknesses', 'block-weaknesses', view.weaknesses),
     notOriented(view),
     section('Points by rays', 'block-by-rays', rayTable(view)),
     section('Cameras', 'block-cameras', cameraTable(view)),
@@ -50,6 +51,10 @@ function partialFacts(view: BlockView): Fact[] {
 function strays(title: string, testid: string, names: readonly string[], why: string): HTMLElement | null {
   if (names.length === 0) return null;
   return section(title, testid, h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: ${why}.`));
+}
+
+function listOf(title: string, testid: string, texts: readonly string[]): HTMLElement | null {
+  return texts.length === 0 ? null : section(title, testid, h('ul', {}, ...texts.map((text) => h('li', {}, text))));
 }
 
 function factsOf(view: BlockView): Fact[] {

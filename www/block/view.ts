@@ -83,6 +83,8 @@ export interface BlockView {
   strayMasks: string[];
   /** Images that marks name and that are not in the block. */
   strayMarks: string[];
+  /** What of cameras and recorded positions is doubtful or was left out, in words. */
+  remarks: string[];
   cameras: ViewCamera[];
   connections: ViewConnection[];
   /** Images that are connected with each other, the largest group first. */
