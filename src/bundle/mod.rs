@@ -22,6 +22,7 @@ mod precision;
 mod reduced;
 mod reliability;
 mod result;
+mod scale;
 mod similarity;
 mod snooping;
 mod solution;
