@@ -9,6 +9,9 @@ const STAGES: Readonly<Record<StageName, string>> = {
   photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', windows: 'Windows of rays', refinement: 'Refinement', orientation: 'Orientation',
 };
 
+/** Stages whose steps are parts of one computation, none that the user counts. */
+const OF_ONE_PIECE: ReadonlySet<StageName> = new Set(['points', 'orientation']);
+
 /** Stages in their order. */
 const NAMES = Object.keys(STAGES) as StageName[];
 
@@ -25,7 +28,7 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
 }
 
 function stage(name: StageName, step: Step): HTMLElement {
-  const line = (...parts: HTMLElement[]) => h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(step)));
+  const line = (...parts: HTMLElement[]) => h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(name, step)));
   if (step.done === step.total) return line();
   const bar = h('progress', { aria: { label: STAGES[name] } });
   bar.max = Math.max(1, step.total);
@@ -34,10 +37,10 @@ function stage(name: StageName, step: Step): HTMLElement {
 }
 
 /** "7 of 12, 3 of them from before; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
-function stepText({ done, total, found, seconds, secondsLeft, name }: Step): string {
+function stepText(stage: StageName, { done, total, found, seconds, secondsLeft, name }: Step): string {
   const goesOn = done < total;
   const parts = [
-    `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} of them from before` : ''}`,
+    OF_ONE_PIECE.has(stage) ? '' : `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} of them from before` : ''}`,
     `${duration(seconds)}${secondsLeft === undefined || !goesOn ? '' : `, about ${duration(secondsLeft)} left`}`,
     goesOn ? (name ?? '') : '',
   ];
@@ -48,7 +51,7 @@ function stepText({ done, total, found, seconds, secondsLeft, name }: Step): str
 export function runText(steps: Steps): string {
   const name = NAMES.findLast((stage) => steps[stage] !== undefined);
   const step = name === undefined ? undefined : steps[name];
-  return name === undefined || step === undefined ? 'Starting …' : `${STAGES[name]}: ${stepText(step)}`;
+  return name === undefined || step === undefined ? 'Starting …' : `${STAGES[name]}: ${stepText(name, step)}`;
 }
 
 export function duration(seconds: number): string {
