@@ -118,7 +118,7 @@ async function pageOf() {
     const text = async (/** @type {string} */ id) => (await part(id).textContent()) ?? '';
     /** @type {Record<string, number>} */
     const stages = {};
-    for (const stage of ['images', 'pairs', 'points', 'orientation']) stages[stage] = Number(/; ([\d.]+) s/.exec(await text(`stage-${stage}`))?.[1]);
+    for (const stage of ['images', 'pairs', 'points', 'orientation']) stages[stage] = Number(/([\d.]+) s/.exec(await text(`stage-${stage}`))?.[1]);
     const ours = { seconds, stages, oriented: Number.parseInt(await text('block-oriented'), 10), rmsePx: Number.parseFloat(await text('block-rmse')), centres: '' };
     await context.close();
     return ours;
