@@ -1,4 +1,4 @@
-//! Simulated blocks beside their truth, kind by kind: `cargo run --release --example block_truth [SEEDS] [--json]`.
+//! Simulated blocks beside their truth, kind by kind: `cargo run --release --example block_truth [SEEDS] [PART OF A KIND'S NAME] [--json]`.
 //!
 //! Tells how many points have only rays that belong together, how many images are oriented, how large errors are beside the standard errors
 //! that are told, and what resolving conflicts keeps that dropping them would lose. With `--json` one object a kind and line.
@@ -19,8 +19,10 @@ const GPS_SIGMA_M: f64 = 0.1;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let seeds = words.iter().find(|word| !word.starts_with("--")).map_or(Ok(10), |word| word.parse())?;
-    for (name, flight) in kinds() {
+    let mut plain = words.iter().filter(|word| !word.starts_with("--"));
+    let seeds = plain.next().map_or(Ok(10), |word| word.parse())?;
+    let wanted = plain.next().map_or("", String::as_str);
+    for (name, flight) in kinds().into_iter().filter(|(name, _)| name.contains(wanted)) {
         let mut sums = Sums::default();
         for seed in 1..=seeds {
             sums.add(&BlockFlight { seed, ..flight.clone() })?;
