@@ -305,9 +305,9 @@ pub(super) fn general_or_plane(
         return Ok(with_focal(matches, found, principal));
     };
     let found = beside_plane(matches, field, &plane.model, found);
-    // Without cameras nothing but relief comes of a fundamental matrix, and strangers along its lines cannot be told from relief.
-    // Over low relief the map may come near all matches and yet agree with few. Without cameras relief serves nothing, and cannot be told
-    // from strangers along the lines.
+    // Over low relief the map may come near all matches and yet agree with few. What lies off a map that does not explain the others is
+    // relief, or strangers along the lines, which only many such matches tell from relief: without cameras, where no orientation is lost
+    // with them, the map of nearly all is the surer answer.
     let explains = matches.explains(&plane.model, &found);
     let [part, of] = if explains { NEARLY_ALL } else { DOMINANT };
     if (explains || principal.is_none())
