@@ -4,41 +4,30 @@
 //! coordinates are in mm, x to the right, y up, origin at the principal point. Angles are in radians inside and in degrees
 //! where a name ends in `_deg`.
 
-mod assembly;
-mod block;
-mod bundle;
+mod adjustment;
 mod camera;
 mod descriptors;
 mod error;
 mod formats;
-mod geometry;
 mod image;
 mod json;
-mod matches;
+mod matching;
 mod math;
 mod orientation;
 mod pair;
 mod parameters;
 mod points;
+mod reconstruction;
 mod report;
 mod simulate;
 mod tables;
 mod text;
+mod tracks;
+mod two_view;
 #[cfg(target_arch = "wasm32")]
 mod wasm;
 
-pub use assembly::{
-    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
-    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
-};
-pub use block::{
-    BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
-    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace,
-    RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints,
-    WindowedRay, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points,
-    sequence_pairs, shared_points,
-};
-pub use bundle::{
+pub use adjustment::{
     Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
     Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
     RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
@@ -57,12 +46,8 @@ pub use formats::{
     ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, csv_field, export_block, parse_camera_rules,
     parse_image_marks, parse_surveyed_points, read_colmap_model, read_project, write_project,
 };
-pub use geometry::{
-    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
-    homography_direct, two_view,
-};
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
-pub use matches::{
+pub use matching::{
     Candidate, DESCRIPTOR_BYTES, Denominator, Described, DescriptorMatch, Descriptors, EpipolarLines, Expectation, Fit, Guide,
     GuidedOptions, Located, Match, MatchCounts, MatchImage, MatchOptions, MatchSet, Nearest, NearestOptions, NearestTable, OffsetField,
     Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, gradient_candidates, guided_matches,
@@ -86,6 +71,10 @@ pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
+pub use reconstruction::{
+    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
+    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+};
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
     BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
@@ -93,6 +82,17 @@ pub use simulate::{
     score_matches, simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
+pub use tracks::{
+    BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
+    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace,
+    RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints,
+    WindowedRay, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points,
+    sequence_pairs, shared_points,
+};
+pub use two_view::{
+    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
+    homography_direct, two_view,
+};
 
 /// The README's example is compiled and run with the tests.
 #[cfg(doctest)]

@@ -3,7 +3,7 @@
 use super::frames::CommonFrame;
 use super::verification::{PairCameras, verify};
 use super::{PairInterior, PairSettings, orient_matches};
-use crate::matches::{refine, verified_set};
+use crate::matching::{refine, verified_set};
 use crate::{
     DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, RelativeOrientation, Strategy,
     TwoView, match_images,

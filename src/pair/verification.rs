@@ -3,8 +3,8 @@
 
 use super::PairInterior;
 use super::frames::CommonFrame;
-use crate::geometry::two_view_from;
-use crate::matches::{square_distance_of, within_parallax_gradient};
+use crate::matching::{square_distance_of, within_parallax_gradient};
+use crate::two_view::two_view_from;
 use crate::{
     DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
     TwoViewOptions, guided_matches, nearest_matches, two_view,

@@ -1,7 +1,7 @@
 //! Multi-ray points of a block: its pairs, its matches, the points and the choice among them.
 
 use super::convert::{JsResult, object, pack, read_options, rows, thrown};
-use crate::block::check_features;
+use crate::tracks::check_features;
 use crate::{
     BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, MultiRayPoints, PairChoice,
     SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points, shared_points,

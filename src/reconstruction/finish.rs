@@ -1,0 +1,237 @@
+//! From a grown model to an adjusted block: all points, those that it is adjusted by, the bundle adjustment, those that are given.
+
+use super::adjusting::CameraPrior;
+use super::choosing::{adjusting_points, given};
+use super::description::BlockDescription;
+use super::frame::Frame;
+use super::growth::Growth;
+use super::net::Net;
+use super::options::AssemblyOptions;
+use super::rays::Rays;
+use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay, UnorientedReason};
+use super::weaknesses::weaknesses;
+use crate::Error;
+use crate::adjustment::{Block, BlockImage, BlockPoint, BundleOptions, BundleResult, ControlPoint, Datum, Ray, adjust_block};
+use crate::tracks::{ImageFeatures, MultiRayPoints};
+
+/// What models are finished with.
+pub(super) struct Material<'a> {
+    pub description: &'a BlockDescription,
+    pub points: &'a MultiRayPoints,
+    pub features: &'a [ImageFeatures<'a>],
+    pub options: &'a AssemblyOptions,
+    pub frame: &'a Frame,
+    pub camera_of: &'a [usize],
+    pub longer_side_px: &'a [f64],
+    pub priors: &'a [CameraPrior],
+    /// The rays of all points, the surveyed ones last; made with the first model.
+    pub all: Option<Rays>,
+}
+
+/// Rays without which an image falls out of the finished block.
+const LEAST_RAYS: usize = 6;
+/// Times that the block is adjusted without an image that it does not determine.
+const WITHOUT: usize = 8;
+/// Standard error of a coordinate in px below which marks weigh no less.
+const LEAST_SIGMA_PX: f64 = 0.01;
+
+/// A finished model, with the reasons why images that were open to it are not in it.
+pub(super) struct Finished {
+    pub model: AssembledModel,
+    pub unoriented: Vec<(usize, UnorientedReason)>,
+}
+
+/// Finishes a model; images of others are not open to it.
+///
+/// # Errors
+/// As [`adjust_block`].
+pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>, is_open: &[bool]) -> Result<Finished, Error> {
+    let rays = material.all.take().unwrap_or_else(|| all_rays(material));
+    let mut net = Net::new(&rays, material.camera_of, material.longer_side_px, grown.cameras.clone(), material.options);
+    (net.limit_px, net.poses) = (grown.limit_px, grown.poses.clone());
+    let mut growth = Growth::new(net, material.options, material.priors, is_open.to_vec());
+    let most_cosine = growth.most_cosine();
+    (0..rays.points()).for_each(|point| {
+        growth.net.intersect(point, most_cosine);
+    });
+    growth.orient_rest();
+    let mut lost = vec![None; is_open.len()];
+    let finished = adjusted(material, &mut growth.net, &mut lost).map(|model| {
+        let left = (0..is_open.len()).filter(|image| is_open[*image] && model.images.binary_search(image).is_err());
+        let reason = |image: usize| lost[image].unwrap_or_else(|| growth.reason(image));
+        Finished { unoriented: left.map(|image| (image, reason(image))).collect(), model }
+    });
+    material.all = Some(rays);
+    finished
+}
+
+/// The rays of all multi-ray points, then of all surveyed ones.
+fn all_rays(material: &Material<'_>) -> Rays {
+    let place = |image: u32, feature: u32| material.features[image as usize].positions[feature as usize].map(f64::from);
+    let of_points =
+        material.points.iter().map(|rays| rays.iter().map(|ray| (ray.image, place(ray.image, ray.feature))).collect::<Vec<_>>());
+    let of_control = material.description.control.iter();
+    let of_control = of_control.map(|control| control.rays.iter().map(|ray| (ray.image as u32, [ray.x_px, ray.y_px])).collect::<Vec<_>>());
+    Rays::new(of_points.chain(of_control), material.description.images.len()).with_surveyed(material.points.len())
+}
+
+/// Adjusts the model, without images that it does not determine; `lost` says of each why it is not in it.
+fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<UnorientedReason>]) -> Result<AssembledModel, Error> {
+    let mut attempt = 0;
+    loop {
+        drop_images(net, LEAST_RAYS, lost);
+        let draft = Draft::new(material, net)?;
+        match draft.adjust(material) {
+            Ok((adjusted, in_system, complaint)) => return given(material, draft.model(material, adjusted, in_system, complaint)),
+            // What an image hangs by may fall in data snooping.
+            Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
+                attempt += 1;
+                let Some(image) = undetermined(&error, &draft.images, net) else { return Err(error) };
+                lost[image] = Some(UnorientedReason::Undetermined { rays: net.accepted_of(image) });
+                net.lose(image);
+            }
+            Err(error) => return Err(error),
+        }
+    }
+}
+
+/// Which of the images of an adjustment its error names, and otherwise the one with fewest rays.
+fn undetermined(error: &Error, images: &[usize], net: &Net<'_>) -> Option<usize> {
+    let weakest = images.iter().copied().min_by_key(|image| net.accepted_of(*image));
+    if let Error::UndeterminedImage { image, .. } = error { images.get(*image).copied().or(weakest) } else { weakest }
+}
+
+/// Takes out images with fewer accepted rays, as long as there are any.
+fn drop_images(net: &mut Net<'_>, least: usize, lost: &mut [Option<UnorientedReason>]) {
+    while let Some(image) = (0..net.poses.len()).find(|image| net.poses[*image].is_some() && net.accepted_of(*image) < least) {
+        lost[image] = Some(UnorientedReason::Lost { rays: net.accepted_of(image) });
+        net.lose(image);
+    }
+}
+
+/// A block before its adjustment, with what its parts are.
+struct Draft {
+    block: Block,
+    images: Vec<usize>,
+    cameras: Vec<usize>,
+    points: Vec<AssembledPoint>,
+    rays: Vec<AssembledRay>,
+    rejected: Vec<RejectedRay>,
+    /// Of a mark beside that of any other ray.
+    mark_weight: f64,
+}
+
+impl Draft {
+    fn new(material: &Material<'_>, net: &Net<'_>) -> Result<Self, Error> {
+        let images: Vec<usize> = (0..net.poses.len()).filter(|image| net.poses[*image].is_some()).collect();
+        let mut cameras: Vec<usize> = images.iter().map(|image| net.camera_of[*image]).collect();
+        cameras.sort_unstable();
+        cameras.dedup();
+        let place = |list: &[usize], index: usize| list.binary_search(&index).unwrap_or_default();
+        let sigma_px = material.options.bundle.sigma0_px.unwrap_or_else(|| net.sigma_px()).max(LEAST_SIGMA_PX);
+        let mark_weight = sigma_px / material.options.mark_sigma_px * (sigma_px / material.options.mark_sigma_px);
+        let mut draft =
+            Self { block: Block::default(), images, cameras, points: Vec::new(), rays: Vec::new(), rejected: Vec::new(), mark_weight };
+        draft.block.cameras = draft.cameras.iter().map(|camera| net.cameras[*camera]).collect();
+        for image in &draft.images {
+            let Some(pose) = net.poses[*image] else { continue };
+            let camera = place(&draft.cameras, net.camera_of[*image]);
+            let gps = material.frame.images[*image];
+            draft.block.images.push(BlockImage { camera, rotation: pose.rotation, position: pose.position, gps });
+        }
+        for point in adjusting_points(material, net)? {
+            draft.add_point(material, net, point);
+        }
+        Ok(draft)
+    }
+
+    /// Adds a point with its rays.
+    fn add_point(&mut self, material: &Material<'_>, net: &Net<'_>, point: usize) {
+        let Some(position) = net.points[point] else { return };
+        let index = self.block.points.len();
+        let multi_ray = material.points.rays(point);
+        let control = point.checked_sub(material.points.len());
+        self.points.push(control.map_or(AssembledPoint::MultiRay(point as u32), AssembledPoint::Control));
+        self.block.points.push(BlockPoint { position });
+        if let Some(control) = control {
+            let (position, sigma) = material.frame.control[control];
+            self.block.control.push(ControlPoint { point: index, position, sigma });
+        }
+        for (k, ray) in net.rays.of_point(point).enumerate() {
+            let Ok(image) = self.images.binary_search(&(net.rays.image[ray] as usize)) else { continue };
+            let [x_px, y_px] = net.rays.at[ray];
+            if net.accepted[ray] {
+                let weight = if control.is_some() { self.mark_weight } else { 1.0 };
+                self.block.rays.push(Ray { image, point: index, x_px, y_px, weight });
+                let known = multi_ray.get(k);
+                self.rays.push(AssembledRay { feature: known.map(|r| r.feature), confidence: known.map_or(1.0, |r| r.confidence) });
+            } else {
+                self.rejected.push(RejectedRay { image, point: index, x_px, y_px, residual_px: net.residual(ray) });
+            }
+        }
+    }
+
+    /// Adjusts in the datum that was asked for, or in the best that the observed positions allow; tells whether it lies in their system, and
+    /// why not, where it should.
+    fn adjust(&self, material: &Material<'_>) -> Result<(BundleResult, bool, Option<String>), Error> {
+        let options = material.options;
+        let with = |datum: Datum| adjust_block(&self.block, &BundleOptions { datum, ..options.bundle.clone() });
+        if let Some(datum) = options.datum {
+            return with(datum).map(|adjusted| (adjusted, datum != Datum::Free, None));
+        }
+        let gps = self.block.images.iter().filter(|image| image.gps.is_some()).count();
+        let control = self.block.control.len();
+        let datum = match (gps >= 3, control >= 3) {
+            (true, _) if control > 0 => Datum::GpsAndControl,
+            (true, _) => Datum::Gps,
+            (false, true) => Datum::Control,
+            (false, false) => Datum::Free,
+        };
+        match with(datum) {
+            Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
+            Err(Error::Degenerate { what: "the datum", reason }) => with(Datum::Free).map(|adjusted| (adjusted, false, Some(reason))),
+            // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end. Wrong ones pull images
+            // off their rays.
+            Err(error @ (Error::NotConverged { .. } | Error::Degenerate { .. } | Error::UndeterminedImage { .. }))
+                if datum != Datum::Free =>
+            {
+                with(Datum::Free).map(|adjusted| (adjusted, false, Some(error.to_string())))
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    fn model(self, material: &Material<'_>, adjusted: BundleResult, in_system: bool, complaint: Option<String>) -> AssembledModel {
+        let guessed = |camera: &usize| material.description.cameras[*camera].focal_px.is_none();
+        let mut model = AssembledModel {
+            guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
+            images: self.images,
+            cameras: self.cameras,
+            points: self.points,
+            rays: self.rays,
+            rejected: self.rejected,
+            adjusted,
+            in_system,
+            weaknesses: Vec::new(),
+        };
+        model.weaknesses = weaknesses(&model, material.description, material.frame, complaint);
+        model
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {
+        let rays = Rays::new([[0, 2], [0, 2], [0, 3]].iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 4);
+        let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &AssemblyOptions::default());
+        net.accepted.iter_mut().for_each(|accepted| *accepted = true);
+        let images = [0, 2, 3];
+        let named = Error::UndeterminedImage { what: "the bundle adjustment", image: 1, reason: String::new() };
+        assert_eq!(undetermined(&named, &images, &net), Some(2));
+        let unnamed = Error::Degenerate { what: "the bundle adjustment", reason: String::new() };
+        assert_eq!(undetermined(&unnamed, &images, &net), Some(3));
+    }
+}

@@ -1,0 +1,171 @@
+//! The system of the observed positions: Cartesian, in m.
+
+use super::description::{BlockDescription, ObservedPosition};
+use crate::Error;
+use crate::adjustment::PositionPrior;
+use crate::formats::GeographicOrigin;
+use crate::math::{local_from_geographic, median};
+
+/// Observed positions in one Cartesian system.
+pub(super) struct Frame {
+    pub images: Vec<Option<PositionPrior>>,
+    /// Positions of surveyed points with their standard errors.
+    pub control: Vec<([f64; 3], [f64; 3])>,
+    /// Where (0, 0, 0) is, for geographic positions.
+    pub origin: Option<GeographicOrigin>,
+    /// Positions of images that are of another system than the surveyed points: distances between them are compared, nothing more. Absent
+    /// standard errors are those of coordinates that were not recorded.
+    pub recorded: Vec<Option<PositionPrior>>,
+    /// Whether heights that were not recorded are taken as nearly the same, since those that were do not level the block.
+    pub is_levelled: bool,
+}
+
+/// Fewer heights do not level a block.
+const LEVELLING: usize = 3;
+/// Standard error in m of a height of which nothing is known but that the flight was about level.
+const LEVEL_SIGMA_M: f64 = 100.0;
+
+/// Surveyed points from which on they place a block by themselves.
+const PLACING: usize = 3;
+
+impl Frame {
+    /// Geographic positions are taken into a system that touches the earth in the middle of most of them. Where those of the images are of
+    /// another kind than those of surveyed points, the surveyed points alone give the system.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for local and geographic positions of images, or of surveyed points, and for different kinds of both where the
+    /// surveyed points are too few to place the block.
+    pub fn new(description: &BlockDescription) -> Result<Self, Error> {
+        let of_images: Vec<ObservedPosition> = description.images.iter().filter_map(|image| image.position).collect();
+        let of_control: Vec<ObservedPosition> = description.control.iter().map(|control| control.position).collect();
+        let are_apart = of_control.len() >= PLACING
+            && matches!((is_geographic(&of_images), is_geographic(&of_control)), (Some(images), Some(control)) if images != control);
+        let (placing, apart) = if are_apart { (of_control, of_images) } else { ([of_images, of_control].concat(), Vec::new()) };
+        let (system, recording) = (System::of(&placing)?, System::of(&apart)?);
+        let of_image = |system: &System, is_wanted: bool| {
+            description.images.iter().map(|image| image.position.as_ref().filter(|_| is_wanted).map(|p| system.prior(p))).collect()
+        };
+        let surveyed = |position: &ObservedPosition| {
+            let PositionPrior { position, sigma } = system.prior(position);
+            (position, sigma.map(|sigma| sigma.unwrap_or(LEVEL_SIGMA_M)))
+        };
+        Ok(Self {
+            images: of_image(&system, !are_apart),
+            recorded: of_image(&recording, are_apart),
+            control: description.control.iter().map(|control| surveyed(&control.position)).collect(),
+            origin: system.origin.map(|[longitude_deg, latitude_deg, height_m]| GeographicOrigin { longitude_deg, latitude_deg, height_m }),
+            is_levelled: system.is_levelled,
+        })
+    }
+}
+
+/// Whether positions are geographic; `None` where there are none or of both kinds.
+fn is_geographic(positions: &[ObservedPosition]) -> Option<bool> {
+    let first = place(positions.first()?).is_some();
+    positions.iter().all(|position| place(position).is_some() == first).then_some(first)
+}
+
+/// The Cartesian system of some observed positions.
+struct System {
+    origin: Option<[f64; 3]>,
+    is_levelled: bool,
+}
+
+impl System {
+    fn of(positions: &[ObservedPosition]) -> Result<Self, Error> {
+        let places: Vec<Place> = positions.iter().filter_map(place).collect();
+        if !places.is_empty() && places.len() < positions.len() {
+            let got = format!("{} geographic and {} local ones", places.len(), positions.len() - places.len());
+            let allowed =
+                format!("either all local or all geographic, or those of images alone and those of {PLACING} or more surveyed points");
+            return Err(Error::InvalidInput { what: "observed positions", got, allowed });
+        }
+        let heights = places.iter().filter(|place| place.height.is_some()).count();
+        Ok(Self { origin: middle(&places), is_levelled: heights < LEVELLING && heights < places.len() })
+    }
+
+    fn prior(&self, position: &ObservedPosition) -> PositionPrior {
+        match *position {
+            ObservedPosition::Local { position, sigma } => PositionPrior { position, sigma: sigma.map(Some) },
+            ObservedPosition::Geographic { height_m, sigma_m: [east, north, up], .. } => {
+                let up = if height_m.is_some() { Some(up) } else { self.is_levelled.then_some(LEVEL_SIGMA_M) };
+                let local = |(Place { longitude, latitude, height }, origin): (Place, [f64; 3])| {
+                    local_from_geographic([longitude, latitude, height.unwrap_or(origin[2])], origin)
+                };
+                let position = place(position).zip(self.origin).map_or([0.0; 3], local);
+                PositionPrior { position, sigma: [Some(east), Some(north), up] }
+            }
+        }
+    }
+}
+
+/// A geographic position in degrees and m.
+#[derive(Debug, Clone, Copy)]
+struct Place {
+    longitude: f64,
+    latitude: f64,
+    height: Option<f64>,
+}
+
+fn place(position: &ObservedPosition) -> Option<Place> {
+    match *position {
+        ObservedPosition::Local { .. } => None,
+        ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, .. } => {
+            Some(Place { longitude: longitude_deg, latitude: latitude_deg, height: height_m })
+        }
+    }
+}
+
+/// The medians, which a few positions far from all others do not move; the height is 0 where none is known. Longitudes count from that of
+/// the median direction, so that a block across the date line has its middle there.
+fn middle(places: &[Place]) -> Option<[f64; 3]> {
+    let median_of = |value: &dyn Fn(&Place) -> Option<f64>| median(&mut places.iter().filter_map(value).collect::<Vec<f64>>());
+    let [sine, cosine] = [libm::sin, libm::cos].map(|f| median_of(&|p| Some(f(p.longitude.to_radians()))));
+    let from = libm::atan2(sine?, cosine?).to_degrees();
+    let longitude = from + median_of(&|p| Some(wrapped(p.longitude - from)))?;
+    Some([wrapped(longitude), median_of(&|p| Some(p.latitude))?, median_of(&|p| p.height).unwrap_or(0.0)])
+}
+
+/// A longitude between -180° and 180°.
+fn wrapped(longitude: f64) -> f64 {
+    if longitude > 180.0 {
+        longitude - 360.0
+    } else if longitude < -180.0 {
+        longitude + 360.0
+    } else {
+        longitude
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(longitude: f64, latitude: f64, height: Option<f64>) -> Place {
+        Place { longitude, latitude, height }
+    }
+
+    #[test]
+    fn a_block_across_the_date_line_has_its_middle_there() {
+        let [longitude, latitude, height] = middle(&[at(179.9, 10.0, Some(5.0)), at(-179.8, 10.2, Some(7.0))]).unwrap();
+        assert!((longitude + 179.95).abs() < 1e-9 && (latitude - 10.1).abs() < 1e-9 && height == 6.0);
+        assert!(middle(&[]).is_none());
+    }
+
+    #[test]
+    fn neither_a_position_without_a_fix_nor_one_without_a_height_moves_the_middle() {
+        let places = [
+            at(0.0, 0.0, Some(0.0)),
+            at(8.0, 50.0, Some(400.0)),
+            at(8.1, 50.1, None),
+            at(8.2, 50.2, Some(402.0)),
+            at(8.3, 50.3, Some(404.0)),
+        ];
+        let [longitude, latitude, height] = middle(&places).unwrap();
+        assert!(
+            (longitude - 8.1).abs() < 1e-9 && (latitude - 50.1).abs() < 1e-9 && (height - 401.0).abs() < 1e-9,
+            "{longitude} {latitude} {height}"
+        );
+        assert_eq!(middle(&[at(8.0, 50.0, None)]).unwrap()[2], 0.0);
+    }
+}

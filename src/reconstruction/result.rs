@@ -1,0 +1,106 @@
+//! What the assembly of a block gives.
+
+use crate::adjustment::BundleResult;
+use crate::formats::GeographicOrigin;
+use serde::{Deserialize, Serialize};
+
+/// The models of a block, the one with most images first, and the images that are in none.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Assembly {
+    pub models: Vec<AssembledModel>,
+    pub unoriented: Vec<UnorientedImage>,
+    /// Where (0, 0, 0) of the models that lie in the system of geographic positions is.
+    pub origin: Option<GeographicOrigin>,
+}
+
+/// A model: images that are oriented to each other, adjusted.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AssembledModel {
+    /// The image of the block that each image of the adjusted one is, ascending.
+    pub images: Vec<usize>,
+    /// The camera of the block that each camera of the adjusted one is, ascending.
+    pub cameras: Vec<usize>,
+    /// Cameras of the block whose focal length was not known.
+    pub guessed_focal: Vec<usize>,
+    /// What each point of the adjusted block is.
+    pub points: Vec<AssembledPoint>,
+    /// What each ray of the adjusted block is.
+    pub rays: Vec<AssembledRay>,
+    /// Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
+    pub rejected: Vec<RejectedRay>,
+    pub adjusted: BundleResult,
+    /// Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
+    pub in_system: bool,
+    /// What is weak about it, in words.
+    pub weaknesses: Vec<String>,
+}
+
+/// What a point of an adjusted block is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum AssembledPoint {
+    /// Index of a multi-ray point.
+    MultiRay(u32),
+    /// Index of a surveyed point.
+    Control(usize),
+}
+
+/// What a ray of an adjusted block is.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AssembledRay {
+    /// Index of the feature in its image; absent for a ray to a surveyed point.
+    pub feature: Option<u32>,
+    /// Probability, 0..1, that it belongs to its point, as the matches have it.
+    pub confidence: f32,
+}
+
+/// A ray that does not fit to its point.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RejectedRay {
+    /// Index of the image in the adjusted block.
+    pub image: usize,
+    /// Index of the point in the adjusted block.
+    pub point: usize,
+    /// Column and row in px.
+    pub x_px: f64,
+    pub y_px: f64,
+    /// Length of its residual before the bundle adjustment in px; absent where the point lies behind the image.
+    pub residual_px: Option<f64>,
+}
+
+/// An image that is in no model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct UnorientedImage {
+    /// Index of the image.
+    pub image: usize,
+    pub reason: UnorientedReason,
+    /// The same in words.
+    pub text: String,
+}
+
+/// Why an image is not oriented.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum UnorientedReason {
+    /// It has no multi-ray points at all.
+    NoPoints,
+    /// Too few of its points were intersected by oriented images.
+    TooFewPoints { points: usize, needed: usize },
+    /// Too few of its rays agree on one orientation.
+    NoAgreement { agreeing: usize, points: usize, needed: usize },
+    /// The rays that agree lie on a line or in one spot of the image.
+    Narrow { agreeing: usize },
+    /// No second image has enough points in common with it from a place far enough away.
+    NoPartner,
+    /// It was oriented, and then lost nearly all of its rays.
+    Lost { rays: usize },
+    /// It was oriented, and the rays it had left did not determine its orientation in the bundle adjustment.
+    Undetermined { rays: usize },
+}
