@@ -26,7 +26,7 @@ const SIGMAS: f64 = 6.0;
 ///
 /// # Source
 /// Rousseeuw 1984, Least median of squares regression.
-pub(super) fn consensus(pairs: &[Pair]) -> Option<(Similarity, Vec<bool>)> {
+pub(super) fn robust_similarity(pairs: &[Pair]) -> Option<(Similarity, Vec<bool>)> {
     let mut similarity = best_of_three(pairs)?;
     let mut agree = vec![true; pairs.len()];
     // Of three the errors are in the similarity; of all that agree, they hardly are.
@@ -102,7 +102,7 @@ mod tests {
             for k in 0..wrong {
                 pairs[2 * k + 1].to[k % 3] += [5e6, 300.0, -3000.0][k % 3];
             }
-            let (found, agree) = consensus(&pairs).unwrap();
+            let (found, agree) = robust_similarity(&pairs).unwrap();
             assert_eq!(agree.iter().filter(|agrees| !**agrees).count(), wrong, "{n}");
             assert!((0..wrong).all(|k| !agree[2 * k + 1]));
             let (a, b) = (found.point(&[3.0, 4.0, 0.0]), wanted.point(&[3.0, 4.0, 0.0]));
@@ -112,7 +112,7 @@ mod tests {
 
     #[test]
     fn positions_without_extent_give_none() {
-        assert!(consensus(&[Pair { from: [1.0; 3], to: [2.0; 3], sigma: 1.0 }; 3]).is_none());
-        assert!(consensus(&[]).is_none());
+        assert!(robust_similarity(&[Pair { from: [1.0; 3], to: [2.0; 3], sigma: 1.0 }; 3]).is_none());
+        assert!(robust_similarity(&[]).is_none());
     }
 }

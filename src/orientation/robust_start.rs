@@ -4,7 +4,7 @@ use super::coplanarity::{Pose, Ray, Unknowns};
 use super::field::Field;
 use super::five_point::five_point;
 use super::normals::Normals;
-use crate::math::{BLOCK, Candidate, Problem, Search, consensus as search_consensus, median, smallest};
+use crate::math::{BLOCK, Candidate, Problem, Search, consensus, median, smallest};
 use nalgebra::Matrix3;
 use std::ops::Range;
 
@@ -32,7 +32,7 @@ const BEHIND: f64 = 101.0;
 /// The scale is a low quantile of the distances of the best pose so far. A pose is refined by reweighted least squares. The vertical pair,
 /// refined in the same way, is the first candidate, and only a clearly lower cost displaces a candidate: over flat ground two different
 /// poses fit the same observations.
-pub(super) fn consensus(rays: &[Ray], seed: u32) -> Consensus {
+pub(super) fn robust_start(rays: &[Ray], seed: u32) -> Consensus {
     let field = Field::new(rays, seed);
     let poses = Poses { field: &field, scale: &quantile_scale };
     let vertical = Pose::vertical(median_parallax(rays));
@@ -47,7 +47,7 @@ pub(super) fn consensus(rays: &[Ray], seed: u32) -> Consensus {
         margin: (0.1 * rays.len() as f64).min(5.0),
         scale: first.scale,
     };
-    let best = search_consensus(&poses, Some(first), &search).unwrap_or(first);
+    let best = consensus(&poses, Some(first), &search).unwrap_or(first);
     poses.improved(&best, field.rays.len())
 }
 
