@@ -68,17 +68,21 @@ async function typeChecks(steps) {
     void (await must(process.execPath, [join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
+  await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
 }
 
 /** @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
 async function nodeTests(steps, group, name, env) {
-  await steps.check(group, name, async () => {
-    const folder = join(ROOT, 'tests', group);
-    const files = readdirSync(folder).filter((file) => file.endsWith('.test.js')).sort().map((file) => join(folder, file));
-    const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
-    console.log(code === 0 ? output.split('\n').filter((line) => /^# \w+ \d|# SKIP/.test(line)).join('\n') : output);
-    return tapCounts(output, code);
-  });
+  const folder = join(ROOT, 'tests', group);
+  const files = readdirSync(folder).filter((file) => file.endsWith('.test.js')).sort().map((file) => join(folder, file));
+  await steps.check(group, name, () => nodeTest(files, env));
+}
+
+/** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
+async function nodeTest(files, env = {}) {
+  const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
+  console.log(code === 0 ? output.split('\n').filter((line) => /^# \w+ \d|# SKIP/.test(line)).join('\n') : output);
+  return tapCounts(output, code);
 }
 
 async function main() {

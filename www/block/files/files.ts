@@ -1,7 +1,7 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import { Cancelled } from '../../shared/engine/client';
 import { sentence } from '../../shared/text/format';
-import type { BlockFile } from '../engine/calls';
+import type { BlockFile } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import type { GivenText } from '../state/given';

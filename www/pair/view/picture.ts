@@ -1,5 +1,5 @@
 /** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
-import type { MaskImage, Overview } from '../engine/calls';
+import type { MaskImage, Overview } from '../state/data';
 import type { Rect, Transform } from './geometry';
 import { toImage } from './geometry';
 import { TILE_SIDE } from './tilecache';
