@@ -9,11 +9,11 @@ use super::datum::{Weighted, held_images, moved_onto, moved_to_observed, observe
 use super::loss::Robust;
 use super::misplaced::placed_now;
 use super::network::{Columns, Network};
-use super::options::{BundleOptions, Datum, Loss};
+use super::options::{AdjustmentOptions, Datum, Loss};
 use super::precision::Orientations;
 use super::reduced::Problem;
 use super::reliability::{Judged, of_position};
-use super::result::{CameraParameter, FixedParameter, RayVerdict};
+use super::result::{CameraParameter, FixedParameter, ObservationVerdict};
 use super::scale::sigma_by_median;
 use super::solution::{Factored, Singular};
 use super::sparse::Pattern;
@@ -58,7 +58,7 @@ const WEIGHTS: &str = "the weight of the observed positions";
 pub(super) struct Settled {
     pub adjusted: Adjusted,
     pub statistics: Option<Statistics>,
-    pub verdicts: Vec<RayVerdict>,
+    pub verdicts: Vec<ObservationVerdict>,
     pub columns: Columns,
     pub fixed: Vec<Vec<FixedParameter>>,
     pub redundancy: usize,
@@ -73,8 +73,8 @@ pub(super) struct Settled {
 /// What changes from round to round.
 struct Course<'a> {
     block: &'a Block,
-    options: &'a BundleOptions,
-    verdicts: Vec<RayVerdict>,
+    options: &'a AdjustmentOptions,
+    verdicts: Vec<ObservationVerdict>,
     free: Vec<[bool; CAMERA_PARAMETERS]>,
     fixed: Vec<Vec<FixedParameter>>,
     /// Whether the GPS position of each image takes part.
@@ -102,7 +102,7 @@ struct Course<'a> {
 ///
 /// # Errors
 /// Those of [`adjust_block`](crate::adjust_block), but for what its input alone tells.
-pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, Error> {
+pub(super) fn settle(block: &Block, options: &AdjustmentOptions) -> Result<Settled, Error> {
     let start = State::of(block);
     let verdicts = block.rays.iter().map(|ray| in_front(&start, ray.image, ray.point)).collect();
     let free = block.cameras.iter().map(free_of).collect();
@@ -127,7 +127,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
         orientations: None,
     };
     course.lose_points();
-    course.rays_at_start = course.verdicts.iter().filter(|v| **v == RayVerdict::Accepted).count();
+    course.rays_at_start = course.verdicts.iter().filter(|v| **v == ObservationVerdict::Accepted).count();
     if options.datum != Datum::Free {
         let network = course.network()?;
         (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
@@ -171,14 +171,14 @@ enum Outcome {
 }
 
 /// The verdict of a point's place alone.
-fn in_front(state: &State, image: usize, point: usize) -> RayVerdict {
+fn in_front(state: &State, image: usize, point: usize) -> ObservationVerdict {
     let [_, _, w] = in_photo(&state.images[image], &state.points[point]);
-    if w < 0.0 { RayVerdict::Accepted } else { RayVerdict::Behind }
+    if w < 0.0 { ObservationVerdict::Accepted } else { ObservationVerdict::Behind }
 }
 
 impl Course<'_> {
     fn network(&mut self) -> Result<Network, Error> {
-        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == RayVerdict::Accepted).collect();
+        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == ObservationVerdict::Accepted).collect();
         let network = Network::new(self.block, &accepted, self.pattern.as_ref());
         if !self.pattern.as_ref().is_some_and(|pattern| Rc::ptr_eq(pattern, &network.pattern)) {
             self.pattern = Some(network.pattern.clone());
@@ -295,7 +295,7 @@ impl Course<'_> {
 
     /// How many fewer rays than before are accepted.
     fn rejected_of(&self, accepted: usize) -> usize {
-        accepted.saturating_sub(self.verdicts.iter().filter(|v| **v == RayVerdict::Accepted).count())
+        accepted.saturating_sub(self.verdicts.iter().filter(|v| **v == ObservationVerdict::Accepted).count())
     }
 
     /// Snoops by the cofactors that an earlier round left, as long as the loss is the same; whether that settles what to do next. What they
@@ -331,13 +331,13 @@ impl Course<'_> {
         for (ray, size) in sizes.enumerate() {
             let Some(size) = size else { continue };
             match before[ray] {
-                RayVerdict::Accepted if size > limit => {
+                ObservationVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];
                     if worst.is_none_or(|(_, other)| size > other) {
                         *worst = Some((ray, size));
                     }
                 }
-                RayVerdict::GrossError if size <= limit => fitting.push(ray),
+                ObservationVerdict::GrossError if size <= limit => fitting.push(ray),
                 _ => {}
             }
         }
@@ -348,7 +348,7 @@ impl Course<'_> {
                 self.verdicts[ray] = in_front(&self.state, self.block.rays[ray].image, self.block.rays[ray].point);
             }
         }
-        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);
+        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = ObservationVerdict::GrossError);
         self.lose_points();
         self.verdicts != before
     }
@@ -383,13 +383,13 @@ impl Course<'_> {
     fn drop_impossible(&mut self, problem: &Problem<'_>, robust: Robust) -> bool {
         let before = self.verdicts.clone();
         for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
-            if *verdict == RayVerdict::Accepted {
+            if *verdict == ObservationVerdict::Accepted {
                 *verdict = in_front(&self.state, ray.image, ray.point);
             }
         }
         for point in problem.undetermined_points(&self.state, robust) {
             for sight in problem.network.of_point(point) {
-                self.verdicts[sight.ray as usize] = RayVerdict::LostPoint;
+                self.verdicts[sight.ray as usize] = ObservationVerdict::LostPoint;
             }
         }
         self.lose_points();
@@ -399,7 +399,7 @@ impl Course<'_> {
     /// Points with fewer than two accepted rays take no part; a surveyed position that the datum uses counts as one.
     fn lose_points(&mut self) {
         let mut rays = vec![0_usize; self.block.points.len()];
-        let accepted = |verdict: &RayVerdict| *verdict == RayVerdict::Accepted;
+        let accepted = |verdict: &ObservationVerdict| *verdict == ObservationVerdict::Accepted;
         for (ray, _) in self.block.rays.iter().zip(&self.verdicts).filter(|(_, v)| accepted(v)) {
             rays[ray.point] += 1;
         }
@@ -408,7 +408,7 @@ impl Course<'_> {
         }
         for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
             if accepted(verdict) && rays[ray.point] < 2 {
-                *verdict = RayVerdict::LostPoint;
+                *verdict = ObservationVerdict::LostPoint;
             }
         }
     }
