@@ -94,7 +94,7 @@ pub use two_view::{
     homography_direct, two_view,
 };
 
-/// The README's example is compiled and run with the tests.
+/// The example of the documentation is compiled and run with the tests.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[doc = include_str!("../docs/rust.md")]
+struct Guide;
