@@ -1,7 +1,7 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors of rays; `consensus` and `misplaced`: of positions) → [`BundleResult`].
+//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors of rays; `robust_similarity` and `misplaced`: of positions) → [`BundleResult`].
 
 mod adjust;
 mod adjustment;
@@ -9,7 +9,6 @@ mod block;
 mod calibration;
 mod check;
 mod collinearity;
-mod consensus;
 mod datum;
 mod gradients;
 mod loss;
@@ -22,6 +21,7 @@ mod precision;
 mod reduced;
 mod reliability;
 mod result;
+mod robust_similarity;
 mod scale;
 mod similarity;
 mod snooping;
