@@ -16,6 +16,7 @@ mod math;
 mod orientation;
 mod pair;
 mod parameters;
+mod pipeline;
 mod points;
 mod reconstruction;
 mod report;
@@ -67,6 +68,7 @@ pub use parameters::{
     ADJUSTMENT_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
     NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
+pub use pipeline::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
@@ -84,8 +86,8 @@ pub use simulate::{
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{
     BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, FeatureObservation,
-    GeoreferencingOptions, ImageFeatures, JoinCounts, MatchReliability, ObservationWindow, ObservationWindows, PairChoice, PairOutcome,
-    PairRule, PointRefiner, RefinedObservation, RefinedPoint, RefinementMethod, RefinementOptions, RefinementOutcome, SelectOptions,
+    GeoreferencingOptions, ImageFeatures, JoinCounts, MatchReliability, ObservationRefinement, ObservationWindow, ObservationWindows,
+    PairChoice, PairOutcome, PairRule, PointRefiner, RefinedPoint, RefinementMethod, RefinementOptions, RefinementOutcome, SelectOptions,
     SelectedPoints, SharedPoints, TiePoints, WindowCentre, WindowedObservation, alike_pairs, all_pairs, choose_pairs, merge_pairs,
     near_pairs, observation_windows, select_points, sequence_pairs, shared_points, tie_points,
 };
@@ -94,7 +96,7 @@ pub use two_view::{
     homography_direct, two_view,
 };
 
-/// The README's example is compiled and run with the tests.
+/// The example of the documentation is compiled and run with the tests.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[doc = include_str!("../docs/rust.md")]
+struct Guide;

@@ -1,7 +1,7 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors of rays; `robust_similarity` and `misplaced`: of positions) → [`AdjustmentResult`].
+//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
 
 mod adjust;
 mod adjustment;
@@ -12,7 +12,6 @@ mod collinearity;
 mod datum;
 mod gradients;
 mod loss;
-mod misplaced;
 mod model;
 mod network;
 mod options;

@@ -32,7 +32,7 @@ pub(crate) use places::check as check_features;
 pub use placing::GeoreferencingOptions;
 pub use points::{FeatureObservation, TiePoints};
 pub use refinement::{
-    ObservationWindow, ObservationWindows, PointRefiner, RefinedObservation, RefinedPoint, RefinementMethod, RefinementOptions,
+    ObservationRefinement, ObservationWindow, ObservationWindows, PointRefiner, RefinedPoint, RefinementMethod, RefinementOptions,
     RefinementOutcome, WindowCentre, WindowedObservation, observation_windows,
 };
 pub use selection::{SelectedPoints, select_points};

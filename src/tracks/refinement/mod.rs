@@ -9,6 +9,6 @@ mod reference;
 mod windows;
 
 pub use options::{RefinementMethod, RefinementOptions};
-pub use outcome::{RefinedObservation, RefinedPoint, RefinementOutcome};
+pub use outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
 pub use point::{PointRefiner, WindowedObservation};
 pub use windows::{ObservationWindow, ObservationWindows, WindowCentre, observation_windows};

@@ -54,7 +54,7 @@ impl From<Refusal> for RefinementOutcome {
 
 /// A ray after the refinement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RefinedObservation {
+pub struct ObservationRefinement {
     pub outcome: RefinementOutcome,
     /// Where the ray is now, in px: moved only where it was refined.
     pub position: [f64; 2],
@@ -70,5 +70,5 @@ pub struct RefinedPoint {
     /// Index of the ray to which the others were matched.
     pub reference: usize,
     /// In the order in which they were given.
-    pub rays: Vec<RefinedObservation>,
+    pub rays: Vec<ObservationRefinement>,
 }

@@ -1,7 +1,7 @@
 //! One point: its reference ray, and the other rays matched to it.
 
 use super::RefinementOptions;
-use super::outcome::{RefinedObservation, RefinedPoint, RefinementOutcome};
+use super::outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
 use super::reference::references;
 use super::windows::{ObservationWindow, WindowCentre};
 use crate::Error;
@@ -98,12 +98,12 @@ impl PointRefiner {
 
     fn refine_to(&mut self, reference: usize, rays: &[WindowedObservation<'_>]) -> RefinedPoint {
         let refined = |(index, ray): (usize, &WindowedObservation<'_>)| {
-            let at = |outcome| RefinedObservation { outcome, position: ray.place.position, standard_error_px: None, correlation: None };
+            let at = |outcome| ObservationRefinement { outcome, position: ray.place.position, standard_error_px: None, correlation: None };
             if index == reference {
                 return at(RefinementOutcome::Reference);
             }
             match self.matched(&rays[reference], ray) {
-                Ok(found) => RefinedObservation {
+                Ok(found) => ObservationRefinement {
                     outcome: RefinementOutcome::Refined,
                     position: found.position,
                     standard_error_px: Some(found.standard_error_px),
