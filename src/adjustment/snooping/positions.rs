@@ -1,6 +1,12 @@
 //! Data snooping of GPS positions: which lie too far from where all other observations have their images.
 
-use super::result::PriorStatistics;
+use super::course::Course;
+use super::rays::FREE_ROUNDS;
+use crate::adjustment::adjustment::LEAST_SIGMA_PX;
+use crate::adjustment::datum::{Weighted, observed};
+use crate::adjustment::reliability::of_position;
+use crate::adjustment::result::PriorStatistics;
+use crate::adjustment::statistics::Statistics;
 use crate::math::{median, normal_median_within};
 
 /// Positions, surveyed points included, that have to be left: fewer do not tell which of them is wrong.
@@ -8,19 +14,44 @@ const LEAST_LEFT: usize = 4;
 /// A wrong position pulls at its neighbours: of those beyond the limit only the ones with this share of the largest test are refused at a time.
 const NEAR_WORST: f64 = 0.7;
 
+/// No more than this share of the positions that agree at the start are refused later, or none.
+const MANY_WRONG: f64 = 0.15;
+
+impl Course<'_> {
+    /// Refuses GPS positions that lie too far off and takes back those that no longer do; whether there were any.
+    pub fn snoop_positions(&mut self, statistics: &Statistics, weighted_by: f64, calm_rounds: usize) -> bool {
+        if self.keeps_agreed {
+            return false;
+        }
+        let (gps, control) = observed(self.block, self.options.datum, weighted_by);
+        let sigma = self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX);
+        let judge = |(image, prior): (usize, &Option<Weighted>)| {
+            let at = &self.state.images[image].position;
+            prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), sigma, self.placed[image]))
+        };
+        let judged: Vec<_> = gps.iter().enumerate().map(judge).collect();
+        let surveyed = control.iter().flatten().count();
+        let now = placed_now(&judged, &self.placed, surveyed, self.options.limit(), calm_rounds < FREE_ROUNDS);
+        // A block that contradicts many positions is wrong itself, in cameras that it does not determine say.
+        let refused = now.iter().zip(&self.agreed).filter(|(now, agreed)| **agreed && !**now).count();
+        self.keeps_agreed = refused as f64 > MANY_WRONG * judged.iter().flatten().count() as f64;
+        let now = if self.keeps_agreed { self.agreed.clone() } else { now };
+        let changed = now != self.placed;
+        if changed {
+            self.placed = now;
+            self.forget();
+        }
+        changed
+    }
+}
+
 /// Which positions take part from now on, by what the adjustment says of each image's. `limit` is that of a standardised residual. Receivers
 /// state their errors too small as a rule: the limit grows with the median of all. Refused positions that no longer exceed it are taken back
 /// where `may_return`.
 ///
 /// # Source
 /// Baarda 1968, A testing procedure for use in geodetic networks.
-pub(super) fn placed_now(
-    positions: &[Option<PriorStatistics>],
-    placed: &[bool],
-    surveyed: usize,
-    limit: f64,
-    may_return: bool,
-) -> Vec<bool> {
+fn placed_now(positions: &[Option<PriorStatistics>], placed: &[bool], surveyed: usize, limit: f64, may_return: bool) -> Vec<bool> {
     let tests = |image: usize| positions[image].and_then(|p| p.w).unwrap_or_default().map(f64::abs);
     let size = |image: usize| tests(image).into_iter().fold(0.0, f64::max);
     let known = || (0..positions.len()).filter(|image| positions[*image].is_some());
