@@ -77,26 +77,32 @@ async function rebuild(steps, toolchain, programs) {
 
 /** @param {Steps} steps */
 async function typeChecks(steps) {
-  const tsc = (/** @type {string} */ project) => async () =>
-    void (await must(process.execPath, [join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]));
+  const program = (/** @type {string[]} */ path, /** @type {string[]} */ ...args) => async () =>
+    void (await must(process.execPath, [join(ROOT, 'node_modules', ...path), ...args]));
+  const tsc = (/** @type {string} */ project) => program(['typescript', 'bin', 'tsc'], '--noEmit', '-p', project);
+  await steps.check('types', 'lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'lint', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
+  await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
 }
 
 /** @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
 async function nodeTests(steps, group, name, env) {
-  await steps.check(group, name, async () => {
-    const folder = join(ROOT, 'tests', group);
-    const files = readdirSync(folder).filter((file) => file.endsWith('.test.js')).sort().map((file) => join(folder, file));
-    const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
-    console.log(code === 0 ? output.split('\n').filter((line) => /^# \w+ \d|# SKIP/.test(line)).join('\n') : output);
-    return tapCounts(output, code);
-  });
+  const folder = join(ROOT, 'tests', group);
+  const files = readdirSync(folder).filter((file) => file.endsWith('.test.js')).sort().map((file) => join(folder, file));
+  await steps.check(group, name, () => nodeTest(files, env));
+}
+
+/** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
+async function nodeTest(files, env = {}) {
+  const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
+  console.log(code === 0 ? output.split('\n').filter((line) => /^# \w+ \d|# SKIP/.test(line)).join('\n') : output);
+  return tapCounts(output, code);
 }
 
 /** What is run again and again while one works: no wasm, no browser.  @param {Steps} steps */
 async function quick(steps) {
-  await steps.prepare('npm packages', async () => (await ensurePackages(), true));
+  await steps.prepare('npm packages', () => ensurePackages().then(() => true));
   const toolchain = await steps.prepare('Rust', ensureToolchain);
   await typeChecks(steps);
   if (!toolchain) return;
@@ -107,7 +113,7 @@ async function quick(steps) {
 /** @param {Steps} steps */
 async function everything(steps) {
   const needs = (/** @type {string[]} */ ...groups) => groups.some((group) => steps.wanted(group));
-  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', async () => (await ensurePackages(), true)));
+  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
   // Linking the module and optimising it keep one core busy for minutes: the native tests take the other one.

@@ -1,8 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
 use super::{
-    BlockOptions, ChosenPair, PairRule, PlacingOptions, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs,
-    sequence_pairs,
+    BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
+    near_pairs, sequence_pairs,
 };
 use crate::parameters::check;
 use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
@@ -41,6 +41,11 @@ impl PairChoice {
         check("pairs.sequence", f64::from(self.sequence))?;
         check("pairs.alike", self.alike as f64)?;
         check("pairs.least_matches", f64::from(self.least_matches))
+    }
+
+    /// Whether the rule that holds for so many images may be that of likeness, whatever is found in them.
+    pub(crate) fn may_ask_for_likeness(&self, images: usize) -> bool {
+        self.rule.map_or(images > FEW_IMAGES, |rule| rule == PairRule::Alike)
     }
 
     /// The rule that holds for images of which these have a position.
@@ -87,7 +92,7 @@ pub struct BlockSettings {
     pub nearest: NearestOptions,
     /// Its cameras are those of the block.
     pub geometry: TwoViewOptions,
-    pub placing: PlacingOptions,
+    pub placing: GeoreferencingOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
     pub refinement: RefinementOptions,
@@ -102,7 +107,7 @@ impl Default for BlockSettings {
             pairs: PairChoice::default(),
             nearest: NearestOptions::default(),
             geometry: TwoViewOptions::default(),
-            placing: PlacingOptions::default(),
+            placing: GeoreferencingOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
             refinement: RefinementOptions::default(),
@@ -111,11 +116,15 @@ impl Default for BlockSettings {
 }
 
 impl BlockSettings {
-    /// Refuses values of pairs, points, selection and refinement outside their ranges; those of features and matches are refused where these are made.
+    /// Refuses values outside their ranges.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
+        self.features.multiscale.check()?;
+        self.features.gradient.check()?;
+        self.nearest.check()?;
+        self.geometry.check()?;
         self.pairs.check()?;
         self.placing.check()?;
         self.block.check()?;

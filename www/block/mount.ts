@@ -1,19 +1,16 @@
 /** The block's part of the page: makes its parts and wires them together. */
 import './style/block.css';
-import type { Engine } from '../pair/engine/engine';
 import { button, byId, fill, h } from '../shared/panel/dom';
+import type { Taker } from '../shared/files/drop';
+import { fileButton } from '../shared/panel/picker';
 import { mountTabs, showTab } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
-import type { Store } from '../pair/state/store';
-import { blockCatalogue } from './engine/catalogue';
-import { mountBlockDrop } from './files/drop';
 import { BlockEngine } from './engine/engine';
 import type { BlockStore } from './engine/engine';
 import { mountExports } from './panel/exports';
 import { BlockFiles } from './files/files';
 import { mountFlight } from './panel/flight';
 import { mountBack, mountMode } from './panel/mode';
-import { openPair } from './pair';
 import { mountProgress } from './panel/progress';
 import { reduceBlock } from './state/reducer';
 import { mountResults } from './panel/results';
@@ -23,17 +20,18 @@ import { BLOCK_INITIAL, isBusy } from './state/state';
 import { mountBlockStatus } from './panel/status';
 import { mountImages, mountPoints } from './panel/tables';
 
-export function mountBlock(pair: Store, pairEngine: Engine): void {
+/** `openPair` shows a pair of the block by itself. */
+export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void): { store: BlockStore; taker: Taker } {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const files = new BlockFiles(store, engine);
   const looking = {
     choose: (choice: typeof store.state.choice) => { store.dispatch({ type: 'choose', choice }); },
-    open: (images: [number, number]) => { void openPair(store, pair, pairEngine, images); },
+    open: (images: [number, number]) => { openPair(store, images); },
   };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
-  const status = mountBlockStatus(store, pair, engine);
+  const status = mountBlockStatus(store, engine);
   const settings = tabbed('Settings', [['block-settings', 'Settings'], ['block-flight', 'Simulate']]);
   const results = tabbed('Results', [['block-results', 'Results'], ['block-images', 'Images'], ['block-points', 'Points']]);
   const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
@@ -60,11 +58,8 @@ export function mountBlock(pair: Store, pairEngine: Engine): void {
   mountImages(results.panels[1], store, { ...looking, point: () => undefined });
   mountPoints(results.panels[2] ?? results.panels[0], store);
   for (const list of main.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
-  mountBlockDrop(store, files);
   store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
-  pair.watch((s) => [s.catalogue] as const, ([catalogue]) => {
-    if (catalogue !== null) store.dispatch({ type: 'ready', catalogue: blockCatalogue(catalogue) });
-  });
+  return { store, taker: files.taker };
 }
 
 /** A column of tabs with their panels. */
@@ -81,27 +76,17 @@ function tabbed(label: string, tabs: readonly (readonly [string, string])[]): { 
 
 /** The buttons that give images. */
 function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
-  const pick = (testid: string, label: string, folder: boolean) => {
-    const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid, aria: { label } });
-    input.multiple = true;
-    input.webkitdirectory = folder;
-    if (!folder) input.accept = 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint';
-    input.addEventListener('change', () => {
-      void files.take([...(input.files ?? [])].map((file) => ({ file, path: file.webkitRelativePath })));
-      input.value = '';
-    });
-    return input;
-  };
-  const images = pick('block-files-input', 'Images, cameras or project of a block', false);
-  const folder = pick('block-folder-input', 'Folder of images', true);
+  const take = (given: File[]) => { void files.take(given.map((file) => ({ file, path: file.webkitRelativePath }))); };
+  const [images, imagesInput] = fileButton('Images …', { testid: 'block-files', label: 'Images, cameras or project of a block', multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' }, take,
+    'Image files; a cameras file or a saved project too');
+  const [folder, folderInput] = fileButton('Folder …', { testid: 'block-folder', label: 'Folder of images', folder: true }, take, 'All images of a folder');
   const buttons = [
-    button('Images …', 'block-files', () => { images.click(); }, 'Image files; a cameras file or a saved project too'),
-    button('Folder …', 'block-folder', () => { folder.click(); }, 'All images of a folder'),
+    images, folder,
     button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a made town, taken in this tab'),
     button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Takes all images out'),
   ];
-  buttons[0]?.classList.add('primary');
-  fill(host, ...buttons, images, folder);
+  images.classList.add('primary');
+  fill(host, ...buttons, imagesInput, folderInput);
   store.watch((s) => [s.running, s.notice, s.files, s.shown, s.catalogue] as const, ([, , given, shown, catalogue]) => {
     for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
     const last = buttons.at(-1);

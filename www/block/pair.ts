@@ -5,7 +5,7 @@ import type { Camera } from '../shared/crate';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
-import type { BlockFile } from './engine/calls';
+import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
 
 /** The pair's own images count up from 1: those of blocks count down. */

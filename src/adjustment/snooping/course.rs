@@ -6,9 +6,9 @@ use crate::adjustment::check::check_network;
 use crate::adjustment::collinearity::CAMERA_PARAMETERS;
 use crate::adjustment::datum::{Weighted, moved_to_observed, observed};
 use crate::adjustment::network::Network;
-use crate::adjustment::options::{BundleOptions, Datum, Loss};
+use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::precision::Orientations;
-use crate::adjustment::result::{FixedParameter, RayVerdict};
+use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::solution::Factored;
 use crate::adjustment::sparse::Pattern;
 use crate::adjustment::state::{State, free_of};
@@ -17,8 +17,8 @@ use std::rc::Rc;
 /// What changes from round to round.
 pub(super) struct Course<'a> {
     pub block: &'a Block,
-    pub options: &'a BundleOptions,
-    pub verdicts: Vec<RayVerdict>,
+    pub options: &'a AdjustmentOptions,
+    pub verdicts: Vec<ObservationVerdict>,
     pub free: Vec<[bool; CAMERA_PARAMETERS]>,
     pub fixed: Vec<Vec<FixedParameter>>,
     /// Whether the GPS position of each image takes part.
@@ -44,7 +44,7 @@ pub(super) struct Course<'a> {
 
 impl<'a> Course<'a> {
     /// Before the first round: what its place alone tells of each ray, and the start in the datum.
-    pub fn new(block: &'a Block, options: &'a BundleOptions) -> Result<Self, Error> {
+    pub fn new(block: &'a Block, options: &'a AdjustmentOptions) -> Result<Self, Error> {
         let start = State::of(block);
         let mut course = Self {
             block,
@@ -78,11 +78,11 @@ impl<'a> Course<'a> {
 
     /// Number of accepted rays.
     pub fn accepted(&self) -> usize {
-        self.verdicts.iter().filter(|verdict| **verdict == RayVerdict::Accepted).count()
+        self.verdicts.iter().filter(|verdict| **verdict == ObservationVerdict::Accepted).count()
     }
 
     pub fn network(&mut self) -> Result<Network, Error> {
-        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == RayVerdict::Accepted).collect();
+        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == ObservationVerdict::Accepted).collect();
         let network = Network::new(self.block, &accepted, self.pattern.as_ref());
         if !self.pattern.as_ref().is_some_and(|pattern| Rc::ptr_eq(pattern, &network.pattern)) {
             self.pattern = Some(network.pattern.clone());

@@ -7,7 +7,7 @@ use crate::adjustment::loss::Robust;
 use crate::adjustment::options::Loss;
 use crate::adjustment::reduced::Problem;
 use crate::adjustment::reliability::Judged;
-use crate::adjustment::result::RayVerdict;
+use crate::adjustment::result::ObservationVerdict;
 use crate::adjustment::scale::sigma_by_median;
 use crate::adjustment::statistics::judge_by;
 
@@ -22,23 +22,23 @@ const FEW: i64 = 20;
 
 impl Course<'_> {
     /// The verdict on a ray by the place of its point alone.
-    pub fn in_front(&self, ray: usize) -> RayVerdict {
+    pub fn in_front(&self, ray: usize) -> ObservationVerdict {
         let ray = &self.block.rays[ray];
         let [_, _, w] = in_photo(&self.state.images[ray.image], &self.state.points[ray.point]);
-        if w < 0.0 { RayVerdict::Accepted } else { RayVerdict::Behind }
+        if w < 0.0 { ObservationVerdict::Accepted } else { ObservationVerdict::Behind }
     }
 
     /// Rejects rays to points behind their images and of points that their rays do not determine; whether there were any.
     pub fn drop_impossible(&mut self, problem: &Problem<'_>, robust: Robust) -> bool {
         let before = self.verdicts.clone();
         for ray in 0..before.len() {
-            if before[ray] == RayVerdict::Accepted {
+            if before[ray] == ObservationVerdict::Accepted {
                 self.verdicts[ray] = self.in_front(ray);
             }
         }
         for point in problem.undetermined_points(&self.state, robust) {
             for sight in problem.network.of_point(point) {
-                self.verdicts[sight.ray as usize] = RayVerdict::LostPoint;
+                self.verdicts[sight.ray as usize] = ObservationVerdict::LostPoint;
             }
         }
         self.lose_points();
@@ -48,7 +48,7 @@ impl Course<'_> {
     /// Points with fewer than two accepted rays take no part; a surveyed position that the datum uses counts as one.
     pub fn lose_points(&mut self) {
         let mut rays = vec![0_usize; self.block.points.len()];
-        let accepted = |verdict: &RayVerdict| *verdict == RayVerdict::Accepted;
+        let accepted = |verdict: &ObservationVerdict| *verdict == ObservationVerdict::Accepted;
         for (ray, _) in self.block.rays.iter().zip(&self.verdicts).filter(|(_, v)| accepted(v)) {
             rays[ray.point] += 1;
         }
@@ -57,7 +57,7 @@ impl Course<'_> {
         }
         for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
             if accepted(verdict) && rays[ray.point] < 2 {
-                *verdict = RayVerdict::LostPoint;
+                *verdict = ObservationVerdict::LostPoint;
             }
         }
     }
@@ -95,13 +95,13 @@ impl Course<'_> {
         for (ray, size) in sizes.enumerate() {
             let Some(size) = size else { continue };
             match before[ray] {
-                RayVerdict::Accepted if size > limit => {
+                ObservationVerdict::Accepted if size > limit => {
                     let worst = &mut worst[self.block.rays[ray].point];
                     if worst.is_none_or(|(_, other)| size > other) {
                         *worst = Some((ray, size));
                     }
                 }
-                RayVerdict::GrossError if size <= limit => fitting.push(ray),
+                ObservationVerdict::GrossError if size <= limit => fitting.push(ray),
                 _ => {}
             }
         }
@@ -112,7 +112,7 @@ impl Course<'_> {
                 self.verdicts[ray] = self.in_front(ray);
             }
         }
-        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = RayVerdict::GrossError);
+        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = ObservationVerdict::GrossError);
         self.lose_points();
         self.verdicts != before
     }

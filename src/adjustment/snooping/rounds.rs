@@ -6,9 +6,9 @@ use crate::adjustment::adjustment::{Adjusted, Demand, WHAT};
 use crate::adjustment::block::Block;
 use crate::adjustment::datum::{held_images, moved_onto};
 use crate::adjustment::network::Columns;
-use crate::adjustment::options::{BundleOptions, Datum, Loss};
+use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::Problem;
-use crate::adjustment::result::{FixedParameter, RayVerdict};
+use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::statistics::{Statistics, statistics};
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
@@ -33,7 +33,7 @@ const WEIGHTS: &str = "the weight of the observed positions";
 pub(in crate::adjustment) struct Settled {
     pub adjusted: Adjusted,
     pub statistics: Option<Statistics>,
-    pub verdicts: Vec<RayVerdict>,
+    pub verdicts: Vec<ObservationVerdict>,
     pub columns: Columns,
     pub fixed: Vec<Vec<FixedParameter>>,
     pub redundancy: usize,
@@ -49,7 +49,7 @@ pub(in crate::adjustment) struct Settled {
 ///
 /// # Errors
 /// Those of [`adjust_block`](crate::adjust_block), but for what its input alone tells.
-pub(in crate::adjustment) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, Error> {
+pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) -> Result<Settled, Error> {
     let mut course = Course::new(block, options)?;
     course.fix_undetermined()?;
     let mut is_robust = options.loss != Loss::Squares;

@@ -1,12 +1,12 @@
 /** What the adjustment of a block says of its images, cameras and points, laid over what the page shows of it. */
-import type { AssembledModel, Assembly } from '../../../pkg/wasm/tiepoint.js';
+import type { ReconstructedModel, Reconstruction } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewImage } from '../state/view';
 
 /** `reason`: why there is no model at all; null where there is one. */
-export function withAssembly(view: BlockView, assembly: Assembly | null, reason: string | null): BlockView {
+export function withReconstruction(view: BlockView, reconstruction: Reconstruction | null, reason: string | null): BlockView {
   const why = (images: readonly ViewImage[], of: (index: number) => string) => images.map((image, i) => (image.oriented ? image : { ...image, why: of(i) }));
-  const [model, ...others] = assembly?.models ?? [];
-  const unoriented = new Map(assembly?.unoriented.map(({ image, text }) => [image, text]));
+  const [model, ...others] = reconstruction?.models ?? [];
+  const unoriented = new Map(reconstruction?.unoriented.map(({ image, text }) => [image, text]));
   const apart = (index: number) => others.find(({ images }) => images.includes(index))?.images.length;
   const whyNot = (index: number) => {
     const size = apart(index);
@@ -17,7 +17,7 @@ export function withAssembly(view: BlockView, assembly: Assembly | null, reason:
   return withModel({ ...told, weaknesses: [...model.weaknesses, ...others.map(({ images }) => `${String(images.length)} images are oriented apart from the others, in a model of their own.`)] }, model);
 }
 
-function withModel(view: BlockView, { adjusted, images, cameras }: AssembledModel): BlockView {
+function withModel(view: BlockView, { adjusted, images, cameras }: ReconstructedModel): BlockView {
   const statistics = new Map(images.map((image, i) => [image, adjusted.images[i]]));
   const errors = new Map(cameras.map((camera, i) => [camera, adjusted.cameras[i]?.standard_errors[0] ?? null]));
   // The exchanged block leaves out the points without accepted rays.

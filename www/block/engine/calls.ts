@@ -1,16 +1,8 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
 import type { Jobs, RunOptions, Step } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, ExportFormat } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockFile } from '../state/state';
 import type { BlockView } from '../state/view';
-
-/** An image file of a block. */
-export interface BlockFile {
-  /** Differs for every file ever given. */
-  id: number;
-  /** No two of a block have the same. */
-  name: string;
-  file: Blob;
-}
 
 /** One job of a run. */
 export type JobRequest = { [N in keyof Jobs]: { name: N; input: Jobs[N]['input'] } }[keyof Jobs];

@@ -5,11 +5,11 @@ import { CallError, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
-import type { BlockCalls, BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
+import type { BlockCalls, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
+import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { firstProblem } from '../state/given';
 import type { BlockAction } from '../state/reducer';
 import { isBusy, wantedKey } from '../state/state';
-import type { BlockOptions, BlockState } from '../state/state';
 
 export type BlockStore = Holder<BlockState, BlockAction>;
 

@@ -3,7 +3,7 @@ import { chosenOf, knownCamera } from '../../../pkg/block/index.js';
 import type { BlockRun, GroupedCamera, ReadImage } from '../../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Connection, ModelCamera, Project } from '../../../pkg/wasm/tiepoint.js';
-import { withAssembly } from './adjustment';
+import { withReconstruction } from './adjustment';
 import { layoutOf } from './layout';
 import type { BlockView, RayCount, ViewCamera, ViewConnection, ViewImage, ViewPoints } from '../state/view';
 
@@ -15,14 +15,14 @@ export interface Held {
 }
 
 export function viewOfRun(run: BlockRun): BlockView {
-  const { model, points, assembly } = run;
+  const { model, points, reconstruction } = run;
   const shared = new Map<string, number>();
   for (let i = 0; i < points.shared.length; i += 3) shared.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
   const view = viewOf(model, run.connections, run.images.map(({ exif }) => exif), shared, run.geometries.map(geometryName));
   const cameras = withLabels(view.cameras, run.cameras);
   const images = view.images.map((image, i) => ({ ...image, features: run.images[i]?.features ?? null, places: run.selection.placesOfImages[i] ?? null }));
   const whole: BlockView = { ...view, cameras, images, leftOut: run.leftOut, strayMasks: run.strayMasks, strayMarks: run.strayMarks, remarks: run.remarks, found: { points: points.count, rays: points.rays }, refinement: run.refinement?.counts ?? null };
-  return withAssembly(whole, assembly, run.assemblyReason);
+  return withReconstruction(whole, reconstruction, run.reconstructionReason);
 }
 
 /** A block whose points are not made yet. */

@@ -2,7 +2,8 @@
 import { runBlock } from '../../../pkg/block/index.js';
 import type { BlockRun, Jobs, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
 import { read_project, score_block } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockFile, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import type { ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import type { BlockFile } from '../state/state';
 import { Coming } from './coming';
 import { made } from './made';
 import { viewOfProject, viewOfRun } from './outcome';

@@ -9,9 +9,6 @@ import { isBusy } from '../state/state';
 /** Parameters of blocks whose features are made without photos. */
 const OF_FEATURES: readonly string[] = ['features', 'clutter', 'matched', 'wrong', 'repeated', 'noise_px'];
 
-/** Photos small enough to be rendered in a second or two, by a wide angle: bases are then long against heights. */
-export const SMALL_PHOTOS: Partial<BlockFlight> = { width_px: 800, height_px: 600, pixel_mm: 0.09, relief_m: 40 };
-
 export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
   store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
     if (catalogue === null) return;

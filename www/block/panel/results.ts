@@ -5,7 +5,7 @@ import type { Fact } from '../../shared/panel/facts';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import { isOutdated } from '../state/state';
-import type { BlockScore, RayOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
 
@@ -75,7 +75,7 @@ function factsOf(view: BlockView): Fact[] {
 }
 
 /** Why rays keep their places. */
-const KEPT: Readonly<Record<Exclude<RayOutcome, 'reference' | 'refined'>, string>> = {
+const KEPT: Readonly<Record<Exclude<RefinementOutcome, 'reference' | 'refined'>, string>> = {
   not_converged: 'did not settle', left_image: 'at the border', moved_too_far: 'too far', low_correlation: 'too unlike', no_texture: 'no texture', inconsistent: 'not the same both ways',
 };
 

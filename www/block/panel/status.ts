@@ -1,37 +1,30 @@
 /** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
 import { button, fill, h } from '../../shared/panel/dom';
-import { count, sentence } from '../../shared/text/format';
-import { refusedText } from '../../pair/panel/status';
+import { count, refusedText, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
-import type { Store } from '../../pair/state/store';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { duration, runText } from './progress';
 import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
 
-export function mountBlockStatus(store: BlockStore, pair: Store, engine: BlockEngine): HTMLElement {
+export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLElement {
   const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
   const run = button('Run', 'block-run', () => { void engine.run(); });
   run.className = 'primary';
   const cancel = button('Cancel', 'block-cancel', () => { engine.cancel(); });
   store.watch((s) => [s] as const, ([state]) => {
     const { text, kind } = lineOf(state);
-    line.dataset['kind'] = kind;
+    line.dataset.kind = kind;
     // Each image and pair would be read out.
     line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
-    fill(line, plain(state, pair, text));
+    // Messages of the crate name parameters by their keys.
+    fill(line, readable(state.catalogue?.labels ?? null, text));
     run.disabled = isBusy(state) || state.files.length < 2;
     run.textContent = state.running.kind === 'ended' ? 'Go on' : 'Run';
     cancel.disabled = !isBusy(state);
   });
   return h('div', { class: 'status-bar' }, line, run, cancel);
-}
-
-/** Messages of the crate with the labels of parameters in place of their keys. */
-function plain({ catalogue }: BlockState, pair: Store, text: string): string {
-  const known = pair.state.catalogue;
-  return known === null ? text : readable({ ...known, parameters: [...known.parameters, ...(catalogue?.parameters ?? []), ...(catalogue?.flightParameters ?? [])] }, text);
 }
 
 function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'problem' } {

@@ -2,7 +2,7 @@
 import { strayRules } from '../../../pkg/block/cameras.js';
 import { describeBlock } from '../../../pkg/block/description.js';
 import { masksOf } from '../../../pkg/block/masks.js';
-import { parse_camera_rules, parse_image_marks, parse_surveyed_points } from '../../../pkg/wasm/tiepoint.js';
+import { parse_camera_rules, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
 
@@ -45,8 +45,8 @@ const problems = remember((
     }
   };
   if (cameras !== null) look('cameras', cameras.name, () => (files.length > 0 ? strayRules(files.map(({ name }) => name), cameras.text) : parse_camera_rules(cameras.text)));
-  const pointsRead = control !== null && look('control', control.name, () => parse_surveyed_points(control.text));
-  const marksRead = marks !== null && look('marks', marks.name, () => parse_image_marks(marks.text));
+  const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
+  const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
   if (pointsRead && marksRead) look('marks', marks.name, () => { place(files, placing, control.text, marks.text); });
   if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
   if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
@@ -59,6 +59,6 @@ const ANY_CAMERA = { width_px: 1e7, height_px: 1e7, focal_px: null, principal_po
 
 /** Finds the marks' points and images as the run does; before there is a block, the images that the marks name stand for its own. */
 function place(files: BlockState['files'], placing: object, points: string, marks: string): void {
-  const names = files.length >= 2 ? files.map(({ name }) => name) : [...new Set(parse_image_marks(marks).map(({ image }) => image))];
+  const names = files.length >= 2 ? files.map(({ name }) => name) : [...new Set(parse_image_measurements(marks).map(({ image }) => image))];
   describeBlock(names.map((name) => ({ name, camera: 0 })), [ANY_CAMERA], false, placing, { points, marks });
 }

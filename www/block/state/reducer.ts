@@ -2,9 +2,8 @@
 import type { Step } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../../shared/state/notice';
-import type { BlockFile } from '../engine/calls';
+import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Choice, Mode } from './state';
 import { BLOCK_INITIAL } from './state';
-import type { BlockCatalogue, BlockOptions, BlockState, Choice, Mode } from './state';
 import type { BlockView } from './view';
 
 export type BlockAction =

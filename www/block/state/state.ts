@@ -2,8 +2,17 @@
 import type { Step, StageName } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings, Parameter } from '../../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../../shared/state/notice';
-import type { BlockFile } from '../engine/calls';
+import type { Labels } from '../../shared/text/names';
 import type { BlockView } from './view';
+
+/** An image file of a block. */
+export interface BlockFile {
+  /** Differs for every file ever given. */
+  id: number;
+  /** No two of a block have the same. */
+  name: string;
+  file: Blob;
+}
 
 /** What the crate says of blocks: read once, when the module is there. */
 export interface BlockCatalogue {
@@ -11,6 +20,8 @@ export interface BlockCatalogue {
   defaults: BlockSettings;
   flightParameters: Parameter[];
   flight: BlockFlight;
+  /** Of these and the pair's: messages name any of them. */
+  labels: Labels;
 }
 
 /** A file that was read as text. */

@@ -1,21 +1,11 @@
 /** Every call that a worker answers for a pair: name to input and output. Both ends are typed by this one table. */
 import type { WorkerClient } from '../../shared/engine/client';
 import type {
-  Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiducialOrientation, Flight, GivenPoints, Interior, MatchResult, MatchScore,
+  Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, Flight, GivenPoints, MatchScore,
   NearestPiece, OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
   Strategy, TwoViewModel, WindowReport,
 } from '../../shared/crate';
-
-/** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
-export type ImageSource =
-  | { kind: 'file'; file: Blob }
-  | ({ kind: 'grey' } & SampleImage);
-
-/** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
-export interface Overview {
-  bitmap: ImageBitmap;
-  halvings: number;
-}
+import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from '../state/data';
 
 /** Points of both images with what is compared, and the offset between them where the strategy needs one: what matching starts from. */
 export interface MatchInput {
@@ -30,22 +20,6 @@ export interface NearestInput {
   first: number;
   end: number;
   right: Uint8Array;
-}
-
-/** The matches of a pair, with the interior orientations that they themselves tell where no camera is known. */
-export interface PairMatches extends MatchResult {
-  estimated: PairInterior | null;
-}
-
-/** A grey image of the size of another: where it is 0, no points are wanted. */
-export interface MaskImage {
-  width: number;
-  height: number;
-  grey: Uint8Array;
-  /** Share of the pixels that are left out. */
-  leftOut: number;
-  /** These pixels in colour, reduced for display. */
-  overlay: ImageBitmap;
 }
 
 /** A square grid of samples in an image. */
@@ -102,12 +76,6 @@ export interface PhotoInput {
   fiducials: Fiducial[];
   model: FiducialModel;
   origin: [number, number] | null;
-}
-
-export interface InteriorOutput {
-  interior: Interior;
-  /** Absent without fiducials. */
-  fiducials: FiducialOrientation | null;
 }
 
 export interface PairCalls {

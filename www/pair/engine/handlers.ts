@@ -4,7 +4,8 @@ import {
   interior, match_photos, matches_csv, nearest_piece, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers } from '../../shared/engine/messages';
-import type { ImageSource, Input, Output, PairCalls } from './calls';
+import type { ImageSource } from '../state/data';
+import type { Input, Output, PairCalls } from './calls';
 import { overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
 import { bitmapOf, tileOf } from './tiles';

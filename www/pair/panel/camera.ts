@@ -6,7 +6,7 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fixed, significant } from '../../shared/text/format';
-import { numberField, problemLine, readNumber, readPair, showNumber, tellRefused } from '../../shared/panel/numberfield';
+import { firstRefused, numberField, problemLine, readNumber, readPair, showNumber } from '../../shared/panel/numberfield';
 
 /** The numbers of a camera: where each stands, and a camera of which nothing else is said. */
 interface CameraNumber {
@@ -43,7 +43,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
     // A field whose value is not taken goes on showing it.
     const same = NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null));
     if (!same) store.dispatch({ type: 'camera', camera });
-    tellRefused(store, 'camera', fields.map(({ input }, i) => [NUMBERS[i]?.label ?? '', input]));
+    store.dispatch({ type: 'refused', part: 'camera', label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? '', input])) });
   };
   const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
   const source = h('p', { class: 'note', testid: 'camera-source' });
@@ -86,7 +86,7 @@ function offsetGroup(store: Store): HTMLElement {
   const change = () => {
     const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
     if (offset !== undefined) store.dispatch({ type: 'offset', offset });
-    tellRefused(store, 'offset', [['Offset dx', dx.input], ['Offset dy', dy.input]]);
+    store.dispatch({ type: 'refused', part: 'offset', label: firstRefused([['Offset dx', dx.input], ['Offset dy', dy.input]]) });
   };
   const problem = problemLine('offset');
   const dx = numberField('dx', 'px', 'offset-dx', change, problem);

@@ -5,7 +5,7 @@ import type { PhotoData, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
-import { numberInput, problemLine, readPair, showNumber, tellRefused } from '../../shared/panel/numberfield';
+import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
 
 const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
 const HEADS: Record<(typeof FIELDS)[number], string> = { col: 'col px', row: 'row px', x_mm: 'x mm', y_mm: 'y mm' };
@@ -105,7 +105,7 @@ function originFields(side: Side, store: Store): HTMLElement {
   const change = () => {
     const origin = readPair(inputs, problem, allowedOfOrigin);
     if (origin !== undefined) store.dispatch({ type: 'photo', side, photo: { origin } });
-    tellRefused(store, 'photos', inputs.map((input) => [`Origin of the ${side} image in the scan`, input]));
+    store.dispatch({ type: 'refused', part: 'photos', label: firstRefused(inputs.map((input) => [`Origin of the ${side} image in the scan`, input])) });
   };
   const field = (name: string, testid: string) => {
     const input = numberInput(testid, problem, change);

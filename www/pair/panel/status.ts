@@ -4,7 +4,7 @@ import { anyStale, currentFailure, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
 import type { Store } from '../state/store';
 import { summary } from './counts';
-import { fixed } from '../../shared/text/format';
+import { fixed, refusedText } from '../../shared/text/format';
 import { whyNotOriented } from './orientation';
 import { byId } from '../../shared/panel/dom';
 
@@ -54,7 +54,7 @@ export function isBusy(state: State): boolean {
 }
 
 function show(line: HTMLElement, { text, kind }: Line): void {
-  line.dataset['kind'] = kind;
+  line.dataset.kind = kind;
   if (line.textContent !== text) line.textContent = text;
 }
 
@@ -71,11 +71,6 @@ function lineOf(state: State): Line {
   const line = resting(state, wanted, done);
   if (state.notice === null) return line;
   return line.kind === 'done' || line.kind === 'partial' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
-}
-
-/** What is said while a field holds a value that is not allowed. */
-export function refusedText(label: string): string {
-  return `${label}: the value typed is not allowed and not used. Results are of the last valid one.`;
 }
 
 function resting(state: State, wanted: number, done: number): Line {

@@ -1,5 +1,5 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
-import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from '../engine/calls';
+import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
 import type {
   Camera, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
   PhotoInfo, RelativeOrientation, WindowReport,

@@ -1,6 +1,4 @@
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
-import type { TypedPart } from '../../pair/state/state';
-import type { Store } from '../../pair/state/store';
 import { h } from './dom';
 
 export interface NumberField {
@@ -33,6 +31,11 @@ export function numberField(label: string, unit: string, testid: string, change:
   return { input, problem: line, element: h('div', { class: 'control compact' }, name, input, problem === undefined ? line : null) };
 }
 
+/** The first of some fields, by its label, in which something was typed that is not allowed; null where there is none. */
+export function firstRefused(fields: readonly (readonly [string, HTMLInputElement])[]): string | null {
+  return fields.find(([, input]) => input.getAttribute('aria-invalid') === 'true' && typed(input) !== undefined)?.[0] ?? null;
+}
+
 /** The number typed: undefined where the field is empty, NaN where it holds no number. */
 function typed({ value, valueAsNumber, validity }: HTMLInputElement): number | undefined {
   return value === '' && !validity.badInput ? undefined : valueAsNumber;
@@ -41,12 +44,6 @@ function typed({ value, valueAsNumber, validity }: HTMLInputElement): number | u
 function mark(input: HTMLInputElement, wrong: boolean): void {
   if (wrong) input.setAttribute('aria-invalid', 'true');
   else input.removeAttribute('aria-invalid');
-}
-
-/** Tells the state of the first of some fields, with their labels, in which something was typed that is not allowed. */
-export function tellRefused(store: Store, part: TypedPart, fields: readonly (readonly [string, HTMLInputElement])[]): void {
-  const wrong = fields.find(([, input]) => input.getAttribute('aria-invalid') === 'true' && typed(input) !== undefined);
-  store.dispatch({ type: 'refused', part, label: wrong?.[0] ?? null });
 }
 
 /** Shows a number, unless the field already says the same. */

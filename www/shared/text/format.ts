@@ -30,3 +30,8 @@ export function percent(share: number): string {
 export function sentence(text: string): string {
   return `${text.replace(/\.$/u, '')}.`;
 }
+
+/** What is said while a field holds a value that is not allowed. */
+export function refusedText(label: string): string {
+  return `${label}: the value typed is not allowed and not used. Results are of the last valid one.`;
+}

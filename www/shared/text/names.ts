@@ -11,8 +11,11 @@ const OTHER: Readonly<Record<string, string>> = {
   origin: 'Origin in the scan',
 };
 
+/** Parameters by whose labels their keys are replaced. */
+export type Labels = Pick<Catalogue, 'parameters' | 'flightParameters'>;
+
 /** A message with the labels of the parameters that it names by their keys. */
-export function readable(catalogue: Catalogue | null, message: string): string {
+export function readable(catalogue: Labels | null, message: string): string {
   const labels = new Map(Object.entries(OTHER));
   for (const { key, label } of [...(catalogue?.parameters ?? []), ...(catalogue?.flightParameters ?? [])]) labels.set(key, label);
   return message

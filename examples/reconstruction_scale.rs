@@ -1,9 +1,9 @@
-//! Time, memory and errors of the assembly of simulated blocks: `cargo run --release --example assembly_scale [IMAGES…]`.
+//! Time, memory and errors of the reconstruction of simulated blocks: `cargo run --release --example reconstruction_scale [IMAGES…]`.
 
 use std::time::Instant;
 use tiepoint::{
-    AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, ObservedPosition, SelectOptions,
-    Similarity, assemble_block, multi_ray_points, simulate_block,
+    BlockDescription, BlockFlight, BlockOptions, KnownCamera, KnownImage, ObservedPosition, ReconstructionOptions, SelectOptions,
+    Similarity, reconstruct_block, simulate_block, tie_points,
 };
 
 fn main() -> Result<(), tiepoint::Error> {
@@ -16,22 +16,22 @@ fn main() -> Result<(), tiepoint::Error> {
         let flight = BlockFlight { strips, exposures: images / strips, features: 600, wrong: 0.1, ..BlockFlight::default() };
         let block = simulate_block(&flight)?;
         let start = Instant::now();
-        let (points, _) = multi_ray_points(&block.matches()?, &BlockOptions::default())?;
+        let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
         let joined = start.elapsed().as_secs_f64();
         let gps = |centre: [f64; 3]| ObservedPosition::Local { position: centre, sigma: [3.0, 3.0, 5.0] };
         let description = BlockDescription {
-            cameras: vec![AssemblyCamera::of_size(block.width_px, block.height_px, Some(1.02 * block.exposures[0].focal_px))],
+            cameras: vec![KnownCamera::of_size(block.width_px, block.height_px, Some(1.02 * block.exposures[0].focal_px))],
             images: (block.exposures.iter().enumerate())
-                .map(|(k, e)| AssemblyImage { name: format!("{k}.jpg"), camera: 0, position: Some(gps(e.centre)) })
+                .map(|(k, e)| KnownImage { name: format!("{k}.jpg"), camera: 0, position: Some(gps(e.centre)) })
                 .collect(),
             control: Vec::new(),
         };
-        let options = AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() };
+        let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
         let before = peak_mb();
         let start = Instant::now();
-        let assembly = assemble_block(&description, &points, &block.image_features(), &options)?;
+        let reconstruction = reconstruct_block(&description, &points, &block.image_features(), &options)?;
         let seconds = start.elapsed().as_secs_f64();
-        let Some(model) = assembly.models.first() else { continue };
+        let Some(model) = reconstruction.models.first() else { continue };
         let positions = model.images.iter().zip(&model.adjusted.block.images);
         let pairs: Vec<_> = positions.map(|(k, image)| (image.position, block.exposures[*k].centre)).collect();
         let onto = Similarity::between(&pairs);
@@ -45,7 +45,7 @@ fn main() -> Result<(), tiepoint::Error> {
             points.len(),
             points.ray_count(),
             model.images.len(),
-            assembly.models.len(),
+            reconstruction.models.len(),
             model.adjusted.points.iter().flatten().count(),
             model.adjusted.rmse_px,
             model.adjusted.sigma0_px.unwrap_or(f64::NAN),

@@ -2,47 +2,47 @@
 
 use super::{Parameter, ParameterKind, choice, integer, parameter, real};
 
-/// All tunables of a bundle adjustment, by their fields in [`BundleOptions`](crate::BundleOptions).
-pub const BUNDLE_PARAMETERS: &[Parameter] = &[
+/// All tunables of a bundle adjustment, by their fields in [`AdjustmentOptions`](crate::AdjustmentOptions).
+pub const ADJUSTMENT_PARAMETERS: &[Parameter] = &[
     parameter(
-        "bundle.datum",
+        "adjustment.datum",
         "Datum",
         "",
         choice(&["free", "gps", "control", "gps_and_control"]),
         "What says where the block lies: its approximate values (free network), GPS positions, control points.",
     ),
     parameter(
-        "bundle.loss",
+        "adjustment.loss",
         "Robust loss",
         "",
         choice(&["squares", "huber", "cauchy"]),
         "How large residuals are weighted down until the gross errors are found.",
     ),
-    parameter("bundle.snooping", "Data snooping", "", ParameterKind::Flag, "Rejects gross errors by the tests of their residuals."),
+    parameter("adjustment.snooping", "Data snooping", "", ParameterKind::Flag, "Rejects gross errors by the tests of their residuals."),
     parameter(
-        "bundle.alpha0",
+        "adjustment.alpha0",
         "Significance α₀",
         "",
         real(1e-6, 0.1),
         "Probability with which data snooping rejects a good coordinate: 0.001 rejects beyond 3.29 standard errors.",
     ),
     parameter(
-        "bundle.sigma0_px",
+        "adjustment.sigma0_px",
         "σ₀ a priori",
         "px",
         real(1e-6, 1000.0),
         "Standard error of an image coordinate of weight 1 that is known before; without it the residuals tell.",
     ),
     parameter(
-        "bundle.calibration_limit_px",
+        "adjustment.calibration_limit_px",
         "Limit of self-calibration",
         "px",
         real(0.01, 1000.0),
         "A camera parameter is fixed where its standard error moves a ray at the edge of the image by more than this.",
     ),
-    parameter("bundle.max_iterations", "Iterations", "", integer(1.0, 10000.0), "That one adjustment may take."),
+    parameter("adjustment.max_iterations", "Iterations", "", integer(1.0, 10000.0), "That one adjustment may take."),
     parameter(
-        "bundle.statistics",
+        "adjustment.statistics",
         "Statistics",
         "",
         ParameterKind::Flag,
@@ -50,46 +50,52 @@ pub const BUNDLE_PARAMETERS: &[Parameter] = &[
     ),
 ];
 
-/// All tunables of the assembly of a block, by their fields in [`AssemblyOptions`](crate::AssemblyOptions).
-pub const ASSEMBLY_PARAMETERS: &[Parameter] = &[
+/// All tunables of the reconstruction of a block, by their fields in [`ReconstructionOptions`](crate::ReconstructionOptions).
+pub const RECONSTRUCTION_PARAMETERS: &[Parameter] = &[
     parameter(
-        "assembly.datum",
+        "reconstruction.datum",
         "Datum",
         "",
         choice(&["free", "gps", "control", "gps_and_control"]),
         "What says where the block lies; without it, the observed positions that suffice.",
     ),
     parameter(
-        "assembly.growing_rays",
+        "reconstruction.growing_rays",
         "Rays while it grows",
         "",
         integer(30.0, 10000.0),
         "Rays of an image by which the block is put together and adjusted: more are more precise, fewer are faster.",
     ),
-    parameter("assembly.least_rays", "Least rays", "", integer(6.0, 1000.0), "That agree on the orientation of an image."),
+    parameter("reconstruction.least_rays", "Least rays", "", integer(6.0, 1000.0), "That agree on the orientation of an image."),
     parameter(
-        "assembly.least_angle_deg",
+        "reconstruction.least_angle_deg",
         "Least angle",
         "°",
         real(0.01, 45.0),
         "Between two rays of a point: points of smaller angles are left out.",
     ),
     parameter(
-        "assembly.largest_residual_px",
+        "reconstruction.largest_residual_px",
         "Largest residual",
         "px",
         real(0.1, 1000.0),
         "Of a ray while the block grows; it follows the residuals down from there.",
     ),
     parameter(
-        "assembly.mark_sigma_px",
+        "reconstruction.mark_sigma_px",
         "Standard error of a mark",
         "px",
         real(0.01, 100.0),
         "Of a coordinate where an image shows a surveyed point: it weighs marks beside tie points; those beyond five times as much do not fit.",
     ),
-    parameter("assembly.most_models", "Most models", "", integer(1.0, 1000.0), "Given where the block falls apart, the largest first."),
-    parameter("assembly.seed", "Seed", "", integer(0.0, 4294967295.0), "Start of the random numbers."),
+    parameter(
+        "reconstruction.most_models",
+        "Most models",
+        "",
+        integer(1.0, 1000.0),
+        "Given where the block falls apart, the largest first.",
+    ),
+    parameter("reconstruction.seed", "Seed", "", integer(0.0, 4294967295.0), "Start of the random numbers."),
 ];
 
 /// All tunables of a simulated block, by their fields in [`NetworkFlight`](crate::NetworkFlight).

@@ -1,19 +1,19 @@
-//! The assembly as it is called: one model after another, until no images are left that make one.
+//! The reconstruction as it is called: one model after another, until no images are left that make one.
 
 use super::adjusting::{CameraPrior, camera_prior};
-use super::description::{AssemblyCamera, BlockDescription};
+use super::description::{BlockDescription, KnownCamera};
 use super::finish::{Finished, Material, finish};
 use super::frame::Frame;
 use super::growth::Growth;
 use super::net::Net;
-use super::options::AssemblyOptions;
+use super::options::ReconstructionOptions;
 use super::rays::Rays;
 use super::refusal::check;
-use super::result::{AssembledModel, Assembly, UnorientedImage, UnorientedReason};
+use super::result::{ReconstructedModel, Reconstruction, UnorientedImage, UnorientedReason};
 use super::start::start_pairs;
 use crate::Error;
 use crate::adjustment::BlockCamera;
-use crate::tracks::{ImageFeatures, MultiRayPoints, SelectOptions, SharedPoints, select_points, shared_points};
+use crate::tracks::{ImageFeatures, SelectOptions, SharedPoints, TiePoints, select_points, shared_points};
 
 /// Common points that a pair of images keeps while the block grows and is adjusted.
 pub(super) const GROWING_CONNECTION: usize = 15;
@@ -36,20 +36,20 @@ const COMPARED_AT: usize = 5;
 ///
 /// # Source
 /// Snavely, Seitz & Szeliski 2006, Photo tourism (growth); Schönberger & Frahm 2016, Structure-from-motion revisited (next images, adjustments).
-pub fn assemble_block(
+pub fn reconstruct_block(
     description: &BlockDescription,
-    points: &MultiRayPoints,
+    points: &TiePoints,
     features: &[ImageFeatures<'_>],
-    options: &AssemblyOptions,
-) -> Result<Assembly, Error> {
+    options: &ReconstructionOptions,
+) -> Result<Reconstruction, Error> {
     options.check()?;
     check(description, points, features)?;
     let frame = Frame::new(description)?;
-    let cameras: Vec<BlockCamera> = description.cameras.iter().map(AssemblyCamera::approximate).collect();
+    let cameras: Vec<BlockCamera> = description.cameras.iter().map(KnownCamera::approximate).collect();
     let priors: Vec<CameraPrior> =
         cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
-    let longer_side = |camera: &AssemblyCamera| f64::from(camera.width_px.max(camera.height_px));
+    let longer_side = |camera: &KnownCamera| f64::from(camera.width_px.max(camera.height_px));
     let longer_side_px: Vec<f64> = description.cameras.iter().map(longer_side).collect();
     let growing = SelectOptions { per_image: options.growing_rays, per_connection: GROWING_CONNECTION };
     let chosen = select_points(points, features, &growing)?.points;
@@ -65,7 +65,7 @@ pub fn assemble_block(
     let mut material = Material { description, points, features, options, frame, camera_of, longer_side_px, priors: &priors, all: None };
     let mut is_open = vec![true; images];
     let mut refused: Vec<Option<UnorientedReason>> = vec![None; images];
-    let mut models: Vec<AssembledModel> = Vec::new();
+    let mut models: Vec<ReconstructedModel> = Vec::new();
     while models.len() < options.most_models {
         let net = Net::new(&rays, camera_of, longer_side_px, cameras.clone(), options);
         let Some(mut growth) = best_start(Growth::new(net, options, &priors, is_open.clone()), &shared) else { break };
@@ -94,12 +94,12 @@ pub fn assemble_block(
     });
     let unoriented = unoriented.collect();
     let origin = frame.origin.filter(|_| models.iter().any(|model| model.in_system));
-    Ok(Assembly { models, unoriented, origin })
+    Ok(Reconstruction { models, unoriented, origin })
 }
 
 /// Some of the points by themselves.
-fn subset(points: &MultiRayPoints, chosen: &[u32]) -> MultiRayPoints {
-    let mut some = MultiRayPoints::with_capacity(chosen.len(), 0);
+fn subset(points: &TiePoints, chosen: &[u32]) -> TiePoints {
+    let mut some = TiePoints::with_capacity(chosen.len(), 0);
     for point in chosen {
         some.push(points.rays(*point as usize).iter().copied(), points.confidence(*point as usize));
     }

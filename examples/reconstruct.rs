@@ -1,5 +1,5 @@
 //! From a folder of images to an oriented block, with its figures:
-//! `cargo run --release --example assemble -- FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]`.
+//! `cargo run --release --example reconstruct -- FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]`.
 //!
 //! Beside a `truth.json` with reference orientations, tells how far the positions and rotations are from these after a similarity.
 
@@ -8,9 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 use tiepoint::{
-    Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockMatches, BlockOptions, DecodeLimits, ExifImage,
-    ExifPosition, FeatureMatch, FeatureMatchOptions, FeatureOptions, ImageFeatures, Located, ObservedPosition, Pinhole, SelectOptions,
-    Similarity, TwoViewOptions, all_pairs, assemble_block, decode, features, match_features, multi_ray_points,
+    BlockDescription, BlockMatches, BlockOptions, DecodeLimits, ExifImage, ExifPosition, FeatureMatch, FeatureMatchOptions, FeatureOptions,
+    ImageFeatures, KnownCamera, KnownImage, Located, ObservedPosition, Pinhole, Reconstruction, ReconstructionOptions, SelectOptions,
+    Similarity, TwoViewOptions, all_pairs, decode, features, match_features, reconstruct_block, tie_points,
 };
 
 /// Standard errors of a position by a hand-held receiver, to the east, to the north and up.
@@ -27,9 +27,9 @@ struct Photo {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: assemble FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]")?);
+    let folder = PathBuf::from(arguments.next().ok_or("usage: reconstruct FOLDER [POINTS_AN_IMAGE [RAYS_ADJUSTED]]")?);
     let per_image = arguments.next().map(|word| word.parse()).transpose()?;
-    let growing_rays = arguments.next().map(|word| word.parse()).transpose()?.unwrap_or(AssemblyOptions::default().growing_rays);
+    let growing_rays = arguments.next().map(|word| word.parse()).transpose()?.unwrap_or(ReconstructionOptions::default().growing_rays);
     let start = Instant::now();
     let mut names: Vec<PathBuf> = fs::read_dir(&folder)?.map(|entry| entry.map(|entry| entry.path())).collect::<Result<_, _>>()?;
     names.retain(|name| {
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     let matches = match_all(&photos)?;
     println!("{} matches, {:.1} s", matches.len(), start.elapsed().as_secs_f64());
-    let (points, _) = multi_ray_points(&matches, &BlockOptions::default())?;
+    let (points, _) = tie_points(&matches, &BlockOptions::default())?;
     let positions: Vec<Vec<[f32; 2]>> =
         photos.iter().map(|photo| photo.positions.iter().map(|at| at.map(|v| v as f32)).collect()).collect();
     let located: Vec<ImageFeatures<'_>> = (photos.iter().zip(&positions))
@@ -53,13 +53,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     let description = description(&photos);
     let selection = per_image.map(|per_image| SelectOptions { per_image, ..SelectOptions::default() });
-    let options = AssemblyOptions { selection, growing_rays, ..AssemblyOptions::default() };
+    let options = ReconstructionOptions { selection, growing_rays, ..ReconstructionOptions::default() };
     let before = start.elapsed().as_secs_f64();
-    let assembly = assemble_block(&description, &points, &located, &options)?;
-    println!("{} points of {} rays, assembled in {:.1} s", points.len(), points.ray_count(), start.elapsed().as_secs_f64() - before);
-    report(&assembly, &description);
+    let reconstruction = reconstruct_block(&description, &points, &located, &options)?;
+    println!("{} points of {} rays, reconstructed in {:.1} s", points.len(), points.ray_count(), start.elapsed().as_secs_f64() - before);
+    report(&reconstruction, &description);
     if let Ok(text) = fs::read_to_string(folder.join("truth.json")) {
-        compare(&assembly, &description, &serde_json::from_str(&text)?);
+        compare(&reconstruction, &description, &serde_json::from_str(&text)?);
     }
     Ok(())
 }
@@ -105,7 +105,7 @@ fn description(photos: &[Photo]) -> BlockDescription {
     let mut description = BlockDescription::default();
     for photo in photos {
         let [width_px, height_px] = photo.size;
-        let own = AssemblyCamera::of_size(width_px, height_px, photo.focal_px);
+        let own = KnownCamera::of_size(width_px, height_px, photo.focal_px);
         let camera = description.cameras.iter().position(|camera| *camera == own).unwrap_or_else(|| {
             description.cameras.push(own);
             description.cameras.len() - 1
@@ -116,13 +116,13 @@ fn description(photos: &[Photo]) -> BlockDescription {
             height_m: position.height_m,
             sigma_m: GPS_SIGMA_M,
         });
-        description.images.push(AssemblyImage { name: photo.name.clone(), camera, position });
+        description.images.push(KnownImage { name: photo.name.clone(), camera, position });
     }
     description
 }
 
-fn report(assembly: &Assembly, description: &BlockDescription) {
-    for (number, model) in assembly.models.iter().enumerate() {
+fn report(reconstruction: &Reconstruction, description: &BlockDescription) {
+    for (number, model) in reconstruction.models.iter().enumerate() {
         let adjusted = &model.adjusted;
         let rays: usize = adjusted.images.iter().map(|image| image.rays).sum();
         let points = adjusted.points.iter().flatten().count();
@@ -146,12 +146,12 @@ fn report(assembly: &Assembly, description: &BlockDescription) {
         }
         model.weaknesses.iter().for_each(|weakness| println!("  {weakness}"));
     }
-    assembly.unoriented.iter().for_each(|image| println!("not oriented: {}", image.text));
+    reconstruction.unoriented.iter().for_each(|image| println!("not oriented: {}", image.text));
 }
 
 /// Positions and rotations beside those of another solution, by a similarity between the positions.
-fn compare(assembly: &Assembly, description: &BlockDescription, truth: &serde_json::Value) {
-    let Some(model) = assembly.models.first() else { return };
+fn compare(reconstruction: &Reconstruction, description: &BlockDescription, truth: &serde_json::Value) {
+    let Some(model) = reconstruction.models.first() else { return };
     let numbers =
         |value: &serde_json::Value| value.as_array().map(|list| list.iter().filter_map(serde_json::Value::as_f64).collect::<Vec<_>>());
     let mut pairs = Vec::new();

@@ -2,27 +2,27 @@
 
 use super::block::BlockPoints;
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{ASSEMBLY_PARAMETERS, AssemblyOptions, BUNDLE_PARAMETERS, BlockDescription, ModelCamera, assemble_block};
+use crate::{ADJUSTMENT_PARAMETERS, BlockDescription, ModelCamera, RECONSTRUCTION_PARAMETERS, ReconstructionOptions, reconstruct_block};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 #[wasm_bindgen]
 impl BlockPoints {
     /// Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
-    #[wasm_bindgen(unchecked_return_type = "{ assembly: Assembly; model: BlockModel | null }")]
-    pub fn assemble(
+    #[wasm_bindgen(unchecked_return_type = "{ reconstruction: Reconstruction; model: BlockModel | null }")]
+    pub fn reconstruct(
         &self,
         #[wasm_bindgen(unchecked_param_type = "BlockDescription")] description: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Given<AssemblyOptions>")] options: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Given<ReconstructionOptions>")] options: &JsValue,
     ) -> JsResult<JsValue> {
         let description: BlockDescription = read("block", description)?;
-        let options: AssemblyOptions = read_options("assembly", options)?;
-        let assembly = assemble_block(&description, &self.points, &self.features(), &options).map_err(thrown)?;
-        let model = match assembly.models.first() {
-            Some(_) => Some(assembly.block_model(0, &description, &self.points).map_err(thrown)?),
+        let options: ReconstructionOptions = read_options("reconstruction", options)?;
+        let reconstruction = reconstruct_block(&description, &self.points, &self.features(), &options).map_err(thrown)?;
+        let model = match reconstruction.models.first() {
+            Some(_) => Some(reconstruction.block_model(0, &description, &self.points).map_err(thrown)?),
             None => None,
         };
-        Ok(object([("assembly", pack(&assembly)), ("model", pack(&model))]))
+        Ok(object([("reconstruction", pack(&reconstruction)), ("model", pack(&model))]))
     }
 
     /// The block with these of its points, before any of it is oriented.
@@ -45,16 +45,16 @@ pub fn check_block_description(#[wasm_bindgen(unchecked_param_type = "BlockDescr
     read::<BlockDescription>("block", description)?.check().map_err(thrown)
 }
 
-/// The defaults of the options of the assembly.
-#[wasm_bindgen(unchecked_return_type = "AssemblyOptions")]
-pub fn assembly_defaults() -> JsValue {
-    pack(&AssemblyOptions::default())
+/// The defaults of the options of the reconstruction.
+#[wasm_bindgen(unchecked_return_type = "ReconstructionOptions")]
+pub fn reconstruction_defaults() -> JsValue {
+    pack(&ReconstructionOptions::default())
 }
 
-/// Every tunable of the assembly and of the bundle adjustment.
+/// Every tunable of the reconstruction and of the bundle adjustment.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn assembly_parameters() -> JsValue {
-    pack(&[ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS].concat())
+pub fn reconstruction_parameters() -> JsValue {
+    pack(&[RECONSTRUCTION_PARAMETERS, ADJUSTMENT_PARAMETERS].concat())
 }
 
 /// Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 use tiepoint::{
-    BlockFlight, BlockOptions, BlockView, Conflicts, JoinCounts, MultiRayPoints, SelectOptions, SelectedPoints, SimulatedBlock,
-    multi_ray_points, select_points, shared_points, simulate_block,
+    BlockFlight, BlockOptions, BlockView, Conflicts, JoinCounts, SelectOptions, SelectedPoints, SimulatedBlock, TiePoints, select_points,
+    shared_points, simulate_block, tie_points,
 };
 
 const VIEWS: [BlockView; 3] = [BlockView::Nadir, BlockView::Oblique, BlockView::TwoHeights];
@@ -12,14 +12,15 @@ fn flown(view: BlockView, wrong: f64) -> SimulatedBlock {
     simulate_block(&BlockFlight { view, wrong, ..BlockFlight::default() }).unwrap()
 }
 
-fn joined(block: &SimulatedBlock, conflicts: Conflicts) -> (MultiRayPoints, JoinCounts) {
-    multi_ray_points(&block.matches().unwrap(), &BlockOptions { conflicts, ..BlockOptions::default() }).unwrap()
+fn joined(block: &SimulatedBlock, conflicts: Conflicts) -> (TiePoints, JoinCounts) {
+    tie_points(&block.matches().unwrap(), &BlockOptions { conflicts, ..BlockOptions::default() }).unwrap()
 }
 
 /// The share of points whose rays all show the same ground.
-fn pure(block: &SimulatedBlock, points: &MultiRayPoints) -> f64 {
-    let belongs =
-        |rays: &&[tiepoint::PointRay]| rays.windows(2).all(|r| block.is_right((r[0].image, r[0].feature), (r[1].image, r[1].feature)));
+fn pure(block: &SimulatedBlock, points: &TiePoints) -> f64 {
+    let belongs = |rays: &&[tiepoint::FeatureObservation]| {
+        rays.windows(2).all(|r| block.is_right((r[0].image, r[0].feature), (r[1].image, r[1].feature)))
+    };
     points.iter().filter(belongs).count() as f64 / points.len() as f64
 }
 
@@ -105,19 +106,19 @@ fn rays_of_plain_components(block: &SimulatedBlock) -> usize {
 #[test]
 fn the_expected_share_of_impure_points_is_about_the_true_one() {
     let block = simulate_block(&BlockFlight { wrong: 0.4, ..BlockFlight::default() }).unwrap();
-    let (points, _) = multi_ray_points(&block.matches().unwrap(), &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap();
+    let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap();
     let expected = (0..points.len()).map(|point| 1.0 - f64::from(points.confidence(point))).sum::<f64>() / points.len() as f64;
     let found = 1.0 - pure(&block, &points);
     println!("impure: expected {expected:.4}, found {found:.4}");
     assert!((expected - found).abs() < 0.005, "expected {expected}, found {found}");
 }
 
-fn selected(block: &SimulatedBlock, points: &MultiRayPoints, options: &SelectOptions) -> SelectedPoints {
+fn selected(block: &SimulatedBlock, points: &TiePoints, options: &SelectOptions) -> SelectedPoints {
     select_points(points, &block.image_features(), options).unwrap()
 }
 
 /// The common points of each pair of images, of all points or of some.
-fn common(points: &MultiRayPoints, chosen: Option<&[u32]>) -> BTreeMap<[u32; 2], u32> {
+fn common(points: &TiePoints, chosen: Option<&[u32]>) -> BTreeMap<[u32; 2], u32> {
     let mut counts = BTreeMap::new();
     let all: Vec<u32> = (0..points.len() as u32).collect();
     for point in chosen.unwrap_or(&all) {

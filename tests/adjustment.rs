@@ -1,8 +1,8 @@
 //! The bundle adjustment on simulated blocks whose every answer is known.
 
 use tiepoint::{
-    Block, BundleOptions, BundleResult, Datum, FreeParameters, Loss, NetworkFlight, NetworkKind, RayVerdict, SimulatedNetwork,
-    adjust_block, angles_from_rotation, simulate_network,
+    AdjustmentOptions, AdjustmentResult, Block, Datum, FreeParameters, Loss, NetworkFlight, NetworkKind, ObservationVerdict,
+    SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,
 };
 
 /// A block that starts from the truth: the errors of a free network then lie in its own datum.
@@ -10,8 +10,8 @@ fn from_truth(flight: &NetworkFlight) -> SimulatedNetwork {
     simulate_network(&NetworkFlight { approximate_m: 0.0, ..flight.clone() }).unwrap()
 }
 
-fn squares() -> BundleOptions {
-    BundleOptions { loss: Loss::Squares, snooping: false, ..BundleOptions::default() }
+fn squares() -> AdjustmentOptions {
+    AdjustmentOptions { loss: Loss::Squares, snooping: false, ..AdjustmentOptions::default() }
 }
 
 fn angles(rotation: &[[f64; 3]; 3]) -> [f64; 3] {
@@ -19,7 +19,7 @@ fn angles(rotation: &[[f64; 3]; 3]) -> [f64; 3] {
 }
 
 /// Errors by their standard errors: of angles, positions and points.
-fn standardised(result: &BundleResult, truth: &Block) -> [Vec<f64>; 3] {
+fn standardised(result: &AdjustmentResult, truth: &Block) -> [Vec<f64>; 3] {
     let (mut turns, mut positions, mut points) = (Vec::new(), Vec::new(), Vec::new());
     for ((image, true_image), statistics) in result.block.images.iter().zip(&truth.images).zip(&result.images) {
         let (got, wanted) = (angles(&image.rotation), angles(&true_image.rotation));
@@ -48,7 +48,7 @@ fn mean_square(values: &[f64]) -> f64 {
 const RUNS: u32 = 30;
 
 /// Mean squares of the standardised errors of many simulations of a block.
-fn mean_squares(flight: &NetworkFlight, options: &BundleOptions, runs: u32) -> [f64; 3] {
+fn mean_squares(flight: &NetworkFlight, options: &AdjustmentOptions, runs: u32) -> [f64; 3] {
     let mut all: [Vec<f64>; 3] = Default::default();
     for seed in 1..=runs {
         let simulated = from_truth(&NetworkFlight { seed, ..flight.clone() });
@@ -85,7 +85,7 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
         gps_sigma_m: 0.03,
         ..NetworkFlight::default()
     };
-    let options = BundleOptions { datum: Datum::GpsAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
+    let options = AdjustmentOptions { datum: Datum::GpsAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
     let mut all: [Vec<f64>; 4] = Default::default();
     for seed in 1..=4 * RUNS {
         let mut simulated = simulate_network(&NetworkFlight { seed, control_points: 5, ..flight.clone() }).unwrap();
@@ -124,7 +124,7 @@ fn redundancies_sum_up_to_the_degrees_of_freedom() {
     let mut simulated = simulate_network(&flight).unwrap();
     simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: true, radial: 1, tangential: false };
     for datum in [Datum::Free, Datum::Gps, Datum::Control, Datum::GpsAndControl] {
-        let result = adjust_block(&simulated.observed, &BundleOptions { datum, sigma0_px: Some(0.4), ..squares() }).unwrap();
+        let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum, sigma0_px: Some(0.4), ..squares() }).unwrap();
         let rays: f64 = result.rays.iter().filter_map(|ray| ray.redundancy).flatten().sum();
         let gps: f64 = result.images.iter().filter_map(|image| image.gps?.redundancy).flatten().sum();
         let control: f64 = result.control.iter().filter_map(|c| (*c)?.redundancy).flatten().sum();
@@ -146,7 +146,7 @@ fn a_free_network_keeps_its_shape_whatever_the_start() {
     // What is not seen from the datum: redundancies, and the ratio of distances.
     let redundancy = near.rays.iter().zip(&far.rays).map(|(a, b)| (a.redundancy.unwrap()[0] - b.redundancy.unwrap()[0]).abs());
     assert!(redundancy.fold(0.0, f64::max) < 1e-5);
-    let distance = |result: &BundleResult, a: usize, b: usize| {
+    let distance = |result: &AdjustmentResult, a: usize, b: usize| {
         let (a, b) = (result.block.images[a].position, result.block.images[b].position);
         (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>().sqrt()
     };
@@ -167,14 +167,14 @@ fn a_free_network_stays_in_the_middle_of_its_start() {
 #[test]
 fn errors_of_a_block_held_by_gps_are_as_large_as_told() {
     let flight = NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() };
-    let options = BundleOptions { datum: Datum::Gps, ..squares() };
+    let options = AdjustmentOptions { datum: Datum::Gps, ..squares() };
     within("GPS", mean_squares(&flight, &options, 60));
 }
 
 #[test]
 fn errors_of_a_block_held_by_control_points_are_as_large_as_told() {
     let flight = NetworkFlight { control_points: 6, approximate_m: 1.0, ..NetworkFlight::default() };
-    let options = BundleOptions { datum: Datum::Control, ..squares() };
+    let options = AdjustmentOptions { datum: Datum::Control, ..squares() };
     within("control", mean_squares(&flight, &options, 200));
 }
 
@@ -182,7 +182,7 @@ fn errors_of_a_block_held_by_control_points_are_as_large_as_told() {
 fn gps_with_a_gross_error_shows_it_in_its_test() {
     let mut simulated = simulate_network(&NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() }).unwrap();
     simulated.observed.images[11].gps.as_mut().unwrap().position[2] += 0.6;
-    let result = adjust_block(&simulated.observed, &BundleOptions { datum: Datum::Gps, ..squares() }).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap();
     let size = |image: usize| result.images[image].gps.unwrap().w.unwrap().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
     let worst = (0..result.images.len()).max_by(|a, b| size(*a).total_cmp(&size(*b))).unwrap();
     assert!(worst == 11 && size(11) > 3.29, "{worst}: {}", size(worst));
@@ -197,12 +197,12 @@ fn a_surveyed_point_with_one_ray_still_counts() {
     let kept = block.rays[first];
     block.rays.retain(|ray| ray.point != point);
     block.rays.push(kept);
-    let result = adjust_block(block, &BundleOptions { datum: Datum::Control, ..squares() }).unwrap();
-    assert_eq!(result.rays.last().unwrap().verdict, RayVerdict::Accepted);
+    let result = adjust_block(block, &AdjustmentOptions { datum: Datum::Control, ..squares() }).unwrap();
+    assert_eq!(result.rays.last().unwrap().verdict, ObservationVerdict::Accepted);
     assert!(result.control[5].is_some());
     assert!(result.rmse_by_rays[0].rays == 1 && result.rmse_by_rays[0].points == 1, "{:?}", result.rmse_by_rays[0]);
     let free = adjust_block(block, &squares()).unwrap();
-    assert_eq!(free.rays.last().unwrap().verdict, RayVerdict::LostPoint);
+    assert_eq!(free.rays.last().unwrap().verdict, ObservationVerdict::LostPoint);
     assert!(free.control.iter().all(Option::is_none));
 }
 
@@ -210,10 +210,14 @@ fn a_surveyed_point_with_one_ray_still_counts() {
 fn one_ray_in_five_may_be_wrong() {
     let flight = NetworkFlight { gross_share: 0.2, points_per_image: 80.0, end_lap: 0.8, ..NetworkFlight::default() };
     let simulated = simulate_network(&flight).unwrap();
-    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     let sigma0 = result.sigma0_px.unwrap();
-    let kept =
-        result.rays.iter().enumerate().filter(|(k, ray)| ray.verdict == RayVerdict::Accepted && error_of(&simulated, *k) > 8.0).count();
+    let kept = result
+        .rays
+        .iter()
+        .enumerate()
+        .filter(|(k, ray)| ray.verdict == ObservationVerdict::Accepted && error_of(&simulated, *k) > 8.0)
+        .count();
     println!("sigma0 {sigma0}, {kept} of {} large gross errors kept", simulated.gross.len());
     assert!((sigma0 / flight.noise_px - 1.0).abs() < 0.08, "{sigma0}");
     assert!((kept as f64) < 0.01 * simulated.gross.len() as f64);
@@ -223,7 +227,7 @@ fn one_ray_in_five_may_be_wrong() {
 fn gross_errors_are_found_and_good_rays_kept() {
     let flight = NetworkFlight { gross_share: 0.05, points_per_image: 80.0, ..NetworkFlight::default() };
     let simulated = simulate_network(&flight).unwrap();
-    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     let mut is_gross = vec![false; result.rays.len()];
     simulated.gross.iter().for_each(|ray| is_gross[*ray] = true);
     // What data snooping can see: errors that exceed what its residual shows beside noise.
@@ -232,9 +236,9 @@ fn gross_errors_are_found_and_good_rays_kept() {
         let error = error_of(&simulated, index);
         if *gross && error > 5.0 {
             large += 1;
-            found += usize::from(ray.verdict != RayVerdict::Accepted);
+            found += usize::from(ray.verdict != ObservationVerdict::Accepted);
         }
-        lost += usize::from(!gross && ray.verdict == RayVerdict::GrossError);
+        lost += usize::from(!gross && ray.verdict == ObservationVerdict::GrossError);
     }
     let good = is_gross.iter().filter(|gross| !**gross).count();
     println!("{found} of {large} gross errors found, {lost} of {good} good rays rejected, sigma0 {:?}", result.sigma0_px);
@@ -248,8 +252,8 @@ fn rays_of_two_photos_are_kept() {
     // Along the base nothing can be told of a point's rays: residuals there are no measure of what is good.
     let flight = NetworkFlight { strips: 1, stations: 2, points_per_image: 300.0, ..NetworkFlight::default() };
     let simulated = simulate_network(&flight).unwrap();
-    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
-    let lost = result.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
+    let lost = result.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count();
     println!("{lost} of {} rays rejected, sigma0 {:?}", result.rays.len(), result.sigma0_px);
     assert!(lost * 100 <= 2 * result.rays.len(), "{lost} of {}", result.rays.len());
     assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.1, "{:?}", result.sigma0_px);
@@ -265,10 +269,10 @@ fn a_rejected_ray_is_told_the_test_it_had() {
     let sigma0_px = Some(flight.noise_px);
     let mut tests = Vec::new();
     for datum in [Datum::Free, Datum::Gps] {
-        let options = BundleOptions { datum, sigma0_px, loss: Loss::Squares, ..BundleOptions::default() };
-        let kept = adjust_block(&simulated.observed, &BundleOptions { snooping: false, ..options.clone() }).unwrap();
+        let options = AdjustmentOptions { datum, sigma0_px, loss: Loss::Squares, ..AdjustmentOptions::default() };
+        let kept = adjust_block(&simulated.observed, &AdjustmentOptions { snooping: false, ..options.clone() }).unwrap();
         let snooped = adjust_block(&simulated.observed, &options).unwrap();
-        assert_eq!(snooped.rays[wrong].verdict, RayVerdict::GrossError);
+        assert_eq!(snooped.rays[wrong].verdict, ObservationVerdict::GrossError);
         // By how much a residual exceeds its standard error does not depend on whether it took part.
         tests.extend([&kept, &snooped].map(|result| result.rays[wrong].w.unwrap()[1]));
         assert!(snooped.rays[wrong].residual_px[1].abs() > kept.rays[wrong].residual_px[1].abs());
@@ -308,7 +312,7 @@ fn a_lens_that_bends_is_calibrated_by_a_free_network() {
     let camera = &mut simulated.observed.cameras[0];
     camera.radial = [0.0; 3];
     camera.free = FreeParameters { radial: 3, focal: true, ..FreeParameters::default() };
-    let result = adjust_block(&simulated.observed, &BundleOptions::default()).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.05, "{:?}", result.sigma0_px);
     let (own, told) = (&result.block.cameras[0], &result.cameras[0].standard_errors);
     println!("{own:?} {told:?}");
@@ -321,7 +325,7 @@ fn gps_in_a_single_strip_does_not_hold_a_block() {
     for (k, image) in simulated.observed.images.iter_mut().enumerate() {
         image.gps.as_mut().unwrap().position = [k as f64 * 20.0, 0.0, 100.0];
     }
-    let error = adjust_block(&simulated.observed, &BundleOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    let error = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "degenerate");
 }
 
@@ -333,10 +337,10 @@ fn a_single_strip_is_a_free_network_too() {
 #[test]
 fn rays_without_errors_give_the_truth() {
     let simulated = simulate_network(&NetworkFlight { noise_px: 0.0, ..NetworkFlight::default() }).unwrap();
-    for options in [squares(), BundleOptions::default()] {
+    for options in [squares(), AdjustmentOptions::default()] {
         let result = adjust_block(&simulated.observed, &options).unwrap();
         assert!(result.rmse_px < 1e-6, "{}", result.rmse_px);
-        assert!(result.rays.iter().all(|ray| ray.verdict == RayVerdict::Accepted));
+        assert!(result.rays.iter().all(|ray| ray.verdict == ObservationVerdict::Accepted));
     }
 }
 
@@ -370,9 +374,9 @@ fn wrong_blocks_are_refused_by_what_is_wrong() {
     assert!(code == "degenerate" && text.contains("image 4"), "{text}");
     let (code, _) = refused(&|b| b.images.truncate(1));
     assert_eq!(code, "too-few");
-    let error = adjust_block(&block, &BundleOptions { alpha0: 0.0, ..squares() }).unwrap_err();
+    let error = adjust_block(&block, &AdjustmentOptions { alpha0: 0.0, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "invalid-option");
-    let error = adjust_block(&block, &BundleOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    let error = adjust_block(&block, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "too-few");
 }
 

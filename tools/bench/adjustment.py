@@ -1,8 +1,8 @@
 """How fast and how equal the bundle adjustment is beside Ceres, as pycolmap has it: the same simulated block, one thread each.
 
     python3 -m venv venv && venv/bin/pip install pycolmap
-    cargo build --release --example bundle
-    venv/bin/python tools/bench/bundle.py [small|medium|large|huge …]
+    cargo build --release --example adjustment
+    venv/bin/python tools/bench/adjustment.py [small|medium|large|huge …]
 
 Both start from the same approximate values and minimise the same squares. pycolmap holds two camera centres where a free network has inner
 constraints: residuals are compared, and positions after a similarity.
@@ -21,7 +21,7 @@ import numpy as np
 import pycolmap
 
 ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ROOT / 'target/release/examples/bundle'
+PROGRAM = ROOT / 'target/release/examples/adjustment'
 
 BLOCKS = {
     'small': dict(strips=5, stations=6, points_per_image=400),

@@ -1,9 +1,9 @@
-//! How well simulated blocks are assembled, kind by kind: `cargo run --release --example assembly_trials [SEEDS]`.
+//! How well simulated blocks are reconstructed, kind by kind: `cargo run --release --example reconstruction_trials [SEEDS]`.
 
 use std::time::Instant;
 use tiepoint::{
-    AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, SelectOptions, Similarity,
-    SimulatedBlock, assemble_block, multi_ray_points, simulate_block,
+    BlockDescription, BlockFlight, BlockOptions, BlockView, KnownCamera, KnownImage, ReconstructionOptions, SelectOptions, Similarity,
+    SimulatedBlock, reconstruct_block, simulate_block, tie_points,
 };
 
 /// A kind of block: its name, its flight, and the focal length that is given by the true one; none where it is not known.
@@ -15,12 +15,12 @@ fn main() -> Result<(), tiepoint::Error> {
     for (name, flight, focal) in kinds() {
         for seed in 1..=seeds {
             let block = simulate_block(&BlockFlight { seed, ..flight.clone() })?;
-            let (points, _) = multi_ray_points(&block.matches()?, &BlockOptions::default())?;
-            let options = AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() };
+            let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
+            let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
             let start = Instant::now();
-            let assembly = assemble_block(&describe(&block, focal), &points, &block.image_features(), &options)?;
+            let reconstruction = reconstruct_block(&describe(&block, focal), &points, &block.image_features(), &options)?;
             let seconds = start.elapsed().as_secs_f64();
-            let Some(model) = assembly.models.first() else {
+            let Some(model) = reconstruction.models.first() else {
                 println!("{name}: {seed}, nothing oriented");
                 continue;
             };
@@ -39,13 +39,13 @@ fn main() -> Result<(), tiepoint::Error> {
                 "{name}: {seed}, {} of {}, {}, {}, {:.3}, {:.3}, {focal:.4}, {:.3}, {seconds:.1}",
                 model.images.len(),
                 block.exposures.len(),
-                assembly.models.len(),
+                reconstruction.models.len(),
                 model.adjusted.points.iter().flatten().count(),
                 model.adjusted.rmse_px,
                 model.adjusted.sigma0_px.unwrap_or(f64::NAN),
                 Similarity::between(&pairs).map_or(f64::NAN, square),
             );
-            assembly.unoriented.iter().take(3).for_each(|image| println!("  {}", image.text));
+            reconstruction.unoriented.iter().take(3).for_each(|image| println!("  {}", image.text));
         }
     }
     Ok(())
@@ -75,8 +75,8 @@ fn kinds() -> Vec<Kind> {
 fn describe(block: &SimulatedBlock, focal: Option<f64>) -> BlockDescription {
     let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap_or(0);
     let true_focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).map_or(1.0, |e| e.focal_px);
-    let camera = |camera| AssemblyCamera::of_size(block.width_px, block.height_px, focal.map(|factor| factor * true_focal(camera)));
-    let image = |(k, exposure): (usize, &tiepoint::Exposure)| AssemblyImage {
+    let camera = |camera| KnownCamera::of_size(block.width_px, block.height_px, focal.map(|factor| factor * true_focal(camera)));
+    let image = |(k, exposure): (usize, &tiepoint::Exposure)| KnownImage {
         name: format!("{k}.jpg"),
         camera: exposure.camera as usize,
         position: None,

@@ -1,12 +1,12 @@
-//! Adjusts a block read as JSON and tells how long that took: what `tools/bench/bundle.py` compares with other programs.
+//! Adjusts a block read as JSON and tells how long that took: what `tools/bench/adjustment.py` compares with other programs.
 //!
-//! `bundle simulate FLIGHT.json BLOCK.json TRUTH.json` writes a simulated block; `bundle adjust BLOCK.json OPTIONS.json RESULT.json` adjusts one
+//! `adjustment simulate FLIGHT.json BLOCK.json TRUTH.json` writes a simulated block; `adjustment adjust BLOCK.json OPTIONS.json RESULT.json` adjusts one
 //! and prints a line of JSON.
 
 use std::error::Error;
 use std::fs;
 use std::time::Instant;
-use tiepoint::{Block, BundleOptions, NetworkFlight, adjust_block, simulate_network};
+use tiepoint::{AdjustmentOptions, Block, NetworkFlight, adjust_block, simulate_network};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         ["adjust", block, options, result] => {
             let block: Block = serde_json::from_slice(&fs::read(block)?)?;
-            let options: BundleOptions = serde_json::from_str(&fs::read_to_string(options)?)?;
+            let options: AdjustmentOptions = serde_json::from_str(&fs::read_to_string(options)?)?;
             let start = Instant::now();
             let adjusted = adjust_block(&block, &options)?;
             let seconds = start.elapsed().as_secs_f64();
@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             println!("{figures}");
             fs::write(result, serde_json::to_vec(&adjusted.block)?)?;
         }
-        _ => return Err("usage: bundle simulate FLIGHT BLOCK TRUTH | bundle adjust BLOCK OPTIONS RESULT".into()),
+        _ => return Err("usage: adjustment simulate FLIGHT BLOCK TRUTH | adjustment adjust BLOCK OPTIONS RESULT".into()),
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! A block is simulated and adjusted to the same bits natively and as wasm.
 
-use tiepoint::{BundleOptions, BundleResult, Datum, FreeParameters, NetworkFlight, NetworkKind, adjust_block, simulate_network};
+use tiepoint::{AdjustmentOptions, AdjustmentResult, Datum, FreeParameters, NetworkFlight, NetworkKind, adjust_block, simulate_network};
 
 /// What all results come to; where the method changes, the failing test prints the new one.
 const EXPECTED: u64 = 0xb060_f8cc_481d_db6e;
@@ -22,7 +22,7 @@ fn blocks_are_adjusted_to_the_same_bits_on_every_machine() {
         };
         let mut block = simulate_network(&flight).unwrap().observed;
         block.cameras[0].free = FreeParameters { radial: 2, ..FreeParameters::ALL };
-        hash.add_result(&adjust_block(&block, &BundleOptions { datum, ..BundleOptions::default() }).unwrap());
+        hash.add_result(&adjust_block(&block, &AdjustmentOptions { datum, ..AdjustmentOptions::default() }).unwrap());
     }
     assert_eq!(hash.0, EXPECTED, "got {:#018x}", hash.0);
 }
@@ -47,7 +47,7 @@ impl Hash {
         values.into_iter().for_each(|value| self.add(*value));
     }
 
-    fn add_result(&mut self, result: &BundleResult) {
+    fn add_result(&mut self, result: &AdjustmentResult) {
         for (image, statistics) in result.block.images.iter().zip(&result.images) {
             self.add_all(image.rotation.as_flattened());
             self.add_all(&image.position);

@@ -1,9 +1,11 @@
-//! The assembly of blocks of which what is known is wrong, missing or poor.
+//! The reconstruction of blocks of which what is known is wrong, missing or poor.
 
 mod scene;
 
 use scene::{Scene, scene, selected};
-use tiepoint::{Assembly, AssemblyCamera, AssemblyControl, BlockFlight, ControlRay, Datum, ObservedPosition, geographic_from_local};
+use tiepoint::{
+    BlockFlight, Datum, GroundControlPoint, ImageMeasurement, KnownCamera, ObservedPosition, Reconstruction, geographic_from_local,
+};
 
 /// Where the simulated blocks lie on the earth.
 const ORIGIN: [f64; 3] = [8.0, 50.0, 200.0];
@@ -39,19 +41,19 @@ impl Scene {
         }
     }
 
-    /// A block that is assembled with all its images, its shape right to `most_off_m`.
-    fn assert_all(&self, what: &str, most_off_m: f64) -> Assembly {
-        let assembly = self.assemble(&selected());
-        self.report(what, &assembly);
-        assert_eq!((assembly.models.len(), assembly.unoriented.len()), (1, 0), "{what}: {:?}", assembly.unoriented);
-        let (off, _) = self.errors(&assembly, 0);
+    /// A block that is reconstructed with all its images, its shape right to `most_off_m`.
+    fn assert_all(&self, what: &str, most_off_m: f64) -> Reconstruction {
+        let reconstruction = self.reconstruct(&selected());
+        self.report(what, &reconstruction);
+        assert_eq!((reconstruction.models.len(), reconstruction.unoriented.len()), (1, 0), "{what}: {:?}", reconstruction.unoriented);
+        let (off, _) = self.errors(&reconstruction, 0);
         assert!(off < most_off_m, "{what}: {off} m");
-        assembly
+        reconstruction
     }
 
     /// How far the images lie from the truth in m where the system is that of the truth: root mean squares of x, y and of z.
-    fn off_in_system(&self, assembly: &Assembly) -> [f64; 2] {
-        let model = &assembly.models[0];
+    fn off_in_system(&self, reconstruction: &Reconstruction) -> [f64; 2] {
+        let model = &reconstruction.models[0];
         let mut sums = [0.0; 2];
         for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
             let d = [0, 1, 2].map(|i| image.position[i] - self.block.exposures[*k].centre[i]);
@@ -62,18 +64,18 @@ impl Scene {
     }
 }
 
-fn says(assembly: &Assembly, words: &[&str]) -> bool {
-    assembly.models[0].weaknesses.iter().any(|weakness| words.iter().all(|word| weakness.contains(word)))
+fn says(reconstruction: &Reconstruction, words: &[&str]) -> bool {
+    reconstruction.models[0].weaknesses.iter().any(|weakness| words.iter().all(|word| weakness.contains(word)))
 }
 
 #[test]
 fn positions_without_heights_place_a_block_that_is_taken_as_level() {
     let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
     scene.record_places(|_| false);
-    let assembly = scene.assert_all("no heights", 2.0);
-    let model = &assembly.models[0];
+    let reconstruction = scene.assert_all("no heights", 2.0);
+    let model = &reconstruction.models[0];
     assert!(model.in_system && model.adjusted.datum == Datum::Gps);
-    assert!(says(&assembly, &["no heights", "level"]), "{:?}", model.weaknesses);
+    assert!(says(&reconstruction, &["no heights", "level"]), "{:?}", model.weaknesses);
     // Heights count from the mean of the flight; what is told of them is that they are uncertain.
     let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.position[2]).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -87,10 +89,10 @@ fn a_height_that_is_missing_leaves_the_block_in_its_system() {
     let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
     for missing in [vec![0], vec![7], (3..15).collect()] {
         scene.record_places(|image| !missing.contains(&image));
-        let assembly = scene.assert_all("a height missing", 2.0);
-        let model = &assembly.models[0];
+        let reconstruction = scene.assert_all("a height missing", 2.0);
+        let model = &reconstruction.models[0];
         assert!(model.in_system && model.adjusted.datum == Datum::Gps, "{:?}", model.weaknesses);
-        assert!(!says(&assembly, &["level"]), "{:?}", model.weaknesses);
+        assert!(!says(&reconstruction, &["level"]), "{:?}", model.weaknesses);
         let gps = model.adjusted.images[missing[0]].gps.unwrap();
         assert!(gps.residual[2] == 0.0 && gps.residual[0] != 0.0);
     }
@@ -102,17 +104,17 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
     for (by, told) in [([30.0, 0.0, 0.0], "m)"), ([300.0, 0.0, 0.0], "m)"), ([0.0, 0.0, -3000.0], "m)"), ([5e6, 0.0, 0.0], "m)")] {
         scene.record_positions();
         scene.shift_position(6, by);
-        let assembly = scene.assert_all(&format!("a position {by:?} off"), 1.5);
-        let model = &assembly.models[0];
-        assert!(model.in_system && says(&assembly, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
+        let reconstruction = scene.assert_all(&format!("a position {by:?} off"), 1.5);
+        let model = &reconstruction.models[0];
+        assert!(model.in_system && says(&reconstruction, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
         let gps = model.adjusted.images[6].gps.unwrap();
         let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
         let residual = gps.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
         assert!(!gps.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
         let refused = model.adjusted.images.iter().filter(|image| !image.gps.unwrap().accepted).count();
         assert_eq!(refused, 1);
-        assert!(says(&assembly, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
-        let off = scene.off_in_system(&assembly);
+        assert!(says(&reconstruction, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
+        let off = scene.off_in_system(&reconstruction);
         assert!(off.iter().all(|off| *off < 3.0), "{off:?}");
     }
 }
@@ -125,9 +127,9 @@ fn a_receiver_without_a_fix_does_not_move_the_block() {
         let position = &mut scene.description.images[image].position;
         *position = Some(ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] });
     }
-    let assembly = scene.assert_all("two without a fix", 2.0);
-    assert!(assembly.models[0].in_system && says(&assembly, &["2 recorded positions", "0000.jpg", "0009.jpg"]));
-    let origin = assembly.origin.unwrap();
+    let reconstruction = scene.assert_all("two without a fix", 2.0);
+    assert!(reconstruction.models[0].in_system && says(&reconstruction, &["2 recorded positions", "0000.jpg", "0009.jpg"]));
+    let origin = reconstruction.origin.unwrap();
     assert!((origin.latitude_deg - ORIGIN[1]).abs() < 0.1 && (origin.longitude_deg - ORIGIN[0]).abs() < 0.1, "{origin:?}");
 }
 
@@ -136,8 +138,8 @@ fn good_recorded_positions_are_all_kept() {
     for seed in 1..4 {
         let mut scene = scene(&BlockFlight { seed, ..BlockFlight::default() }, 1.0);
         scene.record_positions();
-        let assembly = scene.assert_all("good positions", 1.5);
-        assert!(assembly.models[0].adjusted.images.iter().all(|image| image.gps.unwrap().accepted));
+        let reconstruction = scene.assert_all("good positions", 1.5);
+        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gps.unwrap().accepted));
     }
 }
 
@@ -149,19 +151,19 @@ fn a_camera_for_every_image_is_calibrated_as_far_as_the_block_determines_it() {
             scene.record_positions();
         }
         let focal = scene.description.cameras[0].focal_px;
-        let camera = AssemblyCamera::of_size(scene.block.width_px, scene.block.height_px, focal);
+        let camera = KnownCamera::of_size(scene.block.width_px, scene.block.height_px, focal);
         scene.description.cameras = vec![camera; 30];
         scene.description.images.iter_mut().enumerate().for_each(|(index, image)| image.camera = index);
-        let assembly = scene.assert_all(&format!("30 cameras, relief {relief_m} m, positions {recorded}"), 40.0);
-        assert_eq!(assembly.models[0].cameras.len(), 30);
-        assert!(assembly.models[0].in_system == recorded);
+        let reconstruction = scene.assert_all(&format!("30 cameras, relief {relief_m} m, positions {recorded}"), 40.0);
+        assert_eq!(reconstruction.models[0].cameras.len(), 30);
+        assert!(reconstruction.models[0].in_system == recorded);
         // Cameras that are not determined contradict good positions.
-        assert!(assembly.models[0].adjusted.images.iter().all(|image| image.gps.is_none_or(|gps| gps.accepted)));
+        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gps.is_none_or(|gps| gps.accepted)));
     }
 }
 
 /// Surveyed points, well spread, with marks in every image that shows them; marks are off by up to `most_px`.
-fn surveyed(scene: &Scene, most_px: f64) -> Vec<AssemblyControl> {
+fn surveyed(scene: &Scene, most_px: f64) -> Vec<GroundControlPoint> {
     let mut control = Vec::new();
     let ground = &scene.block.ground;
     let reach = |k: usize| ground.iter().map(|p| p[k]).fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
@@ -174,10 +176,10 @@ fn surveyed(scene: &Scene, most_px: f64) -> Vec<AssemblyControl> {
         for (image, exposure) in scene.block.exposures.iter().enumerate() {
             if let Some([x, y]) = exposure.project(position, scene.block.width_px, scene.block.height_px) {
                 let off = [0, 1].map(|k| most_px * error(image * 5 + index, k));
-                rays.push(ControlRay { image, x_px: x + off[0], y_px: y + off[1] });
+                rays.push(ImageMeasurement { image, x_px: x + off[0], y_px: y + off[1] });
             }
         }
-        control.push(AssemblyControl {
+        control.push(GroundControlPoint {
             name: format!("gcp {index}"),
             position: ObservedPosition::Local { position, sigma: [0.02, 0.02, 0.03] },
             rays,
@@ -192,12 +194,12 @@ fn marks_are_judged_by_their_own_precision() {
     for most_px in [1.0, 2.0] {
         scene.description.control = surveyed(&scene, most_px);
         let marks: usize = scene.description.control.iter().map(|control| control.rays.len()).sum();
-        let assembly = scene.assert_all(&format!("marks off by up to {most_px} px"), 1.5);
-        let model = &assembly.models[0];
+        let reconstruction = scene.assert_all(&format!("marks off by up to {most_px} px"), 1.5);
+        let model = &reconstruction.models[0];
         assert!(marks >= 25 && model.in_system && model.adjusted.datum == Datum::Control);
         let accepted: usize = model.points.iter().zip(&model.adjusted.points).rev().take(5).map(|(_, point)| point.unwrap().rays).sum();
         assert!(accepted as f64 >= 0.95 * marks as f64, "{accepted} of {marks}");
-        let off = scene.off_in_system(&assembly);
+        let off = scene.off_in_system(&reconstruction);
         assert!(off.iter().all(|off| *off < 4.0 * most_px), "{off:?}");
     }
 }
@@ -212,11 +214,11 @@ fn marks_that_do_not_fit_are_told_by_name() {
         ray.x_px += 200.0 * error(index, 0);
         ray.y_px += 200.0 * error(index, 1);
     }
-    let assembly = scene.assert_all("wrong marks", 1.5);
-    let weaknesses = &assembly.models[0].weaknesses;
-    assert!(says(&assembly, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
-    assert!(says(&assembly, &["gcp 3"]), "{weaknesses:?}");
-    assert!(!says(&assembly, &["gcp 1"]), "{weaknesses:?}");
+    let reconstruction = scene.assert_all("wrong marks", 1.5);
+    let weaknesses = &reconstruction.models[0].weaknesses;
+    assert!(says(&reconstruction, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
+    assert!(says(&reconstruction, &["gcp 3"]), "{weaknesses:?}");
+    assert!(!says(&reconstruction, &["gcp 1"]), "{weaknesses:?}");
 }
 
 #[test]
@@ -240,35 +242,39 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
             let ObservedPosition::Local { position, sigma } = &mut control.position else { unreachable!() };
             position.iter_mut().chain(sigma).for_each(|v| *v *= scale);
         }
-        let assembly = scene.assemble(&selected());
-        let model = &assembly.models[0];
+        let reconstruction = scene.reconstruct(&selected());
+        let model = &reconstruction.models[0];
         assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.weaknesses);
-        assert!(assembly.origin.is_none(), "what the surveyed points are of has no place on the earth");
+        assert!(reconstruction.origin.is_none(), "what the surveyed points are of has no place on the earth");
         assert!(model.adjusted.images.iter().all(|image| image.gps.is_none()));
-        assert_eq!(says(&assembly, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
-        assert!(told.is_none_or(|words| says(&assembly, &words)), "{scale}: {:?}", model.weaknesses);
+        assert_eq!(says(&reconstruction, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
+        assert!(told.is_none_or(|words| says(&reconstruction, &words)), "{scale}: {:?}", model.weaknesses);
     }
     // Recorded positions that are as uncertain as the block is wide tell nothing of its size.
     for image in &mut scene.description.images {
         let Some(ObservedPosition::Geographic { sigma_m, .. }) = &mut image.position else { unreachable!() };
         *sigma_m = [600.0; 3];
     }
-    let assembly = scene.assemble(&selected());
-    assert!(!says(&assembly, &["times as large"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(!says(&reconstruction, &["times as large"]), "{:?}", reconstruction.models[0].weaknesses);
 }
 
 #[test]
 fn degrees_in_place_of_metres_are_told() {
     let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
     scene.description.control = surveyed(&scene, 0.3);
-    let assembly = scene.assemble(&selected());
-    assert!(!says(&assembly, &["degrees"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(!says(&reconstruction, &["degrees"]), "{:?}", reconstruction.models[0].weaknesses);
     for control in &mut scene.description.control {
         let ObservedPosition::Local { position, .. } = &mut control.position else { unreachable!() };
         *position = geographic_from_local(*position, ORIGIN);
     }
-    let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["longitude and latitude", "metres are needed, not degrees"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(
+        says(&reconstruction, &["longitude and latitude", "metres are needed, not degrees"]),
+        "{:?}",
+        reconstruction.models[0].weaknesses
+    );
 }
 
 #[test]
@@ -281,10 +287,10 @@ fn the_tilt_of_a_block_whose_turn_is_uncertain_is_told() {
             position[2] += if index >= 6 { slope * width } else { 0.0 };
             image.position = Some(ObservedPosition::Local { position, sigma: [60.0, 60.0, 100.0] });
         }
-        let assembly = scene.assemble(&selected());
-        let model = &assembly.models[0];
-        assert!(model.in_system && says(&assembly, &["The recorded positions hardly determine"]), "{:?}", model.weaknesses);
-        assert_eq!(says(&assembly, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.weaknesses);
+        let reconstruction = scene.reconstruct(&selected());
+        let model = &reconstruction.models[0];
+        assert!(model.in_system && says(&reconstruction, &["The recorded positions hardly determine"]), "{:?}", model.weaknesses);
+        assert_eq!(says(&reconstruction, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.weaknesses);
     }
 }
 
@@ -296,9 +302,13 @@ fn what_leaves_the_turn_of_a_block_open_is_named() {
         let ObservedPosition::Local { sigma, .. } = &mut control.position else { unreachable!() };
         *sigma = [20.0, 20.0, 300.0];
     }
-    let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The surveyed points", "determine how the whole block is turned"]), "{:?}", assembly.models[0].weaknesses);
-    assert!(!says(&assembly, &["recorded positions"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(
+        says(&reconstruction, &["The surveyed points", "determine how the whole block is turned"]),
+        "{:?}",
+        reconstruction.models[0].weaknesses
+    );
+    assert!(!says(&reconstruction, &["recorded positions"]), "{:?}", reconstruction.models[0].weaknesses);
 }
 
 #[test]
@@ -306,11 +316,15 @@ fn cameras_are_named_by_their_images() {
     let flight = BlockFlight { strips: 2, exposures: 5, features: 1000, ..BlockFlight::default() };
     let mut scene = scene(&flight, 1.0);
     scene.description.cameras[0].focal_px = None;
-    let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The focal length of the camera was not known"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(says(&reconstruction, &["The focal length of the camera was not known"]), "{:?}", reconstruction.models[0].weaknesses);
     let second = scene.description.cameras[0].clone();
     scene.description.cameras.push(second);
     scene.description.images[5..].iter_mut().for_each(|image| image.camera = 1);
-    let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The focal length of camera 2 (0005.jpg and 4 more images)"]), "{:?}", assembly.models[0].weaknesses);
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(
+        says(&reconstruction, &["The focal length of camera 2 (0005.jpg and 4 more images)"]),
+        "{:?}",
+        reconstruction.models[0].weaknesses
+    );
 }

@@ -1,4 +1,4 @@
-//! The assembly of simulated blocks: everything from the rays alone.
+//! The reconstruction of simulated blocks: everything from the rays alone.
 
 #[path = "scene/normal.rs"]
 mod normal;
@@ -7,19 +7,19 @@ mod scene;
 use normal::Normal;
 use scene::{Scene, scene, selected};
 use tiepoint::{
-    AssembledPoint, Assembly, AssemblyControl, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, BundleOptions,
-    ControlRay, Datum, FreeParameters, MultiRayPoints, ObservedPosition, OrientedPart, RayVerdict, UnorientedReason, adjust_block,
-    assemble_block, geographic_from_local, local_from_geographic, multi_ray_points, simulate_block,
+    AdjustmentOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, Datum, FreeParameters, GroundControlPoint, ImageMeasurement,
+    ObservationVerdict, ObservedPosition, OrientedPart, PointSource, Reconstruction, ReconstructionOptions, TiePoints, UnorientedReason,
+    adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
 };
 
 /// One model of all images, as precise as the rays: σ₀ is the noise of the features.
-fn assert_whole(scene: &Scene, assembly: &Assembly, most_off_m: f64) {
-    assert_eq!((assembly.models.len(), assembly.unoriented.len()), (1, 0), "{:?}", assembly.unoriented);
-    let model = &assembly.models[0];
+fn assert_whole(scene: &Scene, reconstruction: &Reconstruction, most_off_m: f64) {
+    assert_eq!((reconstruction.models.len(), reconstruction.unoriented.len()), (1, 0), "{:?}", reconstruction.unoriented);
+    let model = &reconstruction.models[0];
     assert_eq!(model.images.len(), scene.description.images.len());
     let sigma0 = model.adjusted.sigma0_px.unwrap();
     assert!((sigma0 / 0.3 - 1.0).abs() < 0.06, "{sigma0}");
-    let (position, angle) = scene.errors(assembly, 0);
+    let (position, angle) = scene.errors(reconstruction, 0);
     assert!(position < most_off_m && angle < 0.5, "{position} m, {angle} deg");
 }
 
@@ -27,10 +27,10 @@ fn assert_whole(scene: &Scene, assembly: &Assembly, most_off_m: f64) {
 fn nadir_blocks_are_oriented_whole() {
     for relief_m in [60.0, 0.0] {
         let scene = scene(&BlockFlight { relief_m, ..BlockFlight::default() }, 1.0);
-        let assembly = scene.assemble(&selected());
-        scene.report(&format!("relief of {relief_m} m"), &assembly);
-        assert_whole(&scene, &assembly, 1.5);
-        assert!(!assembly.models[0].in_system && assembly.models[0].weaknesses[0].contains("arbitrary"));
+        let reconstruction = scene.reconstruct(&selected());
+        scene.report(&format!("relief of {relief_m} m"), &reconstruction);
+        assert_whole(&scene, &reconstruction, 1.5);
+        assert!(!reconstruction.models[0].in_system && reconstruction.models[0].weaknesses[0].contains("arbitrary"));
     }
 }
 
@@ -46,10 +46,10 @@ fn an_oblique_block_with_wrong_focal_lengths_is_calibrated() {
         ..BlockFlight::default()
     };
     let scene = scene(&flight, 1.04);
-    let assembly = scene.assemble(&selected());
-    scene.report("oblique", &assembly);
-    assert_whole(&scene, &assembly, 1.0);
-    for (camera, calibrated) in assembly.models[0].adjusted.block.cameras.iter().enumerate() {
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("oblique", &reconstruction);
+    assert_whole(&scene, &reconstruction, 1.0);
+    for (camera, calibrated) in reconstruction.models[0].adjusted.block.cameras.iter().enumerate() {
         let wanted = scene.description.cameras[camera].focal_px.unwrap() / 1.04;
         assert!((calibrated.focal_px / wanted - 1.0).abs() < 0.01, "{camera}: {}, {wanted}", calibrated.focal_px);
     }
@@ -59,10 +59,10 @@ fn an_oblique_block_with_wrong_focal_lengths_is_calibrated() {
 fn a_block_of_two_heights_finds_its_focal_length() {
     let mut scene = scene(&BlockFlight { view: BlockView::TwoHeights, ..BlockFlight::default() }, 1.0);
     let wanted = scene.description.cameras[0].focal_px.take().unwrap();
-    let assembly = scene.assemble(&selected());
-    scene.report("two heights", &assembly);
-    assert_whole(&scene, &assembly, 3.0);
-    let model = &assembly.models[0];
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("two heights", &reconstruction);
+    assert_whole(&scene, &reconstruction, 3.0);
+    let model = &reconstruction.models[0];
     assert_eq!(model.guessed_focal, [0]);
     let (found, error) = (model.adjusted.block.cameras[0].focal_px, model.adjusted.cameras[0].standard_errors[0].unwrap());
     assert!((found - wanted).abs() < 4.0 * error && error < 0.02 * wanted, "{found} ± {error}, {wanted}");
@@ -73,9 +73,9 @@ fn a_block_of_two_heights_finds_its_focal_length() {
 fn two_wrong_matches_in_five_do_not_keep_a_block_from_being_oriented() {
     for repeated in [0.05, 0.5] {
         let scene = scene(&BlockFlight { wrong: 0.4, repeated, seed: 3, ..BlockFlight::default() }, 1.04);
-        let assembly = scene.assemble(&selected());
-        scene.report("40 % wrong", &assembly);
-        assert_whole(&scene, &assembly, 2.0);
+        let reconstruction = scene.reconstruct(&selected());
+        scene.report("40 % wrong", &reconstruction);
+        assert_whole(&scene, &reconstruction, 2.0);
     }
 }
 
@@ -83,16 +83,16 @@ fn two_wrong_matches_in_five_do_not_keep_a_block_from_being_oriented() {
 fn parts_without_common_points_are_models_of_their_own() {
     // Forward, backward and downward views of a short block show three stretches of ground.
     let scene = scene(&BlockFlight { view: BlockView::Oblique, strips: 4, exposures: 5, ..BlockFlight::default() }, 1.0);
-    let assembly = scene.assemble(&selected());
-    scene.report("short oblique block", &assembly);
-    assert!(assembly.models.len() > 1);
-    assert!(assembly.models.windows(2).all(|pair| pair[0].images.len() >= pair[1].images.len()));
-    let mut all: Vec<usize> = assembly.models.iter().flat_map(|model| model.images.clone()).collect();
-    all.extend(assembly.unoriented.iter().map(|image| image.image));
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("short oblique block", &reconstruction);
+    assert!(reconstruction.models.len() > 1);
+    assert!(reconstruction.models.windows(2).all(|pair| pair[0].images.len() >= pair[1].images.len()));
+    let mut all: Vec<usize> = reconstruction.models.iter().flat_map(|model| model.images.clone()).collect();
+    all.extend(reconstruction.unoriented.iter().map(|image| image.image));
     all.sort_unstable();
     assert_eq!(all, (0..100).collect::<Vec<_>>(), "every image is in one model or has a reason");
-    for model in 0..assembly.models.len() {
-        assert!(scene.errors(&assembly, model).0 < 3.0);
+    for model in 0..reconstruction.models.len() {
+        assert!(scene.errors(&reconstruction, model).0 < 3.0);
     }
 }
 
@@ -108,14 +108,18 @@ fn images_that_cannot_be_oriented_have_a_reason() {
         let most = if images.contains(&20) { 1 } else { list.len() };
         matches.add_pair(*images, &list[..most]).unwrap();
     }
-    let (points, _) = multi_ray_points(&matches, &BlockOptions::default()).unwrap();
-    let assembly = assemble_block(&whole.description, &points, &whole.block.image_features(), &selected()).unwrap();
-    assembly.unoriented.iter().for_each(|image| println!("{}", image.text));
-    assert_eq!(assembly.models[0].images.len(), 28);
-    assert_eq!(assembly.unoriented.iter().map(|image| image.image).collect::<Vec<_>>(), [7, 20]);
-    assert_eq!(assembly.unoriented[0].reason, UnorientedReason::NoPoints);
-    assert!(matches!(assembly.unoriented[1].reason, UnorientedReason::TooFewPoints { needed: 12, .. }), "{:?}", assembly.unoriented[1]);
-    assert!(assembly.unoriented[1].text.starts_with("0020.jpg sees"));
+    let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
+    let reconstruction = reconstruct_block(&whole.description, &points, &whole.block.image_features(), &selected()).unwrap();
+    reconstruction.unoriented.iter().for_each(|image| println!("{}", image.text));
+    assert_eq!(reconstruction.models[0].images.len(), 28);
+    assert_eq!(reconstruction.unoriented.iter().map(|image| image.image).collect::<Vec<_>>(), [7, 20]);
+    assert_eq!(reconstruction.unoriented[0].reason, UnorientedReason::NoPoints);
+    assert!(
+        matches!(reconstruction.unoriented[1].reason, UnorientedReason::TooFewPoints { needed: 12, .. }),
+        "{:?}",
+        reconstruction.unoriented[1]
+    );
+    assert!(reconstruction.unoriented[1].text.starts_with("0020.jpg sees"));
 }
 
 #[test]
@@ -132,8 +136,8 @@ fn errors_of_assembled_blocks_are_as_large_as_told() {
             image.position = Some(ObservedPosition::Local { position, sigma: [sigma; 3] });
         }
         scene.description.cameras[0].free = FreeParameters::default();
-        let assembly = scene.assemble(&selected());
-        let model = &assembly.models[0];
+        let reconstruction = scene.reconstruct(&selected());
+        let model = &reconstruction.models[0];
         assert!(model.in_system && model.images.len() == 15);
         variances.push((model.adjusted.sigma0_px.unwrap() / 0.3).powi(2));
         for ((k, image), statistics) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
@@ -141,7 +145,7 @@ fn errors_of_assembled_blocks_are_as_large_as_told() {
             squares[0].extend((0..3).map(|i| ((image.position[i] - scene.block.exposures[*k].centre[i]) / told[i]).powi(2)));
         }
         for ((point, known), statistics) in model.adjusted.block.points.iter().zip(&model.points).zip(&model.adjusted.points) {
-            let (Some(statistics), AssembledPoint::MultiRay(index)) = (statistics, known) else { continue };
+            let (Some(statistics), PointSource::TiePoint(index)) = (statistics, known) else { continue };
             let rays = scene.points.rays(*index as usize);
             let owners: Vec<_> = rays.iter().map(|ray| scene.block.owners[ray.image as usize][ray.feature as usize]).collect();
             // Of a point with a ray that does not belong to it the truth is not one place.
@@ -172,37 +176,37 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let rays = scene.points.rays(target);
     let owner = scene.block.owners[rays[0].image as usize][rays[0].feature as usize].unwrap();
     let [longitude_deg, latitude_deg, height_m] = geographic_from_local(scene.block.ground[owner as usize], origin);
-    let ray = |ray: &tiepoint::PointRay| {
+    let ray = |ray: &tiepoint::FeatureObservation| {
         let [x, y] = scene.block.features[ray.image as usize][ray.feature as usize];
-        ControlRay { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y) }
+        ImageMeasurement { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y) }
     };
-    let control = AssemblyControl {
+    let control = GroundControlPoint {
         name: "church".into(),
         position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
         rays: rays.iter().map(ray).collect(),
     };
     scene.description.control.push(control);
-    let assembly = scene.assemble(&selected());
-    scene.report("on the earth", &assembly);
-    assert_whole(&scene, &assembly, 1.5);
-    let model = &assembly.models[0];
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("on the earth", &reconstruction);
+    assert_whole(&scene, &reconstruction, 1.5);
+    let model = &reconstruction.models[0];
     assert!(model.in_system && model.adjusted.datum == Datum::GpsAndControl);
-    assert_eq!(model.points.last(), Some(&AssembledPoint::Control(0)));
+    assert_eq!(model.points.last(), Some(&PointSource::GroundControl(0)));
     // The model's place of an image on the earth is that of the exposure.
-    let from = assembly.origin.unwrap();
+    let from = reconstruction.origin.unwrap();
     let from = [from.longitude_deg, from.latitude_deg, from.height_m];
     for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
         let at = local_from_geographic(geographic_from_local(image.position, from), origin);
         let off = (0..3).map(|i| (at[i] - scene.block.exposures[*k].centre[i]).powi(2)).sum::<f64>().sqrt();
         assert!(off < 4.0, "image {k} is off by {off} m");
     }
-    let exported = assembly.block_model(0, &scene.description, &scene.points).unwrap();
+    let exported = reconstruction.block_model(0, &scene.description, &scene.points).unwrap();
     exported.check().unwrap();
-    assert_eq!((exported.images.len(), exported.origin), (30, assembly.origin));
-    let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == RayVerdict::Accepted).count();
+    assert_eq!((exported.images.len(), exported.origin), (30, reconstruction.origin));
+    let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == ObservationVerdict::Accepted).count();
     assert_eq!(exported.points.iter().map(|point| point.rays.len()).sum::<usize>(), accepted);
     // There and back: alone, the chosen points adjust to somewhat smaller residuals than with those that determined the block, too.
-    let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &BundleOptions::default()).unwrap();
+    let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &AdjustmentOptions::default()).unwrap();
     let smaller = model.adjusted.rmse_px - again.rmse_px;
     assert!((0.0..0.1 * model.adjusted.rmse_px).contains(&smaller), "{} {}", again.rmse_px, model.adjusted.rmse_px);
     assert!(model.adjusted.degrees_of_freedom > 2 * again.degrees_of_freedom);
@@ -211,19 +215,19 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
 #[test]
 fn the_same_rays_give_the_same_block() {
     let scene = scene(&BlockFlight { strips: 3, exposures: 4, wrong: 0.2, ..BlockFlight::default() }, 1.02);
-    let first = scene.assemble(&selected());
-    assert_eq!(first, scene.assemble(&selected()));
+    let first = scene.reconstruct(&selected());
+    assert_eq!(first, scene.reconstruct(&selected()));
     let text = serde_json::to_string(&first).unwrap();
-    assert_eq!(serde_json::from_str::<Assembly>(&text).unwrap(), first);
+    assert_eq!(serde_json::from_str::<Reconstruction>(&text).unwrap(), first);
 }
 
 #[test]
 fn what_does_not_fit_together_is_refused() {
     let scene = scene(&BlockFlight { strips: 2, exposures: 3, ..BlockFlight::default() }, 1.0);
-    let refused = |change: &dyn Fn(&mut BlockDescription, &mut AssemblyOptions), words: &str| {
+    let refused = |change: &dyn Fn(&mut BlockDescription, &mut ReconstructionOptions), words: &str| {
         let (mut description, mut options) = (scene.description.clone(), selected());
         change(&mut description, &mut options);
-        let error = assemble_block(&description, &scene.points, &scene.block.image_features(), &options).unwrap_err();
+        let error = reconstruct_block(&description, &scene.points, &scene.block.image_features(), &options).unwrap_err();
         assert!(error.to_string().contains(words), "{error}");
     };
     let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
@@ -237,29 +241,31 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|d, _| (d.images[0].position, d.images[1].position) = (local(1.0), Some(geographic)), "1 geographic and 1 local");
     refused(&|d, _| d.images.truncate(1), "at least 2");
     refused(&|d, _| d.images.truncate(5), "features of 6 images");
-    refused(&|_, o| o.least_angle_deg = f64::NAN, "assembly.least_angle_deg is NaN");
-    refused(&|_, o| o.least_rays = 2, "assembly.least_rays is 2");
-    refused(&|_, o| o.bundle.alpha0 = 2.0, "bundle.alpha0");
+    refused(&|_, o| o.least_angle_deg = f64::NAN, "reconstruction.least_angle_deg is NaN");
+    refused(&|_, o| o.least_rays = 2, "reconstruction.least_rays is 2");
+    refused(&|_, o| o.adjustment.alpha0 = 2.0, "adjustment.alpha0");
     refused(&|_, o| o.datum = Some(Datum::Gps), "GPS positions or control points");
-    let ray = ControlRay { image: 9, x_px: 1.0, y_px: 1.0 };
-    let control = AssemblyControl { name: "a".into(), position: local(0.0).unwrap(), rays: vec![ray] };
+    let ray = ImageMeasurement { image: 9, x_px: 1.0, y_px: 1.0 };
+    let control = GroundControlPoint { name: "a".into(), position: local(0.0).unwrap(), rays: vec![ray] };
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of surveyed point a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
-        let ray = ControlRay { image: 1, x_px, y_px };
+        let ray = ImageMeasurement { image: 1, x_px, y_px };
         let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: places within its 4000 x 3000 px");
-        refused(&|d, _| d.control.push(AssemblyControl { rays: vec![ray], ..control.clone() }), &got);
+        refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray], ..control.clone() }), &got);
     }
-    let ray = ControlRay { image: 1, x_px: 4000.0, y_px: 0.0 };
-    refused(&|d, _| d.control.push(AssemblyControl { rays: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
-    let earth = AssemblyControl { position: geographic, rays: Vec::new(), ..control.clone() };
+    let ray = ImageMeasurement { image: 1, x_px: 4000.0, y_px: 0.0 };
+    refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
+    let earth = GroundControlPoint { position: geographic, rays: Vec::new(), ..control.clone() };
     refused(&|d, _| (d.images[0].position, d.control) = (local(1.0), vec![earth.clone(); 2]), "2 geographic and 1 local");
 }
 
 #[test]
 fn a_block_without_points_has_no_model() {
     let scene = scene(&BlockFlight { strips: 2, exposures: 2, ..BlockFlight::default() }, 1.0);
-    let none = MultiRayPoints::default();
-    let assembly = assemble_block(&scene.description, &none, &scene.block.image_features(), &selected()).unwrap();
-    assert!(assembly.models.is_empty());
-    assert!(assembly.unoriented.len() == 4 && assembly.unoriented.iter().all(|image| image.reason == UnorientedReason::NoPoints));
+    let none = TiePoints::default();
+    let reconstruction = reconstruct_block(&scene.description, &none, &scene.block.image_features(), &selected()).unwrap();
+    assert!(reconstruction.models.is_empty());
+    assert!(
+        reconstruction.unoriented.len() == 4 && reconstruction.unoriented.iter().all(|image| image.reason == UnorientedReason::NoPoints)
+    );
 }
