@@ -1,12 +1,12 @@
 //! What an adjustment gives.
 
-use super::coplanarity::Pose;
+use super::coplanarity::RelativePose;
 use super::normals::Matrix5;
 
 /// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
 #[derive(Debug, Clone)]
 pub(super) struct Adjusted {
-    pub pose: Pose,
+    pub pose: RelativePose,
     /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
     pub cofactors: Matrix5,
     /// Cofactors of the estimate: N⁻¹, or more where it is another than least squares of all good observations.
