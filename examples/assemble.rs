@@ -144,7 +144,7 @@ fn report(assembly: &Assembly, description: &BlockDescription) {
                 description.images[*image].name, statistics.rays, statistics.rmse_px
             );
         }
-        model.weaknesses.iter().for_each(|weakness| println!("  {weakness}"));
+        model.warnings.iter().for_each(|warning| println!("  {warning}"));
     }
     assembly.unoriented.iter().for_each(|image| println!("not oriented: {}", image.text));
 }

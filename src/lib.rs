@@ -13,6 +13,7 @@ mod image;
 mod json;
 mod matching;
 mod math;
+mod message;
 mod orientation;
 mod pair;
 mod parameters;
@@ -29,7 +30,7 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
+    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraStatistics, ControlPoint,
     Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
     RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
 };
@@ -41,7 +42,7 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use error::Error;
+pub use error::{CameraParameter, Cause, Error, Failure, Side, Task, Unsettled};
 pub use formats::{
     BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ImageMark, ModelCamera, ModelImage, ModelPoint, ModelPose,
     ModelRay, PROJECT_VERSION, Project, SurveyedPoint, colmap_features, colmap_matches, csv_field, export_block, parse_camera_rules,
@@ -54,13 +55,14 @@ pub use matching::{
     Refinement, Rule, Strategy, Verdict, candidates_of, estimate_offset, estimate_offset_of_reduced, gradient_candidates, guided_matches,
     match_images, match_points, nearest, nearest_matches, nearest_of,
 };
+pub use message::{Message, Texts};
 pub use math::{geographic_from_local, local_from_geographic};
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
-    RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
+    RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use pair::{
-    DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PhotoInput,
+    DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PhotoInput,
     VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair, match_weights,
     observations, orient_matches, photo_interior,
 };
@@ -68,14 +70,14 @@ pub use parameters::{
     ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
     GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
-pub use pipeline::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage};
+pub use pipeline::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
     AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
-    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+    BlockDescription, ControlRay, ObservedPosition, BlockWarning, LengthUnit, NamedCamera, Observed, RejectedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
@@ -92,7 +94,7 @@ pub use tracks::{
     sequence_pairs, shared_points,
 };
 pub use two_view::{
-    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
+    Degeneracy, FocalEstimate, NoGeometry, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
     homography_direct, two_view,
 };
 

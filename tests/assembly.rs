@@ -30,7 +30,7 @@ fn nadir_blocks_are_oriented_whole() {
         let assembly = scene.assemble(&selected());
         scene.report(&format!("relief of {relief_m} m"), &assembly);
         assert_whole(&scene, &assembly, 1.5);
-        assert!(!assembly.models[0].in_system && assembly.models[0].weaknesses[0].contains("arbitrary"));
+        assert!(!assembly.models[0].in_system && assembly.models[0].warnings[0].to_string().contains("arbitrary"));
     }
 }
 
@@ -66,7 +66,7 @@ fn a_block_of_two_heights_finds_its_focal_length() {
     assert_eq!(model.guessed_focal, [0]);
     let (found, error) = (model.adjusted.block.cameras[0].focal_px, model.adjusted.cameras[0].standard_errors[0].unwrap());
     assert!((found - wanted).abs() < 4.0 * error && error < 0.02 * wanted, "{found} ± {error}, {wanted}");
-    assert!(model.weaknesses.iter().any(|weakness| weakness.contains("was not known; it is estimated")), "{:?}", model.weaknesses);
+    assert!(model.warnings.iter().any(|warning| matches!(warning, BlockWarning::FocalEstimated { .. })), "{:?}", model.warnings);
 }
 
 #[test]

@@ -63,7 +63,7 @@ impl Scene {
 }
 
 fn says(assembly: &Assembly, words: &[&str]) -> bool {
-    assembly.models[0].weaknesses.iter().any(|weakness| words.iter().all(|word| weakness.contains(word)))
+    assembly.models[0].warnings.iter().any(|warning| words.iter().all(|word| warning.to_string().contains(word)))
 }
 
 #[test]
@@ -73,7 +73,7 @@ fn positions_without_heights_place_a_block_that_is_taken_as_level() {
     let assembly = scene.assert_all("no heights", 2.0);
     let model = &assembly.models[0];
     assert!(model.in_system && model.adjusted.datum == Datum::Gps);
-    assert!(says(&assembly, &["no heights", "level"]), "{:?}", model.weaknesses);
+    assert!(says(&assembly, &["no heights", "level"]), "{:?}", model.warnings);
     // Heights count from the mean of the flight; what is told of them is that they are uncertain.
     let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.position[2]).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -89,8 +89,8 @@ fn a_height_that_is_missing_leaves_the_block_in_its_system() {
         scene.record_places(|image| !missing.contains(&image));
         let assembly = scene.assert_all("a height missing", 2.0);
         let model = &assembly.models[0];
-        assert!(model.in_system && model.adjusted.datum == Datum::Gps, "{:?}", model.weaknesses);
-        assert!(!says(&assembly, &["level"]), "{:?}", model.weaknesses);
+        assert!(model.in_system && model.adjusted.datum == Datum::Gps, "{:?}", model.warnings);
+        assert!(!says(&assembly, &["level"]), "{:?}", model.warnings);
         let gps = model.adjusted.images[missing[0]].gps.unwrap();
         assert!(gps.residual[2] == 0.0 && gps.residual[0] != 0.0);
     }
@@ -104,14 +104,14 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
         scene.shift_position(6, by);
         let assembly = scene.assert_all(&format!("a position {by:?} off"), 1.5);
         let model = &assembly.models[0];
-        assert!(model.in_system && says(&assembly, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
+        assert!(model.in_system && says(&assembly, &["GNSS position", "0006.jpg", told]), "{:?}", model.warnings);
         let gps = model.adjusted.images[6].gps.unwrap();
         let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
         let residual = gps.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
         assert!(!gps.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
         let refused = model.adjusted.images.iter().filter(|image| !image.gps.unwrap().accepted).count();
         assert_eq!(refused, 1);
-        assert!(says(&assembly, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
+        assert!(says(&assembly, &["1 GNSS position does not fit and is rejected"]), "{:?}", model.warnings);
         let off = scene.off_in_system(&assembly);
         assert!(off.iter().all(|off| *off < 3.0), "{off:?}");
     }
@@ -126,7 +126,7 @@ fn a_receiver_without_a_fix_does_not_move_the_block() {
         *position = Some(ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] });
     }
     let assembly = scene.assert_all("two without a fix", 2.0);
-    assert!(assembly.models[0].in_system && says(&assembly, &["2 recorded positions", "0000.jpg", "0009.jpg"]));
+    assert!(assembly.models[0].in_system && says(&assembly, &["2 GNSS positions", "0000.jpg", "0009.jpg"]));
     let origin = assembly.origin.unwrap();
     assert!((origin.latitude_deg - ORIGIN[1]).abs() < 0.1 && (origin.longitude_deg - ORIGIN[0]).abs() < 0.1, "{origin:?}");
 }
@@ -213,10 +213,10 @@ fn marks_that_do_not_fit_are_told_by_name() {
         ray.y_px += 200.0 * error(index, 1);
     }
     let assembly = scene.assert_all("wrong marks", 1.5);
-    let weaknesses = &assembly.models[0].weaknesses;
-    assert!(says(&assembly, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
-    assert!(says(&assembly, &["gcp 3"]), "{weaknesses:?}");
-    assert!(!says(&assembly, &["gcp 1"]), "{weaknesses:?}");
+    let warnings = &assembly.models[0].warnings;
+    assert!(says(&assembly, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{warnings:?}");
+    assert!(says(&assembly, &["gcp 3"]), "{warnings:?}");
+    assert!(!says(&assembly, &["gcp 1"]), "{warnings:?}");
 }
 
 #[test]
@@ -242,11 +242,11 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
         }
         let assembly = scene.assemble(&selected());
         let model = &assembly.models[0];
-        assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.weaknesses);
+        assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.warnings);
         assert!(assembly.origin.is_none(), "what the surveyed points are of has no place on the earth");
         assert!(model.adjusted.images.iter().all(|image| image.gps.is_none()));
-        assert_eq!(says(&assembly, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
-        assert!(told.is_none_or(|words| says(&assembly, &words)), "{scale}: {:?}", model.weaknesses);
+        assert_eq!(says(&assembly, &["times as large as the GNSS positions"]), told.is_some(), "{scale}: {:?}", model.warnings);
+        assert!(told.is_none_or(|words| says(&assembly, &words)), "{scale}: {:?}", model.warnings);
     }
     // Recorded positions that are as uncertain as the block is wide tell nothing of its size.
     for image in &mut scene.description.images {
@@ -254,7 +254,7 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
         *sigma_m = [600.0; 3];
     }
     let assembly = scene.assemble(&selected());
-    assert!(!says(&assembly, &["times as large"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(!says(&assembly, &["times as large"]), "{:?}", assembly.models[0].warnings);
 }
 
 #[test]
@@ -262,13 +262,13 @@ fn degrees_in_place_of_metres_are_told() {
     let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
     scene.description.control = surveyed(&scene, 0.3);
     let assembly = scene.assemble(&selected());
-    assert!(!says(&assembly, &["degrees"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(!says(&assembly, &["degrees"]), "{:?}", assembly.models[0].warnings);
     for control in &mut scene.description.control {
         let ObservedPosition::Local { position, .. } = &mut control.position else { unreachable!() };
         *position = geographic_from_local(*position, ORIGIN);
     }
     let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["longitude and latitude", "metres are needed, not degrees"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(says(&assembly, &["longitude and latitude", "metres are needed, not degrees"]), "{:?}", assembly.models[0].warnings);
 }
 
 #[test]
@@ -283,8 +283,8 @@ fn the_tilt_of_a_block_whose_turn_is_uncertain_is_told() {
         }
         let assembly = scene.assemble(&selected());
         let model = &assembly.models[0];
-        assert!(model.in_system && says(&assembly, &["The recorded positions hardly determine"]), "{:?}", model.weaknesses);
-        assert_eq!(says(&assembly, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.weaknesses);
+        assert!(model.in_system && says(&assembly, &["The GNSS positions hardly determine"]), "{:?}", model.warnings);
+        assert_eq!(says(&assembly, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.warnings);
     }
 }
 
@@ -297,8 +297,8 @@ fn what_leaves_the_turn_of_a_block_open_is_named() {
         *sigma = [20.0, 20.0, 300.0];
     }
     let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The surveyed points", "determine how the whole block is turned"]), "{:?}", assembly.models[0].weaknesses);
-    assert!(!says(&assembly, &["recorded positions"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(says(&assembly, &["The GCPs", "determine the rotation of the whole block"]), "{:?}", assembly.models[0].warnings);
+    assert!(!says(&assembly, &["GNSS positions"]), "{:?}", assembly.models[0].warnings);
 }
 
 #[test]
@@ -307,10 +307,10 @@ fn cameras_are_named_by_their_images() {
     let mut scene = scene(&flight, 1.0);
     scene.description.cameras[0].focal_px = None;
     let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The focal length of the camera was not known"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(says(&assembly, &["The focal length of the camera is not known"]), "{:?}", assembly.models[0].warnings);
     let second = scene.description.cameras[0].clone();
     scene.description.cameras.push(second);
     scene.description.images[5..].iter_mut().for_each(|image| image.camera = 1);
     let assembly = scene.assemble(&selected());
-    assert!(says(&assembly, &["The focal length of camera 2 (0005.jpg and 4 more images)"]), "{:?}", assembly.models[0].weaknesses);
+    assert!(says(&assembly, &["The focal length of camera 2 (0005.jpg and 4 more images)"]), "{:?}", assembly.models[0].warnings);
 }

@@ -39,7 +39,7 @@ pub use model::{CameraLabel, OrientedPart};
 pub use options::{BundleOptions, Datum, Loss};
 pub(crate) use reduced::dot3;
 pub use result::{
-    BundleResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, PriorStatistics, RayCountRmse,
+    BundleResult, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, PriorStatistics, RayCountRmse,
     RayStatistics, RayVerdict,
 };
 pub use similarity::Similarity;

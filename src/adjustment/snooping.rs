@@ -13,13 +13,13 @@ use super::options::{BundleOptions, Datum, Loss};
 use super::precision::Orientations;
 use super::reduced::Problem;
 use super::reliability::{Judged, of_position};
-use super::result::{CameraParameter, FixedParameter, RayVerdict};
+use super::result::{FixedParameter, RayVerdict};
 use super::scale::sigma_by_median;
 use super::solution::{Factored, Singular};
 use super::sparse::Pattern;
 use super::state::{State, free_of};
 use super::statistics::{Statistics, judge_by, statistics};
-use crate::Error;
+use crate::{CameraParameter, Cause, Error, Task, Unsettled};
 use std::rc::Rc;
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
@@ -48,11 +48,6 @@ const ALIKE_SIGMA: f64 = 0.03;
 
 /// Below this redundancy the median alone is no estimate.
 const FEW: i64 = 20;
-
-/// What may not settle.
-const RAYS: &str = "the rejection of gross errors";
-const POSITIONS: &str = "the rejection of GPS positions";
-const WEIGHTS: &str = "the weight of the observed positions";
 
 /// A settled adjustment.
 pub(super) struct Settled {
@@ -136,7 +131,7 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
     course.fix_undetermined()?;
     let mut robust = options.loss != Loss::Squares;
     let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
-    let mut last = "";
+    let mut last = Unsettled::GrossErrors;
     while rounds - fixing < MAX_ROUNDS {
         rounds += 1;
         let loss = if robust { options.loss } else { Loss::Squares };
@@ -155,15 +150,15 @@ pub(super) fn settle(block: &Block, options: &BundleOptions) -> Result<Settled, 
             }
         }
     }
-    let reason = format!("{last} did not settle in {MAX_ROUNDS} rounds");
-    Err(Error::NotConverged { what: super::adjustment::WHAT, iterations: course.iterations, reason })
+    let cause = Cause::Unsettled { unsettled: last, rounds: MAX_ROUNDS };
+    Err(Error::NotConverged { task: Task::BundleAdjustment, iterations: course.iterations, cause })
 }
 
 enum Outcome {
     /// Rays, observed positions or weights are others now; so many rays were rejected.
     Changed {
         rejected: usize,
-        what: &'static str,
+        what: Unsettled,
     },
     /// Camera parameters were fixed, and nothing else changed.
     Fixed,
@@ -236,11 +231,11 @@ impl Course<'_> {
         }
         self.state = adjusted.state.clone();
         if self.drop_impossible(&problem, adjusted.robust) {
-            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: Unsettled::GrossErrors });
         }
         let before = self.sigma;
         if self.options.snooping && self.snoop_by_earlier(&problem, &adjusted, loss, calm_rounds) {
-            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: RAYS });
+            return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what: Unsettled::GrossErrors });
         }
         let mut by_statistics = None;
         let mut snooped = false;
@@ -260,11 +255,11 @@ impl Course<'_> {
         let replaced = self.options.snooping && by_statistics.as_ref().is_some_and(|s| self.snoop_positions(s, weighted_by, calm_rounds));
         if snooped || replaced || reweighted || !is_last {
             let what = if replaced {
-                POSITIONS
+                Unsettled::Positions
             } else if reweighted && !snooped {
-                WEIGHTS
+                Unsettled::Weights
             } else {
-                RAYS
+                Unsettled::GrossErrors
             };
             return Ok(Outcome::Changed { rejected: self.rejected_of(accepted), what });
         }

@@ -1,7 +1,7 @@
 //! Measured positions freed of the lens's distortion, for formats that have no room for it.
 
 use super::{ModelCamera, ModelRay};
-use crate::Error;
+use crate::{Cause, Error, Task};
 use crate::camera::{MOST_STEPS, undistorted};
 
 /// The direction (x, y), y down, whose image by the camera's distortion is the ray: the inverse of the formula at [`ModelCamera`].
@@ -16,9 +16,9 @@ fn ideal(camera: &ModelCamera, [x_px, y_px]: [f64; 2]) -> Result<[f64; 2], Error
     let [cx, cy] = camera.principal_point_px;
     let measured = [(x_px - cx) / camera.focal_px, (y_px - cy) / camera.focal_px];
     undistorted(measured, camera.radial, camera.tangential).ok_or_else(|| Error::NotConverged {
-        what: "the correction of distortion",
+        task: Task::DistortionCorrection,
         iterations: MOST_STEPS,
-        reason: format!("the camera's distortion has no inverse at ({x_px}, {y_px}) px"),
+        cause: Cause::FoldedAt { x_px, y_px },
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::ModelCamera;
 use crate::camera::{MOST_STEPS, undistorted};
-use crate::{Camera, Error};
+use crate::{Camera, Cause, Error, Task};
 use nalgebra::{Matrix3, Vector3};
 
 /// Side of a pixel where nobody knows it, mm.
@@ -50,9 +50,9 @@ impl ModelCamera {
             let t = k as f64 / RADII as f64;
             let measured = t * farthest;
             let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or_else(|| Error::NotConverged {
-                what: "the correction of distortion",
+                task: Task::DistortionCorrection,
                 iterations: MOST_STEPS,
-                reason: format!("the camera's distortion has no inverse {:.0} px from the principal point", measured * self.focal_px),
+                cause: Cause::FoldedBeyond { radius_px: measured * self.focal_px },
             })?;
             let t2 = t * t;
             let row = Vector3::new(t2, t2 * t2, t2 * t2 * t2) * measured;

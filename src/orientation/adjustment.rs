@@ -3,7 +3,7 @@
 use super::coplanarity::{Pose, Ray};
 use super::normals::{Matrix5, Normals};
 use super::refusal::{check_condition, check_parallax, diverged, undetermined};
-use crate::Error;
+use crate::{Cause, Error};
 
 /// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
 #[derive(Debug, Clone)]
@@ -74,7 +74,7 @@ pub(super) fn adjust(
     weights: &[f64],
     start: Pose,
     settled: f64,
-    bounds: impl Fn(&Pose) -> Result<(), String>,
+    bounds: impl Fn(&Pose) -> Result<(), Cause>,
 ) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
@@ -102,7 +102,7 @@ pub(super) fn adjust(
         pose = move_within_bounds(&pose, &solution.step);
         (last_sigma, last_cofactors) = (sigma, solution.cofactors);
         last_step = solution.size / step_tolerance(sigma);
-        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < settled {
             let cofactors = solution.cofactors;
             return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
@@ -111,5 +111,5 @@ pub(super) fn adjust(
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
     check_condition(&last_cofactors)?;
-    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+    Err(diverged(MAX_ITERATIONS, Cause::LongSteps { ratio: last_step }))
 }

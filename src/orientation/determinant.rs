@@ -4,7 +4,7 @@ use super::adjustment::{Adjusted, move_within_bounds, step_tolerance};
 use super::coplanarity::{Pose, Ray};
 use super::normals::Normals;
 use super::refusal::{check_parallax, diverged, undetermined};
-use crate::Error;
+use crate::{Cause, Error, Task};
 
 const MAX_ITERATIONS: usize = 50;
 
@@ -18,7 +18,7 @@ const MAX_ITERATIONS: usize = 50;
 ///
 /// # Source
 /// Wolf, Dewitt & Wilkinson 2014, Elements of Photogrammetry, 4th ed., on analytical relative orientation by coplanarity.
-pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
+pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result<(), Cause>) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
     let (mut last_step, mut last_sigma) = (f64::INFINITY, 0.0);
@@ -32,7 +32,7 @@ pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Po
         let gradient = mean_square_gradient.sqrt();
         last_sigma = sigma / gradient;
         last_step = solution.size / gradient / step_tolerance(last_sigma);
-        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < 1.0 {
             let cofactors = solution.cofactors * mean_square_gradient;
             return Ok(Adjusted {
@@ -48,7 +48,7 @@ pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Po
     }
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
-    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+    Err(diverged(MAX_ITERATIONS, Cause::LongSteps { ratio: last_step }))
 }
 
 /// Normal equations of the determinants divided by b·f², and the mean square of their gradients.
@@ -56,8 +56,7 @@ fn determinants(pose: &Pose, rays: &[Ray]) -> Result<(Normals<5>, f64), Error> {
     let tangents = pose.tangents();
     let along_x = pose.base.x;
     if along_x.abs() < 1e-6 {
-        let reason = "the base has no component along x, which this form divides by; the rigorous form takes any base".into();
-        return Err(Error::Degenerate { what: "the determinant form", reason });
+        return Err(Error::Degenerate { task: Task::DeterminantForm, cause: Cause::NoBaseAlongX });
     }
     let mut normals = Normals::new();
     let mut square_gradients = 0.0;

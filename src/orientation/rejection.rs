@@ -3,7 +3,7 @@
 use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
 use super::coplanarity::{Linearised, Pose, Ray};
 use super::robust_start::{Consensus, least_agreement};
-use crate::Error;
+use crate::{Cause, Error, Unsettled};
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
 
 /// Observations with their weights.
@@ -101,7 +101,7 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
             accepted = next;
         }
     }
-    Err(super::refusal::diverged(MAX_ROUNDS, "the rejection of gross errors did not settle".into()))
+    Err(super::refusal::diverged(MAX_ROUNDS, Cause::Unsettled { unsettled: Unsettled::GrossErrors, rounds: MAX_ROUNDS }))
 }
 
 /// A standardised residual, in σ: v / √q_vv.

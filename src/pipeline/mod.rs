@@ -3,5 +3,5 @@
 mod remark;
 mod result;
 
-pub use remark::{Failure, Remark};
+pub use remark::{ImpossiblePosition, Remark};
 pub use result::{BlockRun, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};

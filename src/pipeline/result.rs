@@ -1,8 +1,8 @@
 //! What the run of a block finds.
 
-use super::{Failure, Remark};
+use super::Remark;
 use crate::{
-    Assembly, AssemblyCamera, BlockModel, BlockSettings, Connection, Error, ExifImage, FreeParameters, JoinCounts, ModelCamera, Project,
+    Assembly, AssemblyCamera, BlockModel, BlockSettings, Connection, Error, ExifImage, Failure, FreeParameters, JoinCounts, ModelCamera, Project,
     RayOutcome, SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};

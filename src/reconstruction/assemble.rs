@@ -9,7 +9,8 @@ use super::net::Net;
 use super::options::AssemblyOptions;
 use super::rays::Rays;
 use super::refusal::check;
-use super::result::{AssembledModel, Assembly, UnorientedImage, UnorientedReason};
+use super::result::{AssembledModel, Assembly, UnorientedImage};
+use super::warning::UnorientedReason;
 use super::start::start_pairs;
 use crate::Error;
 use crate::adjustment::BlockCamera;
@@ -90,7 +91,7 @@ pub fn assemble_block(
     let unoriented = (0..images).filter(|image| !is_oriented[*image]).map(|image| {
         let known = rays.of_image(image).len();
         let reason = if known == 0 { UnorientedReason::NoPoints } else { refused[image].unwrap_or(UnorientedReason::NoPartner) };
-        UnorientedImage { image, reason, text: reason.in_words(&description.images[image].name) }
+        UnorientedImage { image, reason }
     });
     let unoriented = unoriented.collect();
     let origin = frame.origin.filter(|_| models.iter().any(|model| model.in_system));

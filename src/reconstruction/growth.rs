@@ -4,7 +4,7 @@ use super::adjusting::{CALIBRATED, CameraPrior};
 use super::net::Net;
 use super::options::AssemblyOptions;
 use super::resection::resect;
-use super::result::UnorientedReason;
+use super::warning::UnorientedReason;
 use super::start::StartPair;
 use std::collections::BTreeMap;
 

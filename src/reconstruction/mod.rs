@@ -20,11 +20,13 @@ mod rays;
 mod refusal;
 mod resection;
 mod result;
+mod review;
 mod start;
 mod units;
-mod weaknesses;
+mod warning;
 
 pub use assemble::assemble_block;
 pub use description::{AssemblyCamera, AssemblyControl, AssemblyImage, BlockDescription, ControlRay, ObservedPosition};
 pub use options::AssemblyOptions;
-pub use result::{AssembledModel, AssembledPoint, AssembledRay, Assembly, RejectedRay, UnorientedImage, UnorientedReason};
+pub use result::{AssembledModel, AssembledPoint, AssembledRay, Assembly, RejectedRay, UnorientedImage};
+pub use warning::{BlockWarning, LengthUnit, NamedCamera, Observed, RejectedPosition, UnorientedReason};

@@ -1,8 +1,8 @@
 //! What cannot be assembled, and why.
 
 use super::description::{AssemblyCamera, AssemblyControl, BlockDescription, ObservedPosition};
-use super::weaknesses::camera_named;
-use crate::Error;
+use super::review::named_camera;
+use crate::{Error, Message};
 use crate::parameters::{FOCAL_PX, check_values};
 use crate::tracks::{ImageFeatures, MultiRayPoints, check_features};
 
@@ -16,7 +16,7 @@ impl BlockDescription {
         if self.images.len() < 2 {
             return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
         }
-        self.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(camera, || camera_named(index, self)))?;
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(camera, || named_camera(index, self).text()))?;
         for image in &self.images {
             if image.camera >= self.cameras.len() {
                 let got = format!("index {} for {}", image.camera, image.name);

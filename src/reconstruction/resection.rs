@@ -2,7 +2,7 @@
 
 use super::net::{Net, residual};
 use super::p3p::p3p;
-use super::result::UnorientedReason;
+use super::warning::UnorientedReason;
 use crate::adjustment::{Pose, in_photo, linearise, values_of};
 use crate::math::Random;
 use nalgebra::{Matrix6, Vector6};

@@ -21,7 +21,7 @@ mod two_view;
 pub use direct::{fundamental_eight_point, fundamental_seven_point, homography_direct};
 pub(crate) use known::two_view_from;
 pub use options::{Pinhole, TwoViewOptions};
-pub use result::{Degeneracy, FocalEstimate, TwoView, TwoViewModel};
+pub use result::{Degeneracy, FocalEstimate, NoGeometry, TwoView, TwoViewModel};
 pub use two_view::two_view;
 
 use nalgebra::{Matrix3, SMatrix};

@@ -14,12 +14,10 @@ use super::rotation::{Rotations, near_focal};
 use super::scale::{Conditions, LEAST_REDUNDANCY, Noise, NoiseLimits, noise, search_scale};
 use super::support::{CALIBRATED, Tolerance, UNCALIBRATED};
 use super::transfer::square_transfer;
-use crate::Error;
+use crate::{Cause, Error, Task};
 use crate::math::{Candidate, Problem, Search, consensus};
 use crate::orientation::{Field, Pose, Poses, Ray, square_distance};
 use nalgebra::Matrix3;
-
-const WHAT: &str = "the geometry of two views";
 
 /// Samples that tell whether half of the points of a general geometry lie in a plane.
 const HALF_SAMPLES: usize = 150;
@@ -188,8 +186,7 @@ impl<'a> Matches<'a> {
     }
 
     pub fn unsupported(&self, agreeing: usize) -> Error {
-        let reason = format!("{agreeing} of {} matches agree on one, no more than would by chance", self.rays.len());
-        Error::Degenerate { what: WHAT, reason }
+        Error::Degenerate { task: Task::TwoViewGeometry, cause: Cause::Chance { agreeing, matches: self.rays.len() } }
     }
 }
 

@@ -16,6 +16,7 @@ mod draw;
 mod features;
 mod geometry;
 mod matching;
+mod message;
 mod orientation;
 mod photo;
 mod report;

@@ -67,10 +67,10 @@ impl Scene {
                 model.rejected.len(),
                 model.adjusted.rmse_px,
                 model.adjusted.sigma0_px,
-                model.weaknesses,
+                model.warnings,
             );
         }
-        assembly.unoriented.iter().for_each(|image| println!("{what}: {}", image.text));
+        assembly.unoriented.iter().for_each(|image| println!("{what}: {}: {}", self.description.images[image.image].name, image.reason));
     }
 }
 
