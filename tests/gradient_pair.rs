@@ -1,8 +1,9 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
 use tiepoint::{
-    Camera, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput,
-    PointOptions, Refinement, Rule, SAMPLE_SEED, Sample, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,
+    Camera, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings,
+    PhotoInput, PointOptions, Refinement, Rule, SAMPLE_SEED, Sample, Strategy, describe_image, match_in_rounds, match_pair, nearest_of,
+    sample_pair,
 };
 
 /// The image turned by a quarter clockwise.

@@ -5,7 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
+    "message",
     "error",
     "parameters",
     "text",

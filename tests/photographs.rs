@@ -92,7 +92,11 @@ fn a_camera_that_only_turned_is_flagged() {
         let result = match_pair(one, two, &input, &settings).unwrap();
         assert!(result.matching.matches.len() > 300);
         match result.orientation {
-            Ok(o) => assert!(o.warnings.iter().any(|w| matches!(w, Warning::Rotation { .. })), "{strategy:?}: {} mm", o.parallax_beside_rotation_mm),
+            Ok(o) => assert!(
+                o.warnings.iter().any(|w| matches!(w, Warning::Rotation { .. })),
+                "{strategy:?}: {} mm",
+                o.parallax_beside_rotation_mm
+            ),
             Err(reason) => assert!(reason.to_string().contains("rotation"), "{reason}"),
         }
     }

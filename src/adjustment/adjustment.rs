@@ -7,8 +7,8 @@ use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
-use crate::{CameraParameter, Cause, Error, Task};
 use crate::math::{MEDIAN_LENGTH, median};
+use crate::{CameraParameter, Cause, Error, Task};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -62,15 +62,18 @@ pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
 impl Adjusted {
     /// Itself, unless it had to converge and did not.
     fn passed(self, demand: &Demand) -> Result<Self, Error> {
-        if demand.passing { Ok(self) } else { self.converged() }
+        if !demand.passing {
+            self.check_converged()?;
+        }
+        Ok(self)
     }
 
     /// # Errors
     /// [`Error::NotConverged`] where it did not.
-    pub fn converged(self) -> Result<Self, Error> {
-        match self.unsettled {
-            Some(cause) => Err(Error::NotConverged { task: Task::BundleAdjustment, iterations: self.iterations, cause }),
-            None => Ok(self),
+    pub fn check_converged(&self) -> Result<(), Error> {
+        match &self.unsettled {
+            Some(cause) => Err(Error::NotConverged { task: Task::BundleAdjustment, iterations: self.iterations, cause: cause.clone() }),
+            None => Ok(()),
         }
     }
 }
@@ -232,4 +235,3 @@ impl Problem<'_> {
         }
     }
 }
-

@@ -3,8 +3,8 @@
 use super::block::{Block, BlockCamera};
 use super::network::Network;
 use super::options::Datum;
-use crate::{Cause, Error, Task};
 use crate::parameters::{FOCAL_PX, check_values};
+use crate::{Cause, Error, Task};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;

@@ -277,3 +277,34 @@ remark-impossible-positions =
        *[other] {" "}and { $images_more } more
     }
     .images = { $name } ({ $value })
+
+## What became of a point of the left image. `label`: as a list or a legend has it.
+
+verdict-matched = Matched: no rule rejects it.
+    .label = Matched
+verdict-no-descriptor = Rejected: its window leaves the image or all its grey values are equal, so there is nothing to compare.
+    .label = No window
+verdict-no-candidate = Rejected: there is nothing in reach that could be compared with it.
+    .label = No candidate
+verdict-threshold = Rejected: its best candidate is not similar enough.
+    .label = Threshold
+verdict-ambiguous = Rejected: its second best candidate is nearly as good as its best.
+    .label = Ambiguous
+verdict-many-to-one = Rejected: another left point matches the same place better.
+    .label = Many to one
+verdict-parallax = Rejected: its y-parallax deviates from that of the nearest matches, or it does not fit the geometry of the two views.
+    .label = y-parallax
+verdict-border = Rejected: the best place lies on the border of its search window, so a better one may lie beyond.
+    .label = Border
+verdict-left-right = Rejected: from the right image back, another place of the left image is more similar.
+    .label = Left-right check
+verdict-not-converged = Rejected: least squares matching does not converge within its limits of shape, distance and iterations.
+    .label = Not converged
+verdict-imprecise = Rejected: the standard error of its right position is too large, as on an edge along which it can slide.
+    .label = Imprecise
+verdict-frame = Rejected: it lies at the same place of both frames, as the border of the film, fiducial marks and data strips do.
+    .label = Frame
+verdict-gross-error = Matched, then rejected from the relative orientation: its standardised residual exceeds the limit that α₀ sets.
+    .label = Gross error
+verdict-undecided = No match uses this point.
+    .label = Not matched

@@ -1,8 +1,8 @@
 //! Measured positions freed of the lens's distortion, for formats that have no room for it.
 
 use super::{ModelCamera, ModelRay};
-use crate::{Cause, Error, Task};
 use crate::camera::{MOST_STEPS, undistorted};
+use crate::{Cause, Error, Task};
 
 /// The direction (x, y), y down, whose image by the camera's distortion is the ray: the inverse of the formula at [`ModelCamera`].
 ///

@@ -10,8 +10,21 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-const NESTED: [&str; 13] =
-    ["camera", "camera_parameter", "cause", "error", "no_geometry", "failure", "observed", "outcome", "rule", "side", "task", "unit", "unsettled"];
+const NESTED: [&str; 13] = [
+    "camera",
+    "camera_parameter",
+    "cause",
+    "error",
+    "no_geometry",
+    "failure",
+    "observed",
+    "outcome",
+    "rule",
+    "side",
+    "task",
+    "unit",
+    "unsettled",
+];
 
 /// The texts of one language.
 ///
@@ -116,7 +129,8 @@ const FORMATS: [(&str, Format); 4] = [
 
 fn significant(value: f64, digits: usize) -> String {
     let power = format!("{value:.*e}", digits.max(1) - 1);
-    let (rounded, exponent) = power.split_once('e').map_or((value, 0), |(_, exponent)| (power.parse().unwrap_or(value), exponent.parse().unwrap_or(0)));
+    let (rounded, exponent) =
+        power.split_once('e').map_or((value, 0), |(_, exponent)| (power.parse().unwrap_or(value), exponent.parse().unwrap_or(0)));
     format!("{rounded:.*}", usize::try_from(digits as i64 - 1 - exponent).unwrap_or(0))
 }
 

@@ -3,10 +3,9 @@
 use super::coplanarity::{Pose, Unknowns};
 use super::normals::Matrix5;
 use super::result::FiveParameters;
-use crate::{Cause, Error, Task};
 use crate::camera::angles_from_rotation;
+use crate::{Cause, Error, Task};
 use nalgebra::{Matrix3, Vector3};
-
 
 /// Least share of the base along x; below it by and bz in units of b mean nothing.
 const LEAST_ALONG_X: f64 = 1e-3;

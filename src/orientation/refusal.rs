@@ -5,9 +5,9 @@ use super::coplanarity::{Pose, Ray};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::warning::{LARGEST_CONDITION, condition};
-use crate::{Cause, Error, Side, Task};
 use crate::math::median;
 use crate::parameters::refuse;
+use crate::{Cause, Error, Side, Task};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;

@@ -3,8 +3,8 @@
 use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
 use super::coplanarity::{Linearised, Pose, Ray};
 use super::robust_start::{Consensus, least_agreement};
-use crate::{Cause, Error, Unsettled};
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
+use crate::{Cause, Error, Unsettled};
 
 /// Observations with their weights.
 #[derive(Debug, Clone, Copy)]

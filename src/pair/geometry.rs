@@ -39,7 +39,11 @@ impl PairInterior {
 }
 
 /// The interior orientations; or what is missing.
-pub(super) fn pair_interior(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput) -> Result<Result<PairInterior, NoOrientation>, Error> {
+pub(super) fn pair_interior(
+    left: PairImage<'_>,
+    right: PairImage<'_>,
+    input: &PairInput,
+) -> Result<Result<PairInterior, NoOrientation>, Error> {
     let of = |side: Side, image: PairImage<'_>, photo: &PhotoInput| {
         let camera = match (&input.camera, image.exif) {
             (Some(camera), _) => *camera,

@@ -15,12 +15,12 @@ pub use orienting::{match_weights, observations, orient_matches};
 pub use rounds::{PairMatching, match_in_rounds};
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 
+use crate::message::messages;
 use crate::{
     Camera, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
-    MultiscaleOptions, NearestTable, NoGeometry, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, Side, TwoView, TwoViewOptions,
-    WindowOptions, estimate_offset,
+    MultiscaleOptions, NearestTable, NoGeometry, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, Side,
+    TwoView, TwoViewOptions, WindowOptions, estimate_offset,
 };
-use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
 /// The options of all stages.

@@ -5,8 +5,8 @@ use super::verification::{PairCameras, verify};
 use super::{PairInterior, PairSettings, orient_matches};
 use crate::matching::{refine, verified_set};
 use crate::{
-    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation, Strategy,
-    TwoView, match_images,
+    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation,
+    Strategy, TwoView, match_images,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.

@@ -6,8 +6,8 @@ use super::frames::CommonFrame;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, NoGeometry, Pinhole, TwoView, TwoViewModel,
-    TwoViewOptions, guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, NoGeometry, Pinhole, TwoView,
+    TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
 

@@ -2,11 +2,11 @@
 
 use super::description::BlockDescription;
 use super::frame::Frame;
-use super::result::{AssembledModel, AssembledPoint};
+use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, NamedCamera, Observed, RejectedPosition};
 use crate::Cause;
-use crate::adjustment::RayVerdict;
+use crate::adjustment::ObservationVerdict;
 
 /// An image with fewer accepted rays is weak.
 const FEW_RAYS: usize = 20;
@@ -22,7 +22,12 @@ const UNKNOWN_TURN_DEG: f64 = 45.0;
 const OBLIQUE_DEG: f64 = 10.0;
 
 /// `cause`: why the model does not lie in the system of what was observed.
-pub(super) fn warnings(model: &AssembledModel, description: &BlockDescription, frame: &Frame, cause: Option<Cause>) -> Vec<BlockWarning> {
+pub(super) fn warnings(
+    model: &ReconstructedModel,
+    description: &BlockDescription,
+    frame: &Frame,
+    cause: Option<Cause>,
+) -> Vec<BlockWarning> {
     let mut found = Vec::new();
     found.extend(if model.in_system { of_rotation(model) } else { Some(BlockWarning::Free { cause }) });
     found.extend(of_positions(model, description, frame));
@@ -36,7 +41,7 @@ pub(super) fn warnings(model: &AssembledModel, description: &BlockDescription, f
 
 /// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
 /// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
-fn of_rotation(model: &AssembledModel) -> Option<BlockWarning> {
+fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let error_deg = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
     let datum = model.adjusted.datum;
@@ -54,14 +59,14 @@ fn of_rotation(model: &AssembledModel) -> Option<BlockWarning> {
 }
 
 /// The angle between the mean direction of view and the vertical.
-fn mean_tilt_deg(model: &AssembledModel) -> f64 {
+fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
     let images = &model.adjusted.block.images;
     let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.rotation[2][k]).sum::<f64>());
     libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
 }
 
 /// GNSS positions that took no part, and heights that they do not have.
-fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
+fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
     let images = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
         let [x, y, z] = statistics.gps.filter(|prior| !prior.accepted)?.residual;
         Some(RejectedPosition { name: description.images[*image].name.clone(), distance_m: (x * x + y * y + z * z).sqrt() })
@@ -72,8 +77,8 @@ fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &
 }
 
 /// GCPs whose image measurements do not fit, each by its name.
-fn of_measurements(model: &AssembledModel, description: &BlockDescription) -> Vec<BlockWarning> {
-    let place = |control: usize| model.points.iter().position(|point| *point == AssembledPoint::Control(control));
+fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
+    let place = |control: usize| model.points.iter().position(|point| *point == PointSource::GroundControl(control));
     let name = |image: usize| description.images[model.images[image]].name.clone();
     let mut found = Vec::new();
     for (index, control) in description.control.iter().enumerate() {
@@ -86,7 +91,7 @@ fn of_measurements(model: &AssembledModel, description: &BlockDescription) -> Ve
             continue;
         };
         let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
-        let after = of_rays.filter(|(ray, statistics)| ray.point == place && statistics.verdict != RayVerdict::Accepted);
+        let after = of_rays.filter(|(ray, statistics)| ray.point == place && statistics.verdict != ObservationVerdict::Accepted);
         let mut images: Vec<usize> = after.map(|(ray, _)| ray.image).collect();
         images.extend(model.rejected.iter().filter(|ray| ray.point == place).map(|ray| ray.image));
         images.sort_unstable();
@@ -98,7 +103,7 @@ fn of_measurements(model: &AssembledModel, description: &BlockDescription) -> Ve
     found
 }
 
-fn of_cameras(model: &AssembledModel, description: &BlockDescription) -> Vec<BlockWarning> {
+fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
     let mut found = Vec::new();
     for (index, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
         let camera = named_camera(*index, description);
@@ -119,16 +124,16 @@ pub(super) fn named_camera(camera: usize, description: &BlockDescription) -> Nam
     NamedCamera { only: description.cameras.len() == 1, number: camera + 1, first: images.next(), more: images.count() }
 }
 
-fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<BlockWarning> {
+fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Option<BlockWarning> {
     let weak = model.images.iter().zip(&model.adjusted.images).filter(|(_, statistics)| statistics.rays < FEW_RAYS);
     let images: Vec<String> = weak.map(|(image, _)| description.images[*image].name.clone()).collect();
     (!images.is_empty()).then_some(BlockWarning::FewObservations { images, least: FEW_RAYS })
 }
 
-fn of_observations(model: &AssembledModel) -> Vec<BlockWarning> {
+fn of_observations(model: &ReconstructedModel) -> Vec<BlockWarning> {
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
-    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
+    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + model.rejected.len();
     let observations = model.adjusted.rays.len() + model.rejected.len();
     let weak = (two as f64 > MANY_TWO_RAYS * points as f64).then_some(BlockWarning::TwoRays { two, points });
     let wrong = (rejected as f64 > MANY_REJECTED * observations as f64).then_some(BlockWarning::ManyRejected { rejected, observations });

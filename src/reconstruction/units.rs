@@ -2,7 +2,7 @@
 
 use super::description::{BlockDescription, ObservedPosition};
 use super::frame::Frame;
-use super::result::AssembledModel;
+use super::result::ReconstructedModel;
 use super::warning::{BlockWarning, LengthUnit};
 use crate::math::median;
 
@@ -31,7 +31,7 @@ const LARGEST_EXTENT_DEG: f64 = 1.0;
 const LEAST_HEIGHT: f64 = 10.0;
 
 /// What speaks against metres.
-pub(super) fn of_units(model: &AssembledModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
+pub(super) fn of_units(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
     let ratio = ratio_of_lengths(model, frame).filter(|_| model.in_system);
     let unit = |ratio: f64| UNITS.iter().find(|(per_metre, _)| libm::log(ratio / per_metre).abs() < NEAR_UNIT_LOG).map(|(_, unit)| *unit);
     let scale = ratio.map(|ratio| BlockWarning::Scale { ratio, unit: unit(ratio) });
@@ -41,7 +41,7 @@ pub(super) fn of_units(model: &AssembledModel, description: &BlockDescription, f
 
 /// How many times as long distances between images are as those between their recorded positions: the median, where it says that lengths
 /// differ.
-fn ratio_of_lengths(model: &AssembledModel, frame: &Frame) -> Option<f64> {
+fn ratio_of_lengths(model: &ReconstructedModel, frame: &Frame) -> Option<f64> {
     let images = model.images.iter().zip(&model.adjusted.block.images);
     let known: Vec<_> = images.filter_map(|(image, adjusted)| Some((adjusted.position, frame.recorded[*image]?))).collect();
     let some: Vec<_> = known.iter().step_by(known.len().div_ceil(COMPARED).max(1)).collect();

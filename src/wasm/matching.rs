@@ -6,8 +6,8 @@ use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions,
-    MatchSet, NoGeometry, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced, Rule, Side,
-    TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
+    MatchSet, NoGeometry, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced,
+    Rule, Side, TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
     gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
     match_points as match_by_moments,
 };

@@ -26,7 +26,9 @@ fn a_plane_is_told_from_relief_by_its_misfit() {
         assert!((0.7..1.3).contains(&found.plane_misfit.unwrap()), "{:?}", found.plane_misfit);
     }
     // Relief of as little as the noise: still a plane. Ten times that: none.
-    let relief = |share: f64| oriented(&Pair { relief: share, ..NADIR }.observe(300, SIGMA_MM, 3)).warnings.iter().any(|w| matches!(w, Warning::Plane { .. }));
+    let relief = |share: f64| {
+        oriented(&Pair { relief: share, ..NADIR }.observe(300, SIGMA_MM, 3)).warnings.iter().any(|w| matches!(w, Warning::Plane { .. }))
+    };
     assert!(relief(0.5 * SIGMA_MM / 92.0) && !relief(20.0 * SIGMA_MM / 92.0));
 }
 
@@ -36,7 +38,12 @@ fn points_in_a_corner_are_clustered() {
     let observations: Vec<Observation> = NADIR.observe(20_000, SIGMA_MM, 1).into_iter().filter(near).collect();
     assert!(observations.len() > 40);
     let found = oriented(&observations);
-    assert!(found.warnings.iter().any(|w| matches!(w, Warning::Clustered { .. })) && found.spread < 0.05, "{:?}, spread {}", found.warnings, found.spread);
+    assert!(
+        found.warnings.iter().any(|w| matches!(w, Warning::Clustered { .. })) && found.spread < 0.05,
+        "{:?}, spread {}",
+        found.warnings,
+        found.spread
+    );
 }
 
 #[test]
