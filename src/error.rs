@@ -32,13 +32,15 @@ messages! {
         /// Too few observations for the unknowns.
         TooFew { what: &'static str, got: usize, needed: usize },
         /// Observations whose geometry does not determine the unknowns.
-        Degenerate { task: Task, cause: Cause },
+        Degenerate { computation: Computation, cause: Cause },
         /// An image of a block whose orientation its observations do not determine; images count from 0.
-        UndeterminedImage { task: Task, image: usize, cause: Cause },
+        UndeterminedImage { computation: Computation, image: usize, cause: Cause },
         /// An adjustment that did not converge.
-        NotConverged { task: Task, iterations: usize, cause: Cause },
+        NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
         UnreadableFile { what: &'static str, place: String, reason: String },
+        /// A run of a block that no image and no pair stops, but what goes on around it.
+        Interrupted { reason: String },
         /// A sink that takes no more text.
         NotWritten { what: &'static str },
     }
@@ -64,6 +66,7 @@ impl Error {
             Error::Degenerate { .. } | Error::UndeterminedImage { .. } => "degenerate",
             Error::NotConverged { .. } => "not-converged",
             Error::UnreadableFile { .. } => "unreadable-file",
+            Error::Interrupted { .. } => "interrupted",
             Error::NotWritten { .. } => "not-written",
         }
     }
@@ -79,7 +82,7 @@ messages! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
     #[serde(rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-    pub enum Task as "task" {
+    pub enum Computation as "computation" {
         AffineTransformation,
         BundleAdjustment,
         /// The components of the base across b, in units of it.

@@ -42,7 +42,7 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use error::{CameraParameter, Cause, Error, Failure, Side, Task, Unsettled};
+pub use error::{CameraParameter, Cause, Computation, Error, Failure, Side, Unsettled};
 pub use formats::{
     BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, GroundControlRow, ImageMeasurementRow, ModelCamera, ModelImage,
     ModelPoint, ModelPose, ModelRay, PROJECT_VERSION, Project, colmap_features, colmap_matches, csv_field, export_block,
@@ -71,8 +71,12 @@ pub use parameters::{
     NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
 pub use pipeline::{
-    BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage,
+    BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,
+    RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work, digest, execute,
+    masks_of,
 };
+#[cfg(not(target_arch = "wasm32"))]
+pub use pipeline::{images_in, run_block};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,

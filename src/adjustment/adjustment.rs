@@ -8,7 +8,7 @@ use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
 use crate::math::{MEDIAN_LENGTH, median};
-use crate::{CameraParameter, Cause, Error, Task};
+use crate::{CameraParameter, Cause, Computation, Error};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -72,7 +72,9 @@ impl Adjusted {
     /// [`Error::NotConverged`] where it did not.
     pub fn check_converged(&self) -> Result<(), Error> {
         match &self.unsettled {
-            Some(cause) => Err(Error::NotConverged { task: Task::BundleAdjustment, iterations: self.iterations, cause: cause.clone() }),
+            Some(cause) => {
+                Err(Error::NotConverged { computation: Computation::BundleAdjustment, iterations: self.iterations, cause: cause.clone() })
+            }
             None => Ok(()),
         }
     }
@@ -169,7 +171,7 @@ impl Problem<'_> {
             };
             let before = cost(&state, &squares);
             if !before.is_finite() {
-                return Err(Error::Degenerate { task: Task::BundleAdjustment, cause: Cause::PointInPlane });
+                return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::PointInPlane });
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
             let share = match iteration {
@@ -225,12 +227,12 @@ impl Problem<'_> {
         match singular {
             Singular::Image(refused) => {
                 let cause = if refused.unknown < 3 { Cause::NoRotation } else { Cause::NoPosition };
-                Error::UndeterminedImage { task: Task::BundleAdjustment, image: refused.node, cause }
+                Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: refused.node, cause }
             }
             Singular::Camera(column) => {
                 let (camera, parameter) = self.columns.parameter[column];
                 let cause = Cause::NoCameraParameter { camera, camera_parameter: CameraParameter::ALL[parameter] };
-                Error::Degenerate { task: Task::BundleAdjustment, cause }
+                Error::Degenerate { computation: Computation::BundleAdjustment, cause }
             }
         }
     }

@@ -4,7 +4,7 @@ use super::block::{Block, BlockCamera};
 use super::network::Network;
 use super::options::Datum;
 use crate::parameters::{FOCAL_PX, check_values};
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -120,13 +120,13 @@ pub(super) fn check_network(network: &Network, datum: Datum) -> Result<(), Error
         let rays = network.of_image(image).len();
         if rays < LEAST_RAYS {
             let cause = Cause::FewObservations { observations: rays, needed: LEAST_RAYS };
-            return Err(Error::UndeterminedImage { task: Task::BundleAdjustment, image, cause });
+            return Err(Error::UndeterminedImage { computation: Computation::BundleAdjustment, image, cause });
         }
     }
     let parts = parts(network);
     if datum == Datum::Free && parts.len() > 1 {
         let cause = Cause::Parts { parts: parts.len(), first: parts[0], second: parts[1] };
-        return Err(Error::Degenerate { task: Task::BundleAdjustment, cause });
+        return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause });
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use super::similarity::{Similarity, middle, minus};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::{Pose, State, turn_of};
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 
 /// An observed position with the weights of its coordinates; 0 for one that was not observed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -67,13 +67,13 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
     if pairs.len() < 3 {
         return Err(Error::TooFew { what: "GPS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
     }
-    let undetermined = || Error::Degenerate { task: Task::Datum, cause: Cause::NoExtent };
+    let undetermined = || Error::Degenerate { computation: Computation::Datum, cause: Cause::NoExtent };
     let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;
     let agreeing: Vec<[f64; 3]> = pairs.iter().zip(&agree).filter(|(_, agrees)| **agrees).map(|(pair, _)| pair.to).collect();
     let width = relative_width(&agreeing);
     if !(width >= LEAST_WIDTH) {
         let cause = Cause::PositionsOnLine { width, least: LEAST_WIDTH };
-        return Err(Error::Degenerate { task: Task::Datum, cause });
+        return Err(Error::Degenerate { computation: Computation::Datum, cause });
     }
     let mut judged = agree.iter();
     let agrees = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
@@ -140,7 +140,7 @@ impl Freedoms {
                 (0..49).for_each(|k| normal[k / 7][k % 7] += weight * row[k / 7] * row[k % 7]);
             }
         }
-        let refused = || Error::Degenerate { task: Task::FreeNetwork, cause: Cause::OnePosition };
+        let refused = || Error::Degenerate { computation: Computation::FreeNetwork, cause: Cause::OnePosition };
         freedoms.inverse = inverse_of_dense(&normal).ok_or_else(refused)?;
         Ok(freedoms)
     }

@@ -1,6 +1,6 @@
 //! Interior orientation by fiducial marks.
 
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 use serde::{Deserialize, Serialize};
 
 /// A fiducial mark: where it was measured and where the calibration has it.
@@ -217,7 +217,7 @@ fn check_spread(centred: &Centred) -> Result<(), Error> {
     for (calibrated, width) in [(false, measured), (true, calibrated)] {
         if width.is_nan() || width < LEAST_WIDTH {
             let cause = Cause::MarksOnLine { calibrated, width, least: LEAST_WIDTH };
-            return Err(Error::Degenerate { task: Task::AffineTransformation, cause });
+            return Err(Error::Degenerate { computation: Computation::AffineTransformation, cause });
         }
     }
     Ok(())

@@ -16,26 +16,27 @@ error-image-too-small = the image has { $width } x { $height } px; { $operation 
 error-window-outside = the window of { $side } x { $side } px at column { $col }, row { $row } leaves the image of { $width } x { $height } px
 error-constant-window = the window of { $side } x { $side } px at column { $col }, row { $row } is constant: it has no moments
 error-too-few = { $what }: { $got } given; at least { $needed } are needed
-error-degenerate = the observations do not determine { $task }: { $cause }
-error-undetermined-image = { $task } does not determine image { $image } (counted from 0): { $cause }
-error-not-converged = { $task } does not converge in { $iterations } iterations: { $cause }
+error-degenerate = the observations do not determine { $computation }: { $cause }
+error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
+error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
+error-interrupted = the run cannot go on: { $reason }
 error-unreadable-file = { $what } cannot be read: { $place }: { $reason }
 error-not-written = { $what } cannot be written: its sink takes no more text
 
 ## What is computed.
 
-task-affine-transformation = the affine transformation
-task-bundle-adjustment = the bundle adjustment
-task-by-and-bz = by and bz
-task-datum = the datum
-task-determinant-form = the determinant form
-task-distortion-correction = the correction of distortion
-task-free-network = the free network
-task-fundamental-matrix = the fundamental matrix
-task-homography = the homography
-task-omega-and-kappa = ω and κ
-task-relative-orientation = the relative orientation
-task-two-view-geometry = the geometry of the two views
+computation-affine-transformation = the affine transformation
+computation-bundle-adjustment = the bundle adjustment
+computation-by-and-bz = by and bz
+computation-datum = the datum
+computation-determinant-form = the determinant form
+computation-distortion-correction = the correction of distortion
+computation-free-network = the free network
+computation-fundamental-matrix = the fundamental matrix
+computation-homography = the homography
+computation-omega-and-kappa = ω and κ
+computation-relative-orientation = the relative orientation
+computation-two-view-geometry = the geometry of the two views
 
 ## Why observations do not determine something, or iterations do not converge.
 

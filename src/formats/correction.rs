@@ -2,7 +2,7 @@
 
 use super::{ModelCamera, ModelRay};
 use crate::camera::{MOST_STEPS, undistorted};
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 
 /// The direction (x, y), y down, whose image by the camera's distortion is the ray: the inverse of the formula at [`ModelCamera`].
 ///
@@ -16,7 +16,7 @@ fn ideal(camera: &ModelCamera, [x_px, y_px]: [f64; 2]) -> Result<[f64; 2], Error
     let [cx, cy] = camera.principal_point_px;
     let measured = [(x_px - cx) / camera.focal_px, (y_px - cy) / camera.focal_px];
     undistorted(measured, camera.radial, camera.tangential).ok_or_else(|| Error::NotConverged {
-        task: Task::DistortionCorrection,
+        computation: Computation::DistortionCorrection,
         iterations: MOST_STEPS,
         cause: Cause::FoldedAt { x_px, y_px },
     })

@@ -2,7 +2,7 @@
 
 use super::ModelCamera;
 use crate::camera::{MOST_STEPS, undistorted};
-use crate::{Camera, Cause, Error, Task};
+use crate::{Camera, Cause, Computation, Error};
 use nalgebra::{Matrix3, Vector3};
 
 /// Side of a pixel where nobody knows it, mm.
@@ -50,7 +50,7 @@ impl ModelCamera {
             let t = k as f64 / RADII as f64;
             let measured = t * farthest;
             let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or_else(|| Error::NotConverged {
-                task: Task::DistortionCorrection,
+                computation: Computation::DistortionCorrection,
                 iterations: MOST_STEPS,
                 cause: Cause::FoldedBeyond { radius_px: measured * self.focal_px },
             })?;

@@ -2,8 +2,8 @@
 
 use super::{Message, Texts};
 use crate::{
-    BlockWarning, CameraParameter, Cause, Connection, Degeneracy, Error, Failure, LengthUnit, NamedCamera, NoGeometry, NoOrientation,
-    Observed, PairOutcome, PairRule, Remark, Rule, Side, Task, UnorientedReason, Unsettled, Warning,
+    BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, LengthUnit, NamedCamera, NoGeometry,
+    NoOrientation, Observed, PairOutcome, PairRule, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
 };
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -50,7 +50,7 @@ fn messages() -> BTreeMap<String, &'static [&'static str]> {
         family::<Remark>(),
         family::<Rule>(),
         family::<Side>(),
-        family::<Task>(),
+        family::<Computation>(),
         family::<UnorientedReason>(),
         family::<Unsettled>(),
         family::<Warning>(),
@@ -112,7 +112,7 @@ fn figures_are_written_in_one_way() {
 #[test]
 fn messages_within_messages_have_their_texts() {
     let cause = Cause::PointsOnLine { side: Side::Left, width: 0.000_02, least: 1e-4 };
-    let error = Error::Degenerate { task: Task::RelativeOrientation, cause };
+    let error = Error::Degenerate { computation: Computation::RelativeOrientation, cause };
     let text = NoOrientation::Refused { error }.to_string();
     assert_eq!(
         text,
@@ -126,7 +126,8 @@ fn messages_within_messages_have_their_texts() {
 
 #[test]
 fn a_second_language_is_a_second_catalogue_and_falls_back_to_english() {
-    let german = Texts::new("de", "unoriented-lost = nur { $rays ->\n    [one] ein Strahl\n   *[other] { $rays } Strahlen\n}\nbroken = {\n");
+    let german =
+        Texts::new("de", "unoriented-lost = nur { $rays ->\n    [one] ein Strahl\n   *[other] { $rays } Strahlen\n}\nbroken = {\n");
     assert_eq!(german.text(&UnorientedReason::Lost { rays: 1 }), "nur ein Strahl");
     assert_eq!(german.text(&UnorientedReason::Lost { rays: 3 }), "nur 3 Strahlen");
     assert_eq!(german.text(&UnorientedReason::NoPoints), "it has no tie points");

@@ -4,7 +4,7 @@ use super::adjustment::{Adjusted, move_within_bounds, step_tolerance};
 use super::coplanarity::{Pose, Ray};
 use super::normals::Normals;
 use super::refusal::{check_parallax, diverged, undetermined};
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 
 const MAX_ITERATIONS: usize = 50;
 
@@ -56,7 +56,7 @@ fn determinants(pose: &Pose, rays: &[Ray]) -> Result<(Normals<5>, f64), Error> {
     let tangents = pose.tangents();
     let along_x = pose.base.x;
     if along_x.abs() < 1e-6 {
-        return Err(Error::Degenerate { task: Task::DeterminantForm, cause: Cause::NoBaseAlongX });
+        return Err(Error::Degenerate { computation: Computation::DeterminantForm, cause: Cause::NoBaseAlongX });
     }
     let mut normals = Normals::new();
     let mut square_gradients = 0.0;

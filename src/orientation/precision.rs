@@ -4,7 +4,7 @@ use super::coplanarity::{Pose, Unknowns};
 use super::normals::Matrix5;
 use super::result::FiveParameters;
 use crate::camera::angles_from_rotation;
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix3, Vector3};
 
 /// Least share of the base along x; below it by and bz in units of b mean nothing.
@@ -43,11 +43,11 @@ pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
     let along_x = pose.base.x.abs();
     if !(along_x >= LEAST_ALONG_X) {
         let cause = Cause::BaseAcrossX { along_x, least: LEAST_ALONG_X };
-        return Err(Error::Degenerate { task: Task::ByAndBz, cause });
+        return Err(Error::Degenerate { computation: Computation::ByAndBz, cause });
     }
     let cosine = (pose.rotation[(0, 0)] * pose.rotation[(0, 0)] + pose.rotation[(1, 0)] * pose.rotation[(1, 0)]).sqrt();
     if !(cosine >= LEAST_COSINE) {
-        return Err(Error::Degenerate { task: Task::OmegaAndKappa, cause: Cause::GimbalLock });
+        return Err(Error::Degenerate { computation: Computation::OmegaAndKappa, cause: Cause::GimbalLock });
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use super::result::Observation;
 use super::warning::{LARGEST_CONDITION, condition};
 use crate::math::median;
 use crate::parameters::refuse;
-use crate::{Cause, Error, Side, Task};
+use crate::{Cause, Computation, Error, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;
@@ -127,10 +127,10 @@ pub(super) fn undetermined(share: f64) -> Error {
 }
 
 fn degenerate(cause: Cause) -> Error {
-    Error::Degenerate { task: Task::RelativeOrientation, cause }
+    Error::Degenerate { computation: Computation::RelativeOrientation, cause }
 }
 
 /// The error of an iteration that did not converge.
 pub(super) fn diverged(iterations: usize, cause: Cause) -> Error {
-    Error::NotConverged { task: Task::RelativeOrientation, iterations, cause }
+    Error::NotConverged { computation: Computation::RelativeOrientation, iterations, cause }
 }

@@ -224,7 +224,7 @@ impl Draft {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Task;
+    use crate::Computation;
 
     #[test]
     fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {
@@ -232,9 +232,9 @@ mod tests {
         let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &ReconstructionOptions::default());
         net.accepted.iter_mut().for_each(|accepted| *accepted = true);
         let images = [0, 2, 3];
-        let named = Error::UndeterminedImage { task: Task::BundleAdjustment, image: 1, cause: Cause::NoPosition };
+        let named = Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: 1, cause: Cause::NoPosition };
         assert_eq!(undetermined(&named, &images, &net), Some(2));
-        let unnamed = Error::Degenerate { task: Task::BundleAdjustment, cause: Cause::PointInPlane };
+        let unnamed = Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::PointInPlane };
         assert_eq!(undetermined(&unnamed, &images, &net), Some(3));
     }
 }

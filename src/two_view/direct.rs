@@ -3,7 +3,7 @@
 use super::frame::{Frame, rows};
 use super::fundamental::{eight_point, seven_point};
 use super::homography::direct_linear;
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 
 /// The fundamental matrix of eight or more matches `[x left, y left, x right, y right]` in px, all of them good: qᵀ F p = 0, of norm 1. The
 /// coordinates are normalised within.
@@ -15,8 +15,8 @@ use crate::{Cause, Error, Task};
 /// Hartley 1997, In defense of the eight-point algorithm, IEEE PAMI 19(6).
 pub fn fundamental_eight_point(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
     let frame = frame_of("the fundamental matrix", points, 8)?;
-    let matrix =
-        eight_point(&frame.rays(points)).ok_or(Error::Degenerate { task: Task::FundamentalMatrix, cause: Cause::SeveralMatrices })?;
+    let matrix = eight_point(&frame.rays(points))
+        .ok_or(Error::Degenerate { computation: Computation::FundamentalMatrix, cause: Cause::SeveralMatrices })?;
     Ok(rows(&frame.fundamental_px(&matrix)))
 }
 
@@ -43,7 +43,8 @@ pub fn fundamental_seven_point(points: &[[f64; 4]; 7]) -> Result<Vec<[[f64; 3]; 
 /// Hartley & Zisserman 2004, Multiple View Geometry, 2nd ed., section 4.1.
 pub fn homography_direct(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
     let frame = frame_of("the homography", points, 4)?;
-    let matrix = direct_linear(&frame.rays(points)).ok_or(Error::Degenerate { task: Task::Homography, cause: Cause::TooManyOnLine })?;
+    let matrix = direct_linear(&frame.rays(points))
+        .ok_or(Error::Degenerate { computation: Computation::Homography, cause: Cause::TooManyOnLine })?;
     Ok(rows(&frame.homography_px(&matrix)))
 }
 

@@ -11,7 +11,7 @@ use super::support::Tolerance;
 use super::transfer::square_transfer;
 use crate::math::{Candidate, Problem, Search, consensus};
 use crate::orientation::{Field, Ray};
-use crate::{Cause, Error, Task};
+use crate::{Cause, Computation, Error};
 use nalgebra::Matrix3;
 
 /// Of a thousand pairs without overlap, one may be told to have a geometry.
@@ -156,6 +156,6 @@ impl<'a> Matches<'a> {
     }
 
     pub fn unsupported(&self, agreeing: usize) -> Error {
-        Error::Degenerate { task: Task::TwoViewGeometry, cause: Cause::Chance { agreeing, matches: self.rays.len() } }
+        Error::Degenerate { computation: Computation::TwoViewGeometry, cause: Cause::Chance { agreeing, matches: self.rays.len() } }
     }
 }

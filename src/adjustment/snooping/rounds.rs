@@ -9,7 +9,7 @@ use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::Problem;
 use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::statistics::{Statistics, statistics};
-use crate::{Cause, Error, Task, Unsettled};
+use crate::{Cause, Computation, Error, Unsettled};
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
@@ -65,7 +65,7 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
         }
     }
     let cause = Cause::Unsettled { unsettled: last, rounds: MAX_ROUNDS };
-    Err(Error::NotConverged { task: Task::BundleAdjustment, iterations: course.iterations, cause })
+    Err(Error::NotConverged { computation: Computation::BundleAdjustment, iterations: course.iterations, cause })
 }
 
 /// How a round ends.
