@@ -72,7 +72,7 @@ function resultOf(output, settings) {
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
     orientation: output.orientation && orientationOf(output.orientation),
     no_orientation: output.no_orientation && withText('no_orientation', output.no_orientation),
-    offset_px: output.offset && output.offset.median_px,
+    offset_px: output.offset?.median_px ?? null,
     geometry: output.match.geometry,
     no_geometry: output.match.no_geometry && withText('no_geometry', output.match.no_geometry),
     interior: output.interior,
