@@ -1,5 +1,6 @@
 //! The catalogue and the families of messages hold each other: every kind has a text, every text a kind, every variable a figure.
 
+use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
     BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, LengthUnit, NamedCamera, NoGeometry,
@@ -90,6 +91,10 @@ fn texts_name_the_figures_of_their_messages() {
         let given = |name: &str| figures.iter().any(|f| name == *f || name == format!("{f}_more") || name == format!("{f}_count"));
         for name in &entries(ENGLISH)[&id] {
             assert!(given(name), "{id} names ${name}; its figures are {figures:?}");
+        }
+        for name in figures {
+            let is_family = messages().keys().any(|id| id.starts_with(&format!("{}-", name.replace('_', "-"))));
+            assert!(!is_family || NESTED.contains(name), "{id} has the message {name}, which is not rendered");
         }
     }
 }

@@ -10,18 +10,18 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-const NESTED: [&str; 13] = [
+pub(super) const NESTED: [&str; 13] = [
     "camera",
     "camera_parameter",
     "cause",
+    "computation",
     "error",
-    "no_geometry",
     "failure",
+    "no_geometry",
     "observed",
     "outcome",
     "rule",
     "side",
-    "task",
     "unit",
     "unsettled",
 ];
