@@ -47,6 +47,10 @@ messages! {
 }
 
 impl std::error::Error for Error {}
+/// Refuses an input: see [`Error::InvalidInput`].
+pub(crate) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
+    Err(Error::InvalidInput { what, got, allowed: allowed.into() })
+}
 
 impl Error {
     /// A name for programs; it does not change between versions.

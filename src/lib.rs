@@ -14,6 +14,7 @@ mod json;
 mod matching;
 mod math;
 mod message;
+mod model;
 mod orientation;
 mod pair;
 mod parameters;
@@ -30,13 +31,13 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, CameraLabel, CameraStatistics,
-    ControlPoint, Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics,
-    ObservationVerdict, OrientedPart, PositionPrior, PriorStatistics, RayCountRmse, Similarity, adjust_block,
+    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, CameraStatistics, ControlPoint, Datum, FixedParameter,
+    ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse,
+    Similarity, adjust_block,
 };
 pub use camera::{
-    Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
-    orient_fiducials, rotation_from_angles,
+    Camera, CameraMm, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose,
+    angles_from_rotation, orient_fiducials, rotation_from_angles,
 };
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
@@ -44,9 +45,9 @@ pub use descriptors::{
 };
 pub use error::{CameraParameter, Cause, Computation, Error, Failure, Side, Unsettled};
 pub use formats::{
-    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, GroundControlRow, ImageMeasurementRow, ModelCamera, ModelImage,
-    ModelPoint, ModelPose, ModelRay, PROJECT_VERSION, Project, colmap_features, colmap_matches, csv_field, export_block,
-    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model, read_project, write_project,
+    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, PROJECT_VERSION, Project, colmap_features,
+    colmap_matches, csv_field, export_block, parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
+    read_project, write_project,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matching::{
@@ -57,6 +58,10 @@ pub use matching::{
 };
 pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};
+pub use model::{
+    BlockDescription, BlockModel, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage, NamedCamera,
+    ObjectPoint, ObservedPosition,
+};
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
     RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
@@ -82,8 +87,7 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
-    BlockDescription, BlockWarning, GroundControlPoint, ImageMeasurement, KnownCamera, KnownImage, LengthUnit, NamedCamera,
-    ObservationSource, Observed, ObservedPosition, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
+    BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
     RejectedObservation, RejectedPosition, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{Report, ReportImage, ReportTruth};

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 23] = [
+const ORDER: [&str; 24] = [
     "message",
     "error",
     "parameters",
@@ -17,6 +17,7 @@ const ORDER: [&str; 23] = [
     "json",
     "math",
     "camera",
+    "model",
     "image",
     "points",
     "descriptors",
@@ -25,9 +26,9 @@ const ORDER: [&str; 23] = [
     "two_view",
     "pair",
     "tracks",
-    "formats",
     "adjustment",
     "reconstruction",
+    "formats",
     "pipeline",
     "tables",
     "simulate",

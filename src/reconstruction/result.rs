@@ -2,7 +2,7 @@
 
 use super::warning::{BlockWarning, UnorientedReason};
 use crate::adjustment::AdjustmentResult;
-use crate::formats::GeographicOrigin;
+use crate::model::GeographicOrigin;
 use serde::{Deserialize, Serialize};
 
 /// The models of a block, the one with most images first, and the images that are in none.

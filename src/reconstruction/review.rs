@@ -1,12 +1,12 @@
 //! What of a model deserves a warning.
 
-use super::description::BlockDescription;
 use super::frame::Frame;
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
-use super::warning::{BlockWarning, NamedCamera, Observed, RejectedPosition};
+use super::warning::{BlockWarning, Observed, RejectedPosition};
 use crate::Cause;
 use crate::adjustment::ObservationVerdict;
+use crate::model::BlockDescription;
 
 /// An image with fewer accepted rays is weak.
 const FEW_RAYS: usize = 20;
@@ -45,7 +45,7 @@ fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let error_deg = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
     let datum = model.adjusted.datum;
-    let observed = match (datum.uses_gps(), datum.uses_control()) {
+    let observed = match (datum.uses_gnss(), datum.uses_control()) {
         (true, true) => Observed::Both,
         (false, true) => Observed::Points,
         _ => Observed::Positions,
@@ -61,18 +61,18 @@ fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
 /// The angle between the mean direction of view and the vertical.
 fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
     let images = &model.adjusted.block.images;
-    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.rotation[2][k]).sum::<f64>());
+    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.pose.rotation[2][k]).sum::<f64>());
     libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
 }
 
 /// GNSS positions that took no part, and heights that they do not have.
 fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
     let images = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
-        let [x, y, z] = statistics.gps.filter(|prior| !prior.accepted)?.residual;
+        let [x, y, z] = statistics.gnss.filter(|prior| !prior.accepted)?.residual;
         Some(RejectedPosition { name: description.images[*image].name.clone(), distance_m: (x * x + y * y + z * z).sqrt() })
     });
     let images: Vec<RejectedPosition> = images.collect();
-    let level = (frame.is_levelled && model.adjusted.datum.uses_gps()).then_some(BlockWarning::NoHeights);
+    let level = (frame.is_levelled && model.adjusted.datum.uses_gnss()).then_some(BlockWarning::NoHeights);
     level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
 }
 
@@ -82,7 +82,7 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
     let name = |image: usize| description.images[model.images[image]].name.clone();
     let mut found = Vec::new();
     for (index, control) in description.control.iter().enumerate() {
-        let measurements = control.rays.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
+        let measurements = control.measurements.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
         if measurements == 0 {
             continue;
         }
@@ -106,7 +106,7 @@ fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -
 fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
     let mut found = Vec::new();
     for (index, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
-        let camera = named_camera(*index, description);
+        let camera = description.named_camera(*index);
         if model.guessed_focal.contains(index) {
             found.push(match statistics.standard_errors[0] {
                 Some(error_px) => BlockWarning::FocalEstimated { camera: camera.clone(), error_px },
@@ -117,11 +117,6 @@ fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec
         found.extend(statistics.fixed.iter().map(|is| fixed(is.parameter)));
     }
     found
-}
-
-pub(super) fn named_camera(camera: usize, description: &BlockDescription) -> NamedCamera {
-    let mut images = description.images.iter().filter(|image| image.camera == camera).map(|image| image.name.clone());
-    NamedCamera { only: description.cameras.len() == 1, number: camera + 1, first: images.next(), more: images.count() }
 }
 
 fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Option<BlockWarning> {

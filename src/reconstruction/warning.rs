@@ -1,7 +1,7 @@
 //! Warnings about an adjusted block, and why images are not in it.
 
 use crate::message::messages;
-use crate::{CameraParameter, Cause, Message};
+use crate::{CameraParameter, Cause, NamedCamera};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -78,25 +78,6 @@ messages! {
 pub struct RejectedPosition {
     pub name: String,
     pub distance_m: f64,
-}
-
-/// A camera by its number, from 1, and by its images: files number cameras from 0.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct NamedCamera {
-    /// Whether the block has no other.
-    pub only: bool,
-    pub number: usize,
-    /// Name of its first image.
-    pub first: Option<String>,
-    /// How many images it has beside that.
-    pub more: usize,
-}
-
-impl Message for NamedCamera {
-    const FAMILY: &'static str = "camera";
-    #[cfg(test)]
-    const KINDS: &'static [(&'static str, &'static [&'static str])] = &[("", &["only", "number", "first", "more"])];
 }
 
 messages! {
