@@ -1,6 +1,6 @@
 //! The texts of messages in one language, from a catalogue in the syntax of Project Fluent.
 
-use super::Message;
+use super::family::Message;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 use serde_json::Value;

@@ -5,7 +5,7 @@ use super::{BlockModel, GroundControlPoint, ModelImage, ObservedPosition};
 use crate::Error;
 use crate::camera::{Camera, FreeParameters};
 use crate::error::refuse;
-use crate::message::Message;
+use crate::message::{Message, written};
 use serde::{Deserialize, Serialize};
 
 /// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
@@ -32,7 +32,7 @@ impl BlockDescription {
         if self.images.len() < 2 {
             return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
         }
-        let named = |index| move || self.named_camera(index).text();
+        let named = |index| move || self.named_camera(index).to_string();
         self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
         for image in &self.images {
             if image.camera >= self.cameras.len() {
@@ -98,6 +98,8 @@ pub struct NamedCamera {
     /// How many images it has beside that.
     pub more: usize,
 }
+
+written!(NamedCamera);
 
 impl Message for NamedCamera {
     const FAMILY: &'static str = "camera";

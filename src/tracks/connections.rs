@@ -1,7 +1,7 @@
 //! Which images are connected, by how many matches, and why the others are not.
 
 use super::PairRule;
-use crate::message::messages;
+use crate::message::{messages, written};
 use crate::{Error, Failure, Message, NoGeometry};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -35,6 +35,8 @@ pub struct Connection {
     pub rule: PairRule,
     pub outcome: PairOutcome,
 }
+
+written!(Connection);
 
 impl Message for Connection {
     const FAMILY: &'static str = "connection";
@@ -113,7 +115,7 @@ mod tests {
 
     #[test]
     fn a_connection_says_why_it_is_or_is_not_one() {
-        let text = |rule, outcome| Connection { images: [0, 1], rule, outcome }.text();
+        let text = |rule, outcome| Connection { images: [0, 1], rule, outcome }.to_string();
         assert_eq!(text(PairRule::Near, PairOutcome::Connected { matches: 120 }), "connected by 120 matches; chosen as near each other");
         assert_eq!(
             text(PairRule::Sequence, PairOutcome::TooFewMatches { matches: 4, needed: 15 }),
