@@ -152,7 +152,8 @@ fn a_progressive_scan_cut_in_the_middle_does_not_decode_as_good() {
     };
     let fine = include_bytes!("progressive.jpg").to_vec();
     assert_eq!(scans(&fine).len(), 10, "means, two bands of luma, chroma, and the refinements of each");
-    for (name, file) in [("ten scans", fine), ("one scan", means(0, true)), ("scans apart", means(0, false)), ("restarts", means(7, true))] {
+    for (name, file) in [("ten scans", fine), ("one scan", means(0, true)), ("scans apart", means(0, false)), ("restarts", means(7, true))]
+    {
         let whole = decode(&file).unwrap();
         let mut refused = 0;
         for (scan, (start, end)) in scans(&file).into_iter().enumerate() {
@@ -194,7 +195,16 @@ fn thousands_of_scans_and_tables_cost_little() {
 
 /// A big TIFF of 16 x 16 px with these entries after those of a grey image in one strip: tag, type, count, value.
 fn big_tiff(entries: &[[u64; 4]]) -> Vec<u8> {
-    let image = [[256, 4, 1, 16], [257, 4, 1, 16], [258, 3, 1, 8], [262, 3, 1, 1], [273, 4, 1, 16], [277, 3, 1, 1], [278, 4, 1, 16], [279, 4, 1, 256]];
+    let image = [
+        [256, 4, 1, 16],
+        [257, 4, 1, 16],
+        [258, 3, 1, 8],
+        [262, 3, 1, 1],
+        [273, 4, 1, 16],
+        [277, 3, 1, 1],
+        [278, 4, 1, 16],
+        [279, 4, 1, 256],
+    ];
     let mut file = b"II+\0\x08\0\0\0".to_vec();
     file.extend((16 + 256u64).to_le_bytes());
     file.extend([7; 256]);
