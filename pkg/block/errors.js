@@ -1,6 +1,9 @@
 // @ts-check
 /** What a run refuses, and what of its jobs' errors is the fault of an image or a pair alone. */
 
+/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
+export const MEMORY = ['RuntimeError', 'RangeError'];
+
 /** Images or options that make no block. */
 export class BlockError extends Error {}
 
@@ -18,7 +21,9 @@ export function refusal(error) {
  * @param {unknown} error @returns {string}
  */
 export function ownFault(error) {
-  // A trap of the module, or memory that is not there: the worker was replaced.
-  const broke = error instanceof Error && ['RuntimeError', 'RangeError', 'WorkerError'].includes(error.name);
-  return broke ? `the computation broke off (${error.message})` : refusal(error);
+  if (!(error instanceof Error)) throw error;
+  // The worker was replaced.
+  if (MEMORY.includes(error.name)) return `memory ran out (${error.message})`;
+  if (['Panic', 'WorkerError'].includes(error.name)) return `the computation broke off at a fault of the program (${error.message}): please report it`;
+  return refusal(error);
 }

@@ -5,10 +5,11 @@ import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
 import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_measurements, parse_ground_control_points, score_block } from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
+import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { checkTruth, exportPaths } from './foresight.js';
 import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
+import { lockFolder } from './lock.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { StageProgress } from './stage-progress.js';
@@ -93,7 +94,7 @@ async function run(call) {
   const names = sources.map(({ name }) => name);
   const exported = exportPaths(names, formats);
   if (known) checkTruth(String(truth), known, names);
-  makeFolder(out);
+  const release = lockFolder(out);
   removeUnfinished(out);
   const written = new Written(out);
   written.refuseOthers([...FIXED_FILES, ...exported], formats);
@@ -119,6 +120,7 @@ async function run(call) {
   } finally {
     shown.end();
     await pool.close();
+    release();
   }
 }
 
@@ -191,7 +193,14 @@ function sourcesOf(given) {
 }
 
 /** @param {string} file @returns {Source} */
-const sourceOf = (file) => ({ name: basename(file), bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) });
+const sourceOf = (file) => ({
+  name: basename(file),
+  bytes: async () => {
+    // Reading a pipe would wait for whoever writes into it.
+    if (!isFile(file)) throw new Error('it is no file, but a pipe, a socket or a device');
+    return readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error))));
+  },
+});
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {

@@ -6,6 +6,7 @@
  *   a Blob URL of a file:// page), every `</` in it written `<\/`;
  *   `<script type="text/plain" id="tiepoint-wasm">`: `tiepoint_bg.wasm`, deflated (raw, without header), in base64.
  */
+import { scriptAddress } from './trusted';
 
 function embedded(id: string): string {
   const text = document.getElementById(id)?.textContent;
@@ -20,7 +21,7 @@ let workerUrl: string | undefined;
 /** Starts the worker script from the copy in the document. */
 export function createWorker(name: string): Worker {
   workerUrl ??= URL.createObjectURL(new Blob([embedded('tiepoint-worker')], { type: 'text/javascript' }));
-  return new Worker(workerUrl, { name });
+  return new Worker(scriptAddress(workerUrl), { name });
 }
 
 /** Compiles the wasm module from the copy in the document. */

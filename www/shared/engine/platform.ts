@@ -2,11 +2,13 @@
  * The platform of a page served over HTTP. The single-file build replaces this module by `platform.single.ts`; the two export the
  * same names (see `spawn.ts`, the only place that imports them).
  */
+import workerUrl from '../../worker.ts?worker&url';
 import wasmUrl from '../../../pkg/wasm/tiepoint_bg.wasm?url';
+import { scriptAddress } from './trusted';
 
 /** Starts the worker script. */
 export function createWorker(name: string): Worker {
-  return new Worker(new URL('../../worker.ts', import.meta.url), { type: 'module', name });
+  return new Worker(scriptAddress(workerUrl), { type: 'module', name });
 }
 
 /** Compiles the wasm module while it downloads; from its bytes where the host serves it under another media type. */
