@@ -23,7 +23,9 @@ export function lockFolder(out) {
     // Whether a process of another machine runs is not known here.
     const runs = host !== hostname() || isRunning(Number(pid));
     if (runs || !removed(path, other) || !taken(path, own)) {
-      throw new DataError(`${out} is in use: ${read(path).trim() || 'another process'} works on it; wait for it, name another folder with --out, or remove ${path} if no such process runs`);
+      throw new DataError(
+        `${out} is in use: ${read(path).trim() || 'another process'} works on it; wait for it, name another folder with --out, or remove ${path} if no such process runs`,
+      );
     }
   }
   const release = () => {

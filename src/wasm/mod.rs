@@ -16,19 +16,10 @@ mod features;
 mod geometry;
 mod matching;
 mod orientation;
+mod panics;
 mod photo;
 mod reconstruction;
 mod report;
 mod simulate;
 mod tables;
 mod verification;
-
-/// Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
-#[wasm_bindgen(start)]
-pub fn throw_panics() {
-    std::panic::set_hook(Box::new(|panic| {
-        let error = js_sys::Error::new(&panic.to_string());
-        error.set_name("Panic");
-        wasm_bindgen::throw_val(error.into());
-    }));
-}

@@ -16,13 +16,23 @@ test('two runs on one folder do not compute everything twice: the second is refu
   const out = folder();
   const lock = join(out, 'work', 'lock.txt');
   const first = spawn(process.execPath, [PROGRAM, ...BLOCK.call, '--out', out], { stdio: 'ignore' });
-  const ended = new Promise((resolve) => { first.on('exit', resolve); });
-  while (!existsSync(lock)) await new Promise((resolve) => { setTimeout(resolve, 2); });
+  const ended = new Promise((resolve) => {
+    first.on('exit', resolve);
+  });
+  while (!existsSync(lock))
+    await new Promise((resolve) => {
+      setTimeout(resolve, 2);
+    });
   first.kill('SIGSTOP');
   const before = records(out, 'features');
   const { code, stderr } = tiepoint(...BLOCK.call, '--out', out);
   assert.equal(code, 1);
-  assert.match(stderr, new RegExp(`^tiepoint: .* is in use: process ${first.pid} on ${hostname()} works on it; wait for it, name another folder with --out, or remove .*lock\\.txt if no such process runs\\n$`));
+  assert.match(
+    stderr,
+    new RegExp(
+      `^tiepoint: .* is in use: process ${first.pid} on ${hostname()} works on it; wait for it, name another folder with --out, or remove .*lock\\.txt if no such process runs\\n$`,
+    ),
+  );
   assert.equal(records(out, 'features'), before);
   // The lock of a process that was ended is taken over.
   first.kill('SIGKILL');
