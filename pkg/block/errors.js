@@ -17,13 +17,13 @@ export function refusal(error) {
 }
 
 /**
- * Why the job of an image or a pair failed, in words; what is no fault of its own is thrown on, as of `refusal`.
- * @param {unknown} error @returns {string}
+ * Why the job of an image or a pair failed; what is no fault of its own is thrown on, as of `refusal`.
+ * @param {unknown} error @returns {import('../wasm/tiepoint.js').Failure}
  */
 export function ownFault(error) {
   if (!(error instanceof Error)) throw error;
   // The worker was replaced.
-  if (MEMORY.includes(error.name)) return `memory ran out (${error.message})`;
-  if (['Panic', 'WorkerError'].includes(error.name)) return `the computation broke off at a fault of the program (${error.message}): please report it`;
-  return refusal(error);
+  if (MEMORY.includes(error.name)) return { kind: 'out_of_memory', message: error.message };
+  if (['Panic', 'WorkerError'].includes(error.name)) return { kind: 'broke_off', message: error.message };
+  return { kind: 'refused', message: refusal(error), code: /** @type {any} */ (error).code, usage: false };
 }

@@ -2,9 +2,9 @@
 
 use super::PairInterior;
 use crate::math::median;
-use crate::orientation::BY_AND_BZ;
 use crate::{
-    Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors, orient_relative_with,
+    Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
+    orient_relative_with,
 };
 
 /// Windows of points nearer than this overlap, or see the same edges and roofs.
@@ -35,7 +35,7 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
     let plain = orient_along_x(matches, interior, options);
     let is_across = match &plain {
         Ok(found) => found.parameters.by_mm.abs() > found.base_mm.abs(),
-        Err(error) => matches!(error, Error::Degenerate { what: BY_AND_BZ, .. }),
+        Err(error) => matches!(error, Error::Degenerate { computation: Computation::ByAndBz, .. }),
     };
     if !is_across {
         return plain;
@@ -67,13 +67,10 @@ fn check_precision(found: &RelativeOrientation, pixel_mm: f64, options: &Orienta
     // Who knows a larger standard error expects a larger one.
     let most_px = options.sigma0_mm.map_or(0.0, |sigma0_mm| 2.0 * sigma0_mm / pixel_mm).max(MOST_SIGMA0_PX);
     match found.sigma0_mm.map(|sigma0_mm| sigma0_mm / pixel_mm) {
-        Some(sigma0_px) if sigma0_px > most_px => Err(Error::Degenerate {
-            what: "the relative orientation",
-            reason: format!(
-                "σ0 is {sigma0_px:.1} px, and matching reaches {most_px:.1} px: the matches are wrong, as those of photos that lie upside down \
-                 or do not overlap, or the camera is"
-            ),
-        }),
+        Some(sigma0_px) if sigma0_px > most_px => {
+            let cause = Cause::LargeResiduals { sigma0_px, most_px };
+            Err(Error::Degenerate { computation: Computation::RelativeOrientation, cause })
+        }
         _ => Ok(()),
     }
 }
