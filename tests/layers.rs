@@ -68,8 +68,22 @@ fn every_module_has_a_place() {
 }
 
 /// The modules of which no file is in a circle.
-const WITHOUT_CIRCLES: [&str; 11] =
-    ["error", "text", "json", "math", "camera", "model", "two_view", "tracks", "adjustment", "reconstruction", "formats"];
+const WITHOUT_CIRCLES: [&str; 14] = [
+    "error",
+    "text",
+    "json",
+    "math",
+    "camera",
+    "model",
+    "points",
+    "matching",
+    "orientation",
+    "two_view",
+    "tracks",
+    "adjustment",
+    "reconstruction",
+    "formats",
+];
 
 #[test]
 fn no_files_import_each_other_in_a_circle() {
