@@ -6,6 +6,7 @@
 
 mod adjustment;
 mod camera;
+mod catalogue;
 mod descriptors;
 mod error;
 mod formats;
@@ -15,7 +16,6 @@ mod matching;
 mod math;
 mod orientation;
 mod pair;
-mod parameters;
 mod points;
 mod reconstruction;
 mod report;
@@ -36,6 +36,7 @@ pub use camera::{
     Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
     orient_fiducials, rotation_from_angles,
 };
+pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
@@ -62,10 +63,6 @@ pub use pair::{
     DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PhotoInput,
     VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair, match_weights,
     observations, orient_matches, photo_interior,
-};
-pub use parameters::{
-    ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
-    GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
 };
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,

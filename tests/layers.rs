@@ -7,9 +7,9 @@ use std::path::{Path, PathBuf};
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
 const ORDER: [&str; 21] = [
     "error",
-    "parameters",
     "text",
     "json",
+    "catalogue",
     "math",
     "camera",
     "image",

@@ -38,7 +38,7 @@ fn run(sample: &Sample, matching: MatchOptions) -> PairResult {
         offset: None,
     };
     let operator = if matching.strategy == Strategy::Gradient { Operator::Multiscale } else { Operator::Ground2 };
-    let points = PointOptions { operator, fraction: Some(0.148), ..PointOptions::default() };
+    let points = PointOptions { operator: Some(operator), fraction: Some(0.148), ..PointOptions::default() };
     let mut settings = PairSettings { points, matching, ..PairSettings::default() };
     settings.orientation.base_mm = Some(sample.base_mm);
     let image = |grey| PairImage { grey, exif: None, mask: None };

@@ -4,7 +4,7 @@ use super::block::{Block, BlockCamera};
 use super::network::Network;
 use super::options::Datum;
 use crate::Error;
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::catalogue::{FOCAL_PX, check_values};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;

@@ -2,7 +2,7 @@
 
 use super::{ExifCamera, FiducialOrientation};
 use crate::Error;
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use super::{BlockModel, GeographicOrigin, ModelCamera, ModelPoint, ModelPose};
 use crate::Error;
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::catalogue::{FOCAL_PX, check_values};
 use std::collections::BTreeMap;
 
 /// How far rows of a rotation may be from unit length and right angles.

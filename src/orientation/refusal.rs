@@ -6,8 +6,8 @@ use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::weakness::{LARGEST_CONDITION, condition};
 use crate::Error;
+use crate::catalogue::refuse;
 use crate::math::median;
-use crate::parameters::refuse;
 
 const WHAT: &str = "the relative orientation";
 

@@ -3,7 +3,7 @@
 use super::description::{AssemblyCamera, AssemblyControl, BlockDescription, ObservedPosition};
 use super::weaknesses::camera_named;
 use crate::Error;
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::catalogue::{FOCAL_PX, check_values};
 use crate::tracks::{ImageFeatures, MultiRayPoints, check_features};
 
 impl BlockDescription {

@@ -3,8 +3,8 @@
 use super::convert::{JsResult, object, pack, read_options, rows, thrown};
 use crate::tracks::check_features;
 use crate::{
-    BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, MultiRayPoints, PairChoice,
-    SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points, shared_points,
+    BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, MultiRayPoints, PairChoice, SelectOptions,
+    choose_pairs as choose, local_from_geographic, multi_ray_points, select_points, shared_points,
 };
 use js_sys::{Float32Array, Float64Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -214,10 +214,10 @@ impl BlockPoints {
     }
 }
 
-/// Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+/// Every option of a block, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_parameters() -> JsValue {
-    pack(&BLOCK_PARAMETERS)
+    pack(&BlockSettings::parameters().collect::<Vec<_>>())
 }
 
 /// All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.

@@ -2,7 +2,7 @@
 
 use super::block::BlockPoints;
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{ASSEMBLY_PARAMETERS, AssemblyOptions, BUNDLE_PARAMETERS, BlockDescription, ModelCamera, assemble_block};
+use crate::{AssemblyOptions, BlockDescription, ModelCamera, assemble_block};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -49,12 +49,6 @@ pub fn check_block_description(#[wasm_bindgen(unchecked_param_type = "BlockDescr
 #[wasm_bindgen(unchecked_return_type = "AssemblyOptions")]
 pub fn assembly_defaults() -> JsValue {
     pack(&AssemblyOptions::default())
-}
-
-/// Every tunable of the assembly and of the bundle adjustment.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn assembly_parameters() -> JsValue {
-    pack(&[ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS].concat())
 }
 
 /// Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
