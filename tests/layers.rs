@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 21] = [
+const ORDER: [&str; 22] = [
     "error",
     "text",
     "json",
@@ -23,6 +23,7 @@ const ORDER: [&str; 21] = [
     "formats",
     "adjustment",
     "reconstruction",
+    "pipeline",
     "tables",
     "simulate",
     "report",

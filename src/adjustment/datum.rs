@@ -1,10 +1,10 @@
 //! Where the block lies: observed positions, or the seven freedoms of a free network and the constraints that settle them.
 
 use super::block::{Block, PositionPrior};
-use super::consensus::{Pair, consensus};
 use super::network::Network;
 use super::options::Datum;
 use super::reduced::{Problem, dot3};
+use super::robust_similarity::{Pair, robust_similarity};
 use super::similarity::{Similarity, middle, minus};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
@@ -68,7 +68,7 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
         return Err(Error::TooFew { what: "GPS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
     }
     let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
-    let (similarity, agree) = consensus(&pairs).ok_or_else(undetermined)?;
+    let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;
     let agreeing: Vec<[f64; 3]> = pairs.iter().zip(&agree).filter(|(_, agrees)| **agrees).map(|(pair, _)| pair.to).collect();
     let width = relative_width(&agreeing);
     if !(width >= LEAST_WIDTH) {

@@ -31,7 +31,7 @@ choices! {
 
 options! {
     /// Options of [`adjust_block`](crate::adjust_block).
-    pub struct BundleOptions in "bundle" {
+    pub struct AdjustmentOptions in "adjustment" {
         section "Bundle block adjustment";
 
         /// What says where the block lies: its approximate values (free network), GNSS positions, control points.
@@ -62,7 +62,7 @@ options! {
     }
 }
 
-impl BundleOptions {
+impl AdjustmentOptions {
     /// The standardised residual beyond which a coordinate is a gross error.
     pub(super) fn limit(&self) -> f64 {
         normal_quantile(1.0 - 0.5 * self.alpha0)

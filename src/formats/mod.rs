@@ -1,6 +1,6 @@
 //! Files by which blocks go to other programs and come from them: one format a file.
 //!
-//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`SurveyedPoint`]s; a
+//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`GroundControlRow`]s; a
 //! [`Project`] is the block's own file.
 
 mod agisoft;
@@ -35,9 +35,9 @@ mod tie_points;
 pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
-pub use control::{SurveyedPoint, parse_surveyed_points};
+pub use control::{GroundControlRow, parse_ground_control_points};
 pub use csv_tables::csv_field;
 pub use export::{ExportFormat, export_block};
-pub use marks::{ImageMark, parse_image_marks};
+pub use marks::{ImageMeasurementRow, parse_image_measurements};
 pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
 pub use project::{PROJECT_VERSION, Project, read_project, write_project};

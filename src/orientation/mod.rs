@@ -1,7 +1,6 @@
 //! Relative orientation: coplanarity, consensus of minimal samples, rigorous adjustment.
 
 mod adjustment;
-mod consensus;
 mod coplanarity;
 mod determinant;
 mod error_model;
@@ -16,11 +15,11 @@ mod rejection;
 mod relative;
 mod reliability;
 mod result;
+mod robust_start;
 mod shared;
 mod weakness;
 mod weighting;
 
-pub(crate) use consensus::Poses;
 pub(crate) use coplanarity::{Pose, Ray, condition};
 pub use error_model::ErrorModel;
 pub(crate) use field::{Field, square_distance};
@@ -29,4 +28,5 @@ pub use options::{OrientationMethod, OrientationOptions, Weighting};
 pub(crate) use precision::BY_AND_BZ;
 pub use relative::{orient_relative, orient_relative_with};
 pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};
+pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;

@@ -1,8 +1,8 @@
 //! Rejection of gross errors by standardised residuals.
 
 use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
-use super::consensus::{Consensus, least_agreement};
 use super::coplanarity::{Linearised, Pose, Ray};
+use super::robust_start::{Consensus, least_agreement};
 use crate::Error;
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
 

@@ -1,7 +1,6 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
 use super::adjustment::{Adjusted, SETTLED, adjust};
-use super::consensus::{consensus, median_parallax};
 use super::coplanarity::{Pose, Ray};
 use super::determinant::adjust_determinants;
 use super::normals::{Matrix5, correlations};
@@ -10,6 +9,7 @@ use super::refusal::{check_geometry, check_input, check_result, near_vertical};
 use super::rejection::{Clean, Limits, Weighted, adjust_without_gross_errors, corrections};
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
+use super::robust_start::{median_parallax, robust_start};
 use super::weakness::{condition, parallax_beside_rotation, plane_misfit, spread, weaknesses};
 use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
@@ -89,7 +89,7 @@ pub fn orient_relative_with(
 
 fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
     let limits = Limits { rejection: options.limit(), least_sigma: options.sigma0_mm.unwrap_or(0.0).max(resolution_mm) / focal_mm };
-    let start = consensus(observed.rays, options.seed);
+    let start = robust_start(observed.rays, options.seed);
     let mut clean = adjust_without_gross_errors(observed, &start, limits)?;
     if options.method == OrientationMethod::Determinant {
         clean.adjusted = adjust_determinants(&observed.kept(&clean.accepted).0, clean.adjusted.pose, |_| Ok(()))?;

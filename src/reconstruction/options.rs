@@ -1,7 +1,7 @@
-//! What the user chooses of the assembly of a block.
+//! What the user chooses of the reconstruction of a block.
 
 use crate::Error;
-use crate::adjustment::{BundleOptions, Datum};
+use crate::adjustment::{AdjustmentOptions, Datum};
 use crate::catalogue::options;
 use crate::tracks::SelectOptions;
 
@@ -9,8 +9,8 @@ use crate::tracks::SelectOptions;
 const CALIBRATION_LIMIT_PX: f64 = 20.0;
 
 options! {
-    /// Options of [`assemble_block`](crate::assemble_block).
-    pub struct AssemblyOptions in "assembly" {
+    /// Options of [`reconstruct_block`](crate::reconstruct_block).
+    pub struct ReconstructionOptions in "reconstruction" {
         section "Incremental orientation";
 
         /// What says where the block lies, in place of the datum of the adjustment.
@@ -43,16 +43,16 @@ options! {
 
         /// The points that are given of the adjusted block; absent: all are adjusted and given.
         selection: Option<SelectOptions> = None;
-        /// By default as [`BundleOptions`] is, but that camera parameters are fixed beyond 20 px.
-        bundle: BundleOptions = BundleOptions { calibration_limit_px: CALIBRATION_LIMIT_PX, ..BundleOptions::default() };
+        /// By default as [`AdjustmentOptions`] is, but that camera parameters are fixed beyond 20 px.
+        adjustment: AdjustmentOptions = AdjustmentOptions { calibration_limit_px: CALIBRATION_LIMIT_PX, ..AdjustmentOptions::default() };
     }
 }
 
-impl AssemblyOptions {
+impl ReconstructionOptions {
     /// Rejects values outside their ranges.
     pub(super) fn check(&self) -> Result<(), Error> {
         self.check_ranges()?;
         self.selection.as_ref().map_or(Ok(()), SelectOptions::check_ranges)?;
-        self.bundle.check_ranges()
+        self.adjustment.check_ranges()
     }
 }

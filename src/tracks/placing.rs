@@ -4,7 +4,7 @@ use crate::catalogue::options;
 
 options! {
     /// Standard errors of GNSS positions and control points that state none.
-    pub struct PlacingOptions in "placing" {
+    pub struct GeoreferencingOptions in "placing" {
         section "Standard errors of positions";
 
         /// The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
@@ -29,9 +29,9 @@ mod tests {
 
     #[test]
     fn a_standard_error_is_a_number_above_zero() {
-        PlacingOptions::default().check_ranges().unwrap();
+        GeoreferencingOptions::default().check_ranges().unwrap();
         for wrong in [0.0, -1.0, f64::NAN] {
-            let options = PlacingOptions { receiver_up_m: wrong, ..PlacingOptions::default() };
+            let options = GeoreferencingOptions { receiver_up_m: wrong, ..GeoreferencingOptions::default() };
             assert!(matches!(options.check_ranges(), Err(Error::InvalidOption { field: "placing.receiver_up_m", .. })), "{wrong}");
         }
     }

@@ -1,8 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
 use super::{
-    BlockOptions, ChosenPair, PairRule, PlacingOptions, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs,
-    sequence_pairs,
+    BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
+    near_pairs, sequence_pairs,
 };
 use crate::catalogue::options;
 use crate::{Error, FeatureOptions, GradientOptions, MultiscaleOptions, NearestOptions, Parameter, TwoViewOptions};
@@ -81,7 +81,7 @@ pub struct BlockSettings {
     pub nearest: NearestOptions,
     /// Its cameras are those of the block.
     pub geometry: TwoViewOptions,
-    pub placing: PlacingOptions,
+    pub placing: GeoreferencingOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
     pub refinement: RefinementOptions,
@@ -96,7 +96,7 @@ impl Default for BlockSettings {
             pairs: PairChoice::default(),
             nearest: NearestOptions::default(),
             geometry: TwoViewOptions::default(),
-            placing: PlacingOptions::default(),
+            placing: GeoreferencingOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
             refinement: RefinementOptions::default(),
@@ -116,7 +116,7 @@ impl BlockSettings {
             BlockOptions::PARAMETERS,
             SelectOptions::PARAMETERS,
             RefinementOptions::PARAMETERS,
-            PlacingOptions::PARAMETERS,
+            GeoreferencingOptions::PARAMETERS,
         ]
         .into_iter()
         .flatten()

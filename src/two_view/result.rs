@@ -59,7 +59,8 @@ pub struct FocalEstimate {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct TwoView {
     pub model: TwoViewModel,
-    /// The matches that agree with the model, in ascending order.
+    /// The matches that agree with the model, in ascending order; left out where all given ones do.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub inliers: Vec<usize>,
     /// The largest distance of these from the model, in px.
     pub threshold_px: f64,

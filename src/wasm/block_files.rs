@@ -3,8 +3,8 @@
 use super::convert::{JsResult, object, pack, read, thrown};
 use crate::{
     BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, Project, export_block as write_block,
-    parse_camera_rules as read_rules, parse_image_marks as read_marks, parse_surveyed_points as read_points, read_project as parse_project,
-    write_project as format_project,
+    parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
+    read_project as parse_project, write_project as format_project,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -34,14 +34,14 @@ pub fn camera_rules_of(
 }
 
 /// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
-#[wasm_bindgen(unchecked_return_type = "SurveyedPoint[]")]
-pub fn parse_surveyed_points(text: &str) -> JsResult<JsValue> {
+#[wasm_bindgen(unchecked_return_type = "GroundControlRow[]")]
+pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
     read_points(text).map(|points| pack(&points)).map_err(thrown)
 }
 
 /// Reads where images show surveyed points: lines of image, point, x, y in px.
-#[wasm_bindgen(unchecked_return_type = "ImageMark[]")]
-pub fn parse_image_marks(text: &str) -> JsResult<JsValue> {
+#[wasm_bindgen(unchecked_return_type = "ImageMeasurementRow[]")]
+pub fn parse_image_measurements(text: &str) -> JsResult<JsValue> {
     read_marks(text).map(|marks| pack(&marks)).map_err(thrown)
 }
 

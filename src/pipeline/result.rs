@@ -1,0 +1,142 @@
+//! What the run of a block finds.
+
+use super::{Failure, Remark};
+use crate::{
+    BlockModel, BlockSettings, Connection, Error, ExifImage, FreeParameters, JoinCounts, KnownCamera, ModelCamera, Project, Reconstruction,
+    RefinementOutcome, SharedPoints, TwoView,
+};
+use serde::{Deserialize, Serialize};
+
+/// A block from its images to its orientation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BlockRun {
+    pub settings: BlockSettings,
+    /// The images that were read; the indices of all that follows count these.
+    pub images: Vec<RunImage>,
+    pub skipped: Vec<SkippedImage>,
+    /// Names of masks that belong to no image.
+    pub unused_masks: Vec<String>,
+    /// Names of images that image measurements of control points name and that are not in the block, ascending.
+    pub unknown_images: Vec<String>,
+    pub remarks: Vec<Remark>,
+    /// Before the calibration.
+    pub cameras: Vec<InitialCamera>,
+    /// The pairs that were matched.
+    pub connections: Vec<Connection>,
+    /// Of each of `connections`; its inliers are left out, since all matches agree with it.
+    pub geometries: Vec<Option<TwoView>>,
+    pub points: JoinedPoints,
+    /// Absent where observations are not refined.
+    pub refinement: Option<RefinementTable>,
+    /// Or why the block has none.
+    pub reconstruction: Result<Reconstruction, Error>,
+    /// The largest model of the reconstruction, or, without one, the points that were chosen.
+    pub model: BlockModel,
+}
+
+/// An image that was read.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RunImage {
+    /// File name; no two images have the same.
+    pub name: String,
+    /// Of its record of features.
+    pub key: String,
+    /// SHA-256 of the file in hexadecimal digits.
+    pub content: String,
+    pub width_px: u32,
+    pub height_px: u32,
+    pub features: u32,
+    /// Whether a mask belongs to it.
+    pub masked: bool,
+    pub exif: ExifImage,
+    /// Index of its camera.
+    pub camera: usize,
+}
+
+/// An image that is not in the block, and why.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SkippedImage {
+    pub name: String,
+    pub reason: Failure,
+}
+
+/// A camera before its calibration.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct InitialCamera {
+    /// Make, model, focal length and size, or the pattern of the rule and the size.
+    pub label: String,
+    pub width_px: u32,
+    pub height_px: u32,
+    /// Absent where it is not known.
+    pub focal_px: Option<f64>,
+    pub principal_point_px: [f64; 2],
+    pub radial: [f64; 3],
+    pub tangential: [f64; 2],
+    pub pixel_mm: Option<f64>,
+    /// Whether the block takes it as it is.
+    pub fixed: bool,
+}
+
+impl InitialCamera {
+    /// As a model holds it; absent where its focal length is not known.
+    pub fn known(&self) -> Option<ModelCamera> {
+        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, .. } = *self;
+        Some(ModelCamera { width_px, height_px, focal_px: focal_px?, principal_point_px, radial, tangential, pixel_mm })
+    }
+
+    /// As the reconstruction takes it.
+    pub fn to_be_calibrated(&self) -> KnownCamera {
+        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
+        let free = if fixed { FreeParameters::default() } else { KnownCamera::calibrated() };
+        KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
+    }
+}
+
+/// What came of joining the matches of all pairs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct JoinedPoints {
+    pub join: JoinCounts,
+    pub count: usize,
+    /// Observations of all points.
+    pub rays: usize,
+    /// How many points have 0, 1, 2, … rays.
+    pub histogram: Vec<u32>,
+    /// The points that each two images have in common.
+    pub shared: Vec<SharedPoints>,
+}
+
+/// What became of the observations that were refined, those of each point one after the other.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RefinementTable {
+    /// The observations of point i are those from `starts[i]` to before `starts[i + 1]`.
+    pub starts: Vec<u32>,
+    pub observations: Vec<RefinedObservation>,
+}
+
+/// What became of an observation.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RefinedObservation {
+    /// Index of the image.
+    pub image: u32,
+    /// Where it is now, in px.
+    pub position_px: [f32; 2],
+    pub outcome: RefinementOutcome,
+    /// Relative to the observation to which it was matched, in px; absent, as the correlation, where it was not refined.
+    pub standard_error_px: Option<f32>,
+    /// Of the matched windows, -1..1.
+    pub correlation: Option<f32>,
+}
+
+impl BlockRun {
+    /// What the project file holds.
+    pub fn project(&self) -> Project {
+        let BlockSettings { block, selection, .. } = &self.settings;
+        Project { block: self.model.clone(), connections: self.connections.clone(), joining: block.clone(), selection: selection.clone() }
+    }
+}
