@@ -8,7 +8,7 @@ import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { checkTruth, exportPaths } from './foresight.js';
-import { DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
+import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
@@ -20,7 +20,7 @@ import { Written } from './written.js';
  * @typedef {import('../block/index.js').Source} Source
  */
 
-const OPTIONS = optionsOf(block_parameters(), block_settings({}), { 'multiscale.number': 'features' });
+const OPTIONS = optionsOf(block_parameters(), block_settings({}), BLOCK_NAMES);
 
 /** What files an image may have in a folder. */
 const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;

@@ -93,6 +93,9 @@ export function optionsOf(all, standard, called = {}) {
   });
 }
 
+/** What the command of blocks calls some settings.  @type {Readonly<Record<string, string>>} */
+export const BLOCK_NAMES = { 'multiscale.number': 'features' };
+
 /** Some of some words, with commas between.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const list = (name, words, help) => ({
   name, placeholder: 'NAME,…', range: words.join(', '), help,

@@ -11,6 +11,7 @@ pub use acting::acting;
 pub use given::with_defaults;
 
 pub(crate) use declare::{choices, options};
+pub(crate) use given::read_options;
 pub(crate) use value::{Form, OptionValue, kind};
 
 use crate::Error;

@@ -1,6 +1,6 @@
 //! Matches of byte descriptors.
 
-use super::convert::{JsResult, object, pack, read_options, thrown};
+use super::convert::{JsResult, object, read_options, thrown};
 use crate::{DescriptorMatch, Error, NearestOptions, NearestTable, nearest_matches, nearest_of};
 use js_sys::{Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
