@@ -49,6 +49,9 @@ pub enum Error {
     /// A file that is not what it should be, is damaged, or is of a newer version.
     #[error("{what} cannot be read: {place}: {reason}")]
     UnreadableFile { what: &'static str, place: String, reason: String },
+    /// A run of a block that no image and no pair stops, but what goes on around it.
+    #[error("the run cannot go on: {reason}")]
+    Interrupted { reason: String },
     /// A sink that takes no more text.
     #[error("{what} cannot be written: its sink takes no more text")]
     NotWritten { what: &'static str },
@@ -72,6 +75,7 @@ impl Error {
             Error::Degenerate { .. } | Error::UndeterminedImage { .. } => "degenerate",
             Error::NotConverged { .. } => "not-converged",
             Error::UnreadableFile { .. } => "unreadable-file",
+            Error::Interrupted { .. } => "interrupted",
             Error::NotWritten { .. } => "not-written",
         }
     }

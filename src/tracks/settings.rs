@@ -37,6 +37,11 @@ options! {
 const FEW_IMAGES: usize = 30;
 
 impl PairChoice {
+    /// Whether the rule that holds for so many images may be that of likeness, whatever is found in them.
+    pub(crate) fn may_ask_for_likeness(&self, images: usize) -> bool {
+        self.rule.map_or(images > FEW_IMAGES, |rule| rule == PairRule::Alike)
+    }
+
     /// The rule that holds for images of which these have a position.
     pub fn rule_of(&self, positions: &[Option<[f64; 3]>]) -> PairRule {
         let whole = positions.iter().all(Option::is_some);
@@ -122,11 +127,15 @@ impl BlockSettings {
         .flatten()
     }
 
-    /// Refuses values of pairs, points, selection and refinement outside their ranges; those of features and matches are refused where these are made.
+    /// Rejects values outside their ranges.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
+        self.features.multiscale.check_ranges()?;
+        self.features.gradient.check_ranges()?;
+        self.nearest.check_ranges()?;
+        self.geometry.check()?;
         self.pairs.check_ranges()?;
         self.placing.check_ranges()?;
         self.block.check_ranges()?;

@@ -66,7 +66,7 @@ impl Cameras {
 
 impl TwoViewOptions {
     /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         self.check_ranges()?;
         for (camera, side) in [(self.left, "left"), (self.right, "right")] {
             let Some(Pinhole { focal_px, principal_px }) = camera else { continue };
