@@ -1,4 +1,4 @@
-import type { BlockModel, ExportFormat, ModelCamera } from '../wasm/tiepoint.js';
+import type { BlockModel, ExportFormat, Camera } from '../wasm/tiepoint.js';
 import type { BlockRun, GroupedCamera, ReadImage, RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
@@ -25,7 +25,7 @@ export function groupCameras(images: readonly Pick<ReadImage, 'name' | 'head'>[]
 export function chosenOf(model: Pick<BlockModel, 'points'>): Map<string, number>;
 
 /** A camera as a block holds it; null where its focal length is not known. */
-export function knownCamera(camera: GroupedCamera): ModelCamera | null;
+export function knownCamera(camera: GroupedCamera): Camera | null;
 
 /**
  * Runs a block from its image files to its tie points and orientation. What the store holds from an earlier run with the same images and

@@ -34,5 +34,5 @@ export function helpOf(command) {
 function describe({ name, placeholder, help, range = '', fallback = '' }) {
   const facts = [['allowed', range], ['default', String(fallback)]].filter(([, text]) => text !== '');
   const text = facts.length > 0 ? `${help} (${facts.map((fact) => fact.join(': ')).join('; ')})` : help;
-  return `  --${name} ${placeholder}`.trimEnd() + `\n${wrap(text, WIDTH, '      ')}\n`;
+  return `${`  --${name} ${placeholder}`.trimEnd()}\n${wrap(text, WIDTH, '      ')}\n`;
 }

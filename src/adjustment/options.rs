@@ -9,11 +9,11 @@ choices! {
         /// The approximate values: a free network with seven inner constraints on the orientations of all images.
         Free = "free",
         /// The images' GNSS positions.
-        Gps = "gps",
+        Gnss = "gnss",
         /// The control points.
         Control = "control",
         /// Both.
-        GpsAndControl = "gps_and_control",
+        GnssAndControl = "gnss_and_control",
     }
 }
 
@@ -70,11 +70,11 @@ impl AdjustmentOptions {
 }
 
 impl Datum {
-    pub(crate) fn uses_gps(self) -> bool {
-        matches!(self, Self::Gps | Self::GpsAndControl)
+    pub(crate) fn uses_gnss(self) -> bool {
+        matches!(self, Self::Gnss | Self::GnssAndControl)
     }
 
     pub(crate) fn uses_control(self) -> bool {
-        matches!(self, Self::Control | Self::GpsAndControl)
+        matches!(self, Self::Control | Self::GnssAndControl)
     }
 }

@@ -63,7 +63,7 @@ options! {
         gross_px: f64 = 60.0, "Size of gross errors", in "px", 0..=10000;
 
         /// The standard deviation of a coordinate of a GNSS position; 0: no positions.
-        gps_sigma_m: f64 = 0.0, "GNSS noise", in "m", 0..=1000;
+        gnss_sigma_m: f64 = 0.0, "GNSS noise", in "m", 0..=1000;
 
         /// The number of control points, spread over the block.
         control_points: usize = 0, "Control points", 0..=100000;
