@@ -28,8 +28,9 @@ function chapter(title, about, all, standard, called) {
     const acts = p.acts ? ` Acts where ${p.acts}.` : '';
     return `| ${[`\`--${option?.name}\``, `\`${p.key}\``, p.label, range, standing, `${p.help}${acts}`].map(cell).join(' | ')} |`;
   };
-  const sections = [...Map.groupBy(rows, ({ p }) => p.section)].flatMap(([section, own]) => [
-    `### ${section}`, '', '| command | setting | label | allowed | default | what it does |', '|---|---|---|---|---|---|', ...own.map(row), '',
+  const sections = [...new Set(all.map(({ section }) => section))].flatMap((section) => [
+    `### ${section}`, '', '| command | setting | label | allowed | default | what it does |', '|---|---|---|---|---|---|',
+    ...rows.filter(({ p }) => p.section === section).map(row), '',
   ]);
   return [`## ${title}`, '', about, '', ...sections];
 }

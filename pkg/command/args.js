@@ -21,7 +21,7 @@ import { UsageError } from './errors.js';
 
 /** @param {Command} command @param {string[]} args @returns {Call} */
 export function parse(command, args) {
-  const options = Object.fromEntries(command.options.map((o) => [o.name, { type: /** @type {const} */ (o.placeholder ? 'string' : 'boolean') }]));
+  const options = Object.fromEntries(command.options.map((o) => [o.name, { type: /** @type {'string' | 'boolean'} */ (o.placeholder ? 'string' : 'boolean') }]));
   const { tokens, positionals } = parseArgs({ args, options, strict: false, allowPositionals: true, tokens: true });
   /** @type {Call['values']} */
   const values = new Map();

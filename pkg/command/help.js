@@ -25,8 +25,8 @@ export function overview(commands) {
 /** @param {Command} command @returns {string} */
 export function helpOf(command) {
   const usage = ['tiepoint', command.name, ...command.positionals, ...(command.rest ? [command.rest] : []), '[OPTIONS]'].join(' ');
-  const sections = Map.groupBy(command.options, ({ section }) => section ?? '');
-  const options = [...sections].flatMap(([section, own]) => [...(section ? [`${section}:`, ''] : []), ...own.map(describe)]);
+  const sections = [...new Set(command.options.map(({ section }) => section))];
+  const options = sections.flatMap((title) => [...(title ? [`${title}:`, ''] : []), ...command.options.filter(({ section }) => section === title).map(describe)]);
   return [usage, '', wrap(command.summary, WIDTH), '', ...options, wrap(command.details, WIDTH)].join('\n').trimEnd();
 }
 

@@ -29,8 +29,10 @@ export function makeSections(parameters: readonly Parameter[], { change, default
     whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
     refused: () => refused?.(parameter.label),
   }));
-  const groups = [...Map.groupBy(controls, ({ parameter }) => parameter.section)].map(([section, own]) => (
-    { own, element: h('fieldset', { class: 'group' }, h('legend', {}, section), ...own.map(({ element }) => element)) }));
+  const groups = [...new Set(parameters.map(({ section }) => section))].map((section) => {
+    const own = controls.filter(({ parameter }) => parameter.section === section);
+    return { own, element: h('fieldset', { class: 'group' }, h('legend', {}, section), ...own.map(({ element }) => element)) };
+  });
   const show = (settings: object, acting?: readonly string[]) => {
     const used = ({ parameter }: Control) => acting === undefined || acting.includes(parameter.key);
     for (const control of controls) {
