@@ -2,14 +2,13 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 import { greyPng } from '../../pkg/command/png.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
-import { serve } from '../../tools/lib/static-server.mjs';
+import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, status } from './blocks.js';
-import { DIST, done, hosted, number, part, saved, SHOTS, SKIP, upload } from './page.js';
+import { done, hosted, number, part, saved, SHOTS, singleUrl, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -185,7 +184,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
 });
 
 test('a page from plain http runs a block as a secure one does', { skip: SKIP }, async () => {
-  const server = await serve(DIST, { prefix: '/plain/' });
+  const server = await servePage({ prefix: '/plain/' });
   const browser = await chromium.launch({ executablePath: findChromium() ?? '', args: ['--no-sandbox', '--host-resolver-rules=MAP lecture.hall 127.0.0.1'] });
   const page = await browser.newPage();
   await page.goto(server.url.replace(/\/\/[^:/]+/, '//lecture.hall'));
@@ -200,7 +199,7 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
 });
 
 test('the page in one file runs a block offline', { skip: SKIP }, async () => {
-  const { page, complaints, close } = await block({ url: pathToFileURL(join(DIST, 'tiepoint.html')).href, options: { offline: true } });
+  const { page, complaints, close } = await block({ url: singleUrl(), options: { offline: true } });
   await photograph(page);
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
