@@ -33,6 +33,6 @@ export function helpOf(command) {
 /** @param {Option} option @returns {string} */
 function describe({ name, placeholder, help, range = '', fallback = '' }) {
   const facts = [['allowed', range], ['default', String(fallback)]].filter(([, text]) => text !== '');
-  const text = facts.length > 0 ? `${help} (${facts.map((fact) => fact.join(': ')).join('; ')})` : help;
-  return `${`  --${name} ${placeholder}`.trimEnd()}\n${wrap(text, WIDTH, '      ')}\n`;
+  const text = facts.length > 0 ? [help, `(${facts.map((fact) => fact.join(': ')).join('; ')})`] : [help];
+  return `${`  --${name} ${placeholder}`.trimEnd()}\n${text.map((part) => wrap(part, WIDTH, '      ')).join('\n')}\n`;
 }
