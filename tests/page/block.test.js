@@ -16,7 +16,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points chosen/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points selected/);
   assert.ok(await number(page, 'block-points-count') > 0);
   const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
   assert.ok(right > 0.9 * all, `${right} of ${all}`);
@@ -83,9 +83,9 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   const { page, complaints, close } = await block();
   const folder = photoFolder(4);
   await part(page, 'block-folder-input').setInputFiles(folder);
-  await status(page, /^4 images in the block\. 1 file left aside/);
+  await status(page, /^4 images in the block\. 1 file skipped/);
   await drop(page, ['broken.jpg', 'notes.txt']);
-  await status(page, /^5 images in the block\. 1 file left aside/);
+  await status(page, /^5 images in the block\. 1 file skipped/);
   await part(page, 'block-run').click();
   // What cannot be read is not kept: the second is.
   await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, { polling: 10 });
@@ -96,8 +96,8 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
   assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 left out/);
-  assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] of them from before/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 skipped/);
+  assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] from an earlier run/);
   assert.match((await part(page, 'block-left-out').textContent()) ?? '', /broken\.jpg: .+/);
   await part(page, 'tab-block-images').click();
   const listed = page.locator('[data-testid="block-images"] tbody tr:not(.filler)');
@@ -121,7 +121,7 @@ test('pairs are drawn as they come, and what is chosen stays chosen', { skip: SK
   const chosen = (await part(page, 'block-chosen').textContent()) ?? '';
   assert.match(chosen, /photo_00001\.png: .*not oriented yet/);
   await status(page, /^Done: 6 images/);
-  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*rays in \d of 9 places.*; oriented/);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*observations in \d of 9 von Gruber positions.*; oriented/);
   assert.deepEqual(complaints, []);
   await close();
 });
