@@ -5,12 +5,12 @@ import {
 import type { Flight, PairSettings as Settings, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
-  CameraMm, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
+  CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
   FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, NearestPiece, OffsetField, PairInput, PairInterior,
-  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Weakness,
+  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Warning,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
-export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, resolved } from '../../pkg/wasm/tiepoint.js';
+export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, message, resolved } from '../../pkg/wasm/tiepoint.js';
 
 export type { Flight, Parameter, Preset, Settings };
 
