@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 const ORDER: [&str; 24] = [
     "message",
     "error",
-    "parameters",
     "text",
     "json",
+    "catalogue",
     "math",
     "camera",
     "model",

@@ -3,7 +3,7 @@
 use super::distortion::{radial_factor, tangential_shift};
 use super::{CameraMm, FiducialOrientation};
 use crate::Error;
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 

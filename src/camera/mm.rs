@@ -2,7 +2,7 @@
 
 use super::distortion::{MOST_STEPS, radial_factor, tangential_shift, undistorted};
 use super::{Camera, ExifCamera};
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};

@@ -10,8 +10,8 @@ use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
 use crate::camera::{CameraMm, Fiducial};
+use crate::catalogue::refuse;
 use crate::orientation::FiveParameters;
-use crate::parameters::refuse;
 use crate::{Error, GreyImage};
 
 /// A simulated pair and its truth.

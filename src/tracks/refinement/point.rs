@@ -36,7 +36,7 @@ impl PointRefiner {
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn new(options: &RefinementOptions) -> Result<Self, Error> {
-        options.check()?;
+        options.check_ranges()?;
         Ok(Self { matching: LeastSquares::new(options.window), options: options.clone() })
     }
 

@@ -111,7 +111,7 @@ pub(super) fn cut_side(options: &RefinementOptions) -> usize {
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for places that are not inside the image or no numbers.
 pub fn observation_windows(image: GreyView<'_>, rays: &[WindowCentre], options: &RefinementOptions) -> Result<ObservationWindows, Error> {
-    options.check()?;
+    options.check_ranges()?;
     for ray in rays {
         ray.check()?;
         let size = [image.width() as f64, image.height() as f64];
@@ -142,7 +142,7 @@ impl ObservationWindows {
     /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where places are not ordered by ray and halvings, or there are more or fewer grey
     /// values than they have.
     pub fn new(places: Vec<[u32; 4]>, grey: Vec<u8>, options: &RefinementOptions) -> Result<Self, Error> {
-        options.check()?;
+        options.check_ranges()?;
         let what = "windows of rays";
         let side = cut_side(options);
         if grey.len() != places.len() * side * side {
