@@ -10,10 +10,10 @@ use crate::{
 /// Windows of points nearer than this overlap, or see the same edges and roofs.
 const NEIGHBOURHOOD_PX: f64 = 64.0;
 
-/// Largest standard error of a photo coordinate that matches of one scene have, in px of the left photo. Moments, whose positions are whole
-/// pixels, reach 0.3 to 0.4 px on the simulated flights and up to 0.7 px on real pairs with a camera by EXIF, the other strategies 0.1 to 0.3 px
-/// and up to 0.6 px; wrong matches that agree by chance leave 2 to 5 px.
-const MOST_SIGMA0_PX: f64 = 1.5;
+/// Largest standard error of a photo coordinate that matches of one scene have, in px of the left photo. They reach 0.1 to 0.4 px on the
+/// simulated flights, 0.04 to 0.8 px on most real pairs, and 1.6 and 2.4 px where 12 MP are distorted and nobody calibrated them. Wrong matches
+/// lie anywhere in their search window: of its 25 px by default they leave 25 / √12 / √2 = 5.1 px, and 4.0 px once the worst are rejected.
+const MOST_SIGMA0_PX: f64 = 3.0;
 
 /// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
 const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
