@@ -3,6 +3,9 @@ import type { BlockRun, GroupedCamera, ReadImage, RunOptions, Source, Surroundin
 
 export type * from './types.js';
 
+/** Names of the errors of a module or of a host without memory. */
+export const MEMORY: readonly string[];
+
 /** Images or options that make no block. */
 export class BlockError extends Error {}
 
