@@ -80,7 +80,7 @@ test('a pipe among the images does not hang a run', { skip: process.platform ===
 test('names too long for an export are found before the run', () => {
   const photos = folder();
   const long = `${'a'.repeat(248)}.png`;
-  readdirSync(BLOCK.photos).forEach((name, i) => copyFileSync(join(BLOCK.photos, name), join(photos, i === 1 ? long : name)));
+  for (const [i, name] of readdirSync(BLOCK.photos).entries()) copyFileSync(join(BLOCK.photos, name), join(photos, i === 1 ? long : name));
   const out = folder();
   const call = ['block', photos, ...BLOCK.call.slice(2), '--out', out];
   const { code, stderr } = tiepoint(...call, '--export', 'micmac,csv');
