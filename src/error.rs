@@ -39,6 +39,8 @@ messages! {
         NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
         UnreadableFile { what: &'static str, place: String, reason: String },
+        /// Images whose names formats cannot hold.
+        NotExportable { formats: String, reason: String },
         /// A run of a block that no image and no pair stops, but what goes on around it.
         Interrupted { reason: String },
         /// A sink that takes no more text.
@@ -58,7 +60,7 @@ impl Error {
         match self {
             Error::InvalidOption { .. } => "invalid-option",
             Error::InvalidJson { .. } => "invalid-json",
-            Error::InvalidInput { .. } => "invalid-input",
+            Error::InvalidInput { .. } | Error::NotExportable { .. } => "invalid-input",
             Error::UnreadableImage { .. } => "unreadable-image",
             Error::UnsupportedImage { .. } => "unsupported-image",
             Error::TooManyPixels { .. } => "too-many-pixels",

@@ -19,6 +19,7 @@ error-too-few = { $what }: { $got } given; at least { $needed } are needed
 error-degenerate = the observations do not determine { $computation }: { $cause }
 error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
 error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
+error-not-exportable = these images cannot be exported as { $formats } ({ $reason }): rename them, or leave out what cannot hold their names
 error-interrupted = the run cannot go on: { $reason }
 error-unreadable-file = { $what } cannot be read: { $place }: { $reason }
 error-not-written = { $what } cannot be written: its sink takes no more text
@@ -268,6 +269,7 @@ camera-parameter-p2 = p2
 
 ## Remarks on what a run was given.
 
+remark-older-project = the project file is of version { $version }: it does not hold features, cameras as given, or standard errors
 remark-unused-camera = the camera of { $images } fits the name of no image
 remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->

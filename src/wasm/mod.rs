@@ -13,6 +13,7 @@ mod descriptors;
 mod digest;
 mod draw;
 mod features;
+mod finished;
 mod geometry;
 mod matching;
 mod message;
