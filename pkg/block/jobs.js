@@ -1,7 +1,7 @@
 // @ts-check
 /** What a worker does, of whatever kind it is: jobs by name, on the module that its host has initialised. */
 
-import { ideal_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
+import { undistorted_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
 import { descriptorsOf, readFeatures, writeFeatures, writePair } from './records.js';
 import { refine, windows } from './refinement-jobs.js';
 
@@ -84,8 +84,8 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
   const found = match_features(a.positions, a.descriptors, b.positions, b.descriptors, options);
   found.indices.forEach((index, i) => { found.indices[i] = (i % 2 === 0 ? a : b).numbers[index] ?? 0; });
   const matches = found.indices.length / 2;
-  const { geometry: views, geometry_reason: reason } = found;
-  if (!views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', matches, reason: reason ?? '' } };
+  const { geometry: views, no_geometry } = found;
+  if (no_geometry || !views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', no_geometry: /** @type {import('../wasm/tiepoint.js').NoGeometry} */ (no_geometry) } };
   if (matches < leastMatches) return { ...found, geometry: views, outcome: { kind: 'too_few_matches', matches, needed: leastMatches } };
   return { ...found, geometry: views, outcome: { kind: 'connected', matches } };
 }
@@ -96,7 +96,7 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
  */
 function usable({ count, positions, descriptors }, { lens }) {
   const measured = Float64Array.from(positions);
-  const ideal = lens ? ideal_positions(lens, measured) : measured;
+  const ideal = lens ? undistorted_positions(lens, measured) : measured;
   const numbers = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => Number.isFinite(ideal[2 * i]));
   if (numbers.length === count) return { numbers, positions: ideal, descriptors };
   const places = new Float64Array(2 * numbers.length);

@@ -1,14 +1,15 @@
 //! One adjustment of a given set of rays: damped Gauss-Newton steps until they vanish.
 
 use super::collinearity::project;
-use super::datum::{Freedoms, Weighted};
+use super::datum::Freedoms;
 use super::loss::Robust;
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
-use crate::Error;
+use super::weighted::Weighted;
 use crate::math::{MEDIAN_LENGTH, median};
+use crate::{CameraParameter, Cause, Computation, Error};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -20,7 +21,7 @@ pub(super) struct Adjusted {
     pub robust: Robust,
     pub iterations: usize,
     /// Why the steps did not vanish, where that was allowed.
-    pub unsettled: Option<String>,
+    pub unsettled: Option<Cause>,
     /// Root mean square of the last step in standard errors of the unknowns.
     pub last_step: f64,
 }
@@ -72,7 +73,9 @@ impl Adjusted {
     /// [`Error::NotConverged`] where it did not.
     pub fn check_converged(&self) -> Result<(), Error> {
         match &self.unsettled {
-            Some(reason) => Err(Error::NotConverged { what: WHAT, iterations: self.iterations, reason: reason.clone() }),
+            Some(cause) => {
+                Err(Error::NotConverged { computation: Computation::BundleAdjustment, iterations: self.iterations, cause: cause.clone() })
+            }
             None => Ok(()),
         }
     }
@@ -103,7 +106,7 @@ impl Problem<'_> {
         let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
             prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
         };
-        let images: f64 = self.gps.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
+        let images: f64 = self.gnss.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
         images + self.control.iter().zip(&state.points).map(square).sum::<f64>()
     }
 
@@ -124,7 +127,7 @@ impl Problem<'_> {
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
     pub fn redundancy(&self) -> i64 {
-        let positions: usize = self.gps.iter().chain(self.control).flatten().map(Weighted::observed).sum();
+        let positions: usize = self.gnss.iter().chain(self.control).flatten().map(Weighted::observed).sum();
         (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
     }
 
@@ -169,7 +172,7 @@ impl Problem<'_> {
             };
             let before = cost(&state, &squares);
             if !before.is_finite() {
-                return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
+                return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::PointInPlane });
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
             let share = match iteration {
@@ -203,16 +206,14 @@ impl Problem<'_> {
                 }
                 damping = (damping * STIFFEN).max(LEAST_DAMPING);
                 if damping > STIFFEST {
-                    let reason = format!("no step lowers the residuals any more, while the last was {last_step:.1e} standard errors long");
                     let reached = self.settled(state, &squares, robust, iteration, last_step);
-                    return Adjusted { unsettled: Some(reason), ..reached }.passed(demand);
+                    return Adjusted { unsettled: Some(Cause::Stalled { last_step }), ..reached }.passed(demand);
                 }
             }
         }
         let robust = self.robust_for(demand, &squares);
-        let reason = format!("the last step is {last_step:.1e} standard errors long; {:.0e} counts as converged", demand.tolerance);
         let reached = self.settled(state, &squares, robust, demand.max_iterations, last_step);
-        Adjusted { unsettled: Some(reason), ..reached }.passed(demand)
+        Adjusted { unsettled: Some(Cause::LongSteps { ratio: last_step / demand.tolerance }), ..reached }.passed(demand)
     }
 
     fn settled(&self, state: State, squares: &[f64], robust: Robust, iterations: usize, last_step: f64) -> Adjusted {
@@ -224,22 +225,16 @@ impl Problem<'_> {
 
     /// The error of singular normal equations, by what they do not determine.
     pub fn singular(&self, singular: Singular) -> Error {
-        let reason = match singular {
+        match singular {
             Singular::Image(refused) => {
-                let what = if refused.unknown < 3 { "rotation" } else { "position" };
-                let reason = format!("the {what} of image {} (counted from 0) follows from nothing", refused.node);
-                return Error::UndeterminedImage { what: WHAT, image: refused.node, reason };
+                let cause = if refused.unknown < 3 { Cause::NoRotation } else { Cause::NoPosition };
+                Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: refused.node, cause }
             }
             Singular::Camera(column) => {
                 let (camera, parameter) = self.columns.parameter[column];
-                format!(
-                    "{} of camera {camera} (counted from 0) follows from nothing",
-                    super::result::CameraParameter::ALL[parameter].name()
-                )
+                let cause = Cause::NoCameraParameter { camera, camera_parameter: CameraParameter::ALL[parameter] };
+                Error::Degenerate { computation: Computation::BundleAdjustment, cause }
             }
-        };
-        Error::Degenerate { what: WHAT, reason }
+        }
     }
 }
-
-pub(super) const WHAT: &str = "the bundle adjustment";

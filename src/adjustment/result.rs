@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::options::Datum;
+use crate::CameraParameter;
 use serde::{Deserialize, Serialize};
 
 /// An adjusted block with its precision and reliability.
@@ -38,21 +39,6 @@ pub struct AdjustmentResult {
     pub control: Vec<Option<PriorStatistics>>,
 }
 
-/// A parameter of a camera.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum CameraParameter {
-    Focal,
-    PrincipalX,
-    PrincipalY,
-    K1,
-    K2,
-    K3,
-    P1,
-    P2,
-}
-
 /// A camera parameter that was to be estimated and was fixed, since the block does not determine it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -83,8 +69,8 @@ pub struct ImageStatistics {
     pub angle_errors_deg: Option<[f64; 3]>,
     /// Standard errors of X₀; absent without statistics.
     pub position_errors: Option<[f64; 3]>,
-    /// Of its GPS position, where the datum uses it.
-    pub gps: Option<PriorStatistics>,
+    /// Of its GNSS position, where the datum uses it.
+    pub gnss: Option<PriorStatistics>,
 }
 
 /// What the adjustment says of an observed position; 0 for a coordinate that was not observed.

@@ -1,61 +1,11 @@
-//! The camera's constants, and the way from a pixel to photo coordinates.
+//! The way from a pixel to photo coordinates.
 
-use super::{ExifCamera, FiducialOrientation};
+use super::distortion::{radial_factor, tangential_shift};
+use super::{CameraMm, FiducialOrientation};
 use crate::Error;
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
-
-/// The constants of a camera.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Camera {
-    /// Principal distance in mm, above 0 and up to 100,000.
-    pub focal_mm: f64,
-    /// Principal point `[x, y]` in mm: in the system of the calibrated fiducials, or from the middle of the image, x right, y up.
-    #[serde(default)]
-    pub principal_point_mm: [f64; 2],
-    /// Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
-    #[serde(default)]
-    pub pixel_mm: Option<f64>,
-    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`].
-    #[serde(default)]
-    pub radial_distortion: [f64; 3],
-}
-
-impl Camera {
-    /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
-    pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        let camera = Self { focal_mm: exif.focal_mm, principal_point_mm: [0.0; 2], pixel_mm: exif.pixel_mm, radial_distortion: [0.0; 3] };
-        camera.check().map(|()| camera)
-    }
-
-    /// Refuses values outside their ranges.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`], naming the field and its range.
-    pub fn check(&self) -> Result<(), Error> {
-        if !(self.focal_mm > 0.0 && self.focal_mm <= 1e5) {
-            return Err(refuse("camera.focal_mm", self.focal_mm, "above 0, up to 100000"));
-        }
-        if !self.principal_point_mm.iter().all(|v| v.abs() <= 1e4) {
-            return Err(refuse("camera.principal_point_mm", format!("{:?}", self.principal_point_mm), "two numbers from -10000 to 10000"));
-        }
-        if let Some(pixel) = self.pixel_mm
-            && !(1e-6..=10.0).contains(&pixel)
-        {
-            return Err(refuse("camera.pixel_mm", pixel, "0.000001 to 10"));
-        }
-        if !self.radial_distortion.iter().all(|k| k.is_finite()) {
-            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
-        }
-        Ok(())
-    }
-}
 
 /// Steps of Newton's method after which a radius is not found.
 const MOST_STEPS: usize = 30;
@@ -72,6 +22,9 @@ pub struct Interior {
     pub principal_point_mm: [f64; 2],
     /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
     pub radial_distortion: [f64; 3],
+    /// `[p1, p2]` in mm⁻¹.
+    #[serde(default)]
+    pub tangential_distortion: [f64; 2],
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
     #[serde(default)]
     pub covariance: Option<[[f64; 3]; 3]>,
@@ -85,14 +38,14 @@ impl Interior {
     ///
     /// # Errors
     /// [`Error::InvalidOption`] for the camera or the origin.
-    pub fn from_fiducials(camera: &Camera, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
+    pub fn from_fiducials(camera: &CameraMm, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
         camera.check()?;
         if !origin.iter().all(|v| v.abs() <= 1e7) {
             return Err(refuse("origin", format!("{origin:?}"), "two numbers of px from -10000000 to 10000000"));
         }
         let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
         let covariance = marks.covariance.map(|covariance| moved_to(&covariance, origin));
-        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion, covariance })
+        Ok(Self::new(camera, parameters, covariance))
     }
 
     /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
@@ -100,30 +53,37 @@ impl Interior {
     ///
     /// # Errors
     /// [`Error::InvalidOption`] for the camera, also where it has no `pixel_mm`.
-    pub fn from_pixel_size(camera: &Camera, width: usize, height: usize) -> Result<Self, Error> {
+    pub fn from_pixel_size(camera: &CameraMm, width: usize, height: usize) -> Result<Self, Error> {
         camera.check()?;
         let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
-        let (principal_point_mm, radial_distortion) = (camera.principal_point_mm, camera.radial_distortion);
-        Ok(Self { parameters, principal_point_mm, radial_distortion, covariance: None })
+        Ok(Self::new(camera, parameters, None))
+    }
+
+    fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {
+        let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, .. } = *camera;
+        Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance }
     }
 
     /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times
-    /// 1 + k1·r² + k2·r⁴ + k3·r⁶ with r the distance in mm from the principal point.
+    /// 1 + k1·r² + k2·r⁴ + k3·r⁶ with r the distance in mm from the principal point, plus p1 (r² + 2x²) + 2 p2 xy in x and
+    /// p2 (r² + 2y²) + 2 p1 xy in y.
     ///
-    /// The factor is a correction of what was measured: a positive k1 moves points outwards, against a barrel distortion.
+    /// This is a correction of what was measured: a positive k1 moves points outwards, against a barrel distortion.
     ///
     /// # Source
-    /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), the radial terms.
+    /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), in the direction from image to object.
     pub fn photo_mm(&self, x_px: f64, y_px: f64) -> [f64; 2] {
         let [[a, b, tx], [d, e, ty]] = self.parameters;
         let x = a * x_px + b * y_px + tx - self.principal_point_mm[0];
         let y = d * x_px + e * y_px + ty - self.principal_point_mm[1];
-        let [k1, k2, k3] = self.radial_distortion;
-        let r2 = x * x + y * y;
-        let factor = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
-        [x * factor, y * factor]
+        let factor = radial_factor(self.radial_distortion, x * x + y * y);
+        if self.tangential_distortion == [0.0; 2] {
+            return [x * factor, y * factor];
+        }
+        let [dx, dy] = tangential_shift(self.tangential_distortion, [x, y]);
+        [x * factor + dx, y * factor + dy]
     }
 
     /// The same rays at a focal length `factor` times as long.
@@ -134,6 +94,7 @@ impl Interior {
             parameters: self.parameters.map(|row| row.map(|v| v * factor)),
             principal_point_mm: self.principal_point_mm.map(|v| v * factor),
             radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
+            tangential_distortion: self.tangential_distortion.map(|p| p / factor),
             covariance: self.covariance.map(|rows| rows.map(|row| row.map(|v| v * f2))),
         }
     }
@@ -142,26 +103,48 @@ impl Interior {
     pub fn turned(&self) -> Self {
         let quarter = |[x, y]: [f64; 2]| [y, -x];
         let [by_x, by_y] = self.parameters;
-        Self { parameters: [by_y, by_x.map(|v| -v)], principal_point_mm: quarter(self.principal_point_mm), ..*self }
+        let (principal_point_mm, tangential_distortion) = (quarter(self.principal_point_mm), quarter(self.tangential_distortion));
+        Self { parameters: [by_y, by_x.map(|v| -v)], principal_point_mm, tangential_distortion, ..*self }
     }
 
     /// Position in px, as a camera without distortion whose rows lie along the x axis would see it: the principal point stays where it is.
-    pub fn ideal_px(&self, x_px: f64, y_px: f64) -> [f64; 2] {
+    pub fn undistorted_px(&self, x_px: f64, y_px: f64) -> [f64; 2] {
         let ([x, y], pixel_mm, [x0, y0]) = (self.photo_mm(x_px, y_px), self.pixel_mm(), self.principal_point_px());
         [x0 + x / pixel_mm, y0 - y / pixel_mm]
     }
 
-    /// The image position in px of a position in the camera without distortion: the inverse of [`Interior::ideal_px`]. None where the
+    /// The image position in px of a position in the camera without distortion: the inverse of [`Interior::undistorted_px`]. None where the
     /// distortion leads no image position there.
     pub fn image_px(&self, x_px: f64, y_px: f64) -> Option<[f64; 2]> {
         let (pixel_mm, [x0, y0]) = (self.pixel_mm(), self.principal_point_px());
-        let [x, y] = [(x_px - x0) * pixel_mm, (y0 - y_px) * pixel_mm];
-        let wanted = (x * x + y * y).sqrt();
-        let share = if wanted > 0.0 { self.measured_radius_mm(wanted)? / wanted } else { 1.0 };
+        let [x, y] = self.measured_mm([(x_px - x0) * pixel_mm, (y0 - y_px) * pixel_mm])?;
         let [[a, b, tx], [d, e, ty]] = self.parameters;
-        let [u, v] = [share * x + self.principal_point_mm[0] - tx, share * y + self.principal_point_mm[1] - ty];
+        let [u, v] = [x + self.principal_point_mm[0] - tx, y + self.principal_point_mm[1] - ty];
         let determinant = a * e - b * d;
         Some([(e * u - b * v) / determinant, (a * v - d * u) / determinant])
+    }
+
+    /// The measured position, from the principal point, that the distortion corrects to this one.
+    fn measured_mm(&self, corrected: [f64; 2]) -> Option<[f64; 2]> {
+        let without_tangential = |[x, y]: [f64; 2]| {
+            let wanted = (x * x + y * y).sqrt();
+            let share = if wanted > 0.0 { self.measured_radius_mm(wanted)? / wanted } else { 1.0 };
+            Some([share * x, share * y])
+        };
+        let mut at = without_tangential(corrected)?;
+        if self.tangential_distortion == [0.0; 2] {
+            return Some(at);
+        }
+        for _ in 0..MOST_STEPS {
+            let [dx, dy] = tangential_shift(self.tangential_distortion, at);
+            let next = without_tangential([corrected[0] - dx, corrected[1] - dy])?;
+            let change = (next[0] - at[0]).abs() + (next[1] - at[1]).abs();
+            at = next;
+            if change <= 1e-12 * (at[0].abs() + at[1].abs()) {
+                return Some(at);
+            }
+        }
+        None
     }
 
     /// The measured distance from the principal point that the distortion corrects to this one, by Newton's method.
@@ -171,7 +154,7 @@ impl Interior {
         for _ in 0..MOST_STEPS {
             let r2 = r * r;
             let slope = 1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + 7.0 * r2 * k3));
-            let step = (r * (1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))) - corrected) / slope;
+            let step = (r * radial_factor(self.radial_distortion, r2) - corrected) / slope;
             // Beyond the radius where the correction turns back, several measured ones have the same corrected one.
             if !(slope > 0.0 && step.is_finite()) {
                 return None;
@@ -211,8 +194,8 @@ mod tests {
     use super::*;
     use crate::camera::FiducialModel;
 
-    fn camera() -> Camera {
-        Camera { focal_mm: 153.38, principal_point_mm: [0.5, -0.25], pixel_mm: Some(0.01), radial_distortion: [0.0; 3] }
+    fn camera() -> CameraMm {
+        CameraMm { principal_point_mm: [0.5, -0.25], ..CameraMm::without_distortion(153.38, Some(0.01)) }
     }
 
     #[test]
@@ -245,13 +228,13 @@ mod tests {
 
     #[test]
     fn an_ideal_position_leads_back_to_the_image() {
-        let camera = Camera { radial_distortion: [-3e-5, 2e-9, 0.0], ..camera() };
+        let camera = CameraMm { radial_distortion: [-3e-5, 2e-9, 0.0], ..camera() };
         // A scan that is turned by a right angle, of a photo whose axes go right and up.
         let parameters = [[0.01, 0.25, -100.0], [0.26, -0.02, -90.0]];
         let turned = Interior { parameters, ..Interior::from_pixel_size(&camera, 800, 600).unwrap() };
         for interior in [turned, Interior::from_pixel_size(&camera, 4000, 3000).unwrap()] {
             for [x, y] in [[0.0, 0.0], [400.0, 300.0], [790.5, 20.25], interior.principal_point_px()] {
-                let [ideal_x, ideal_y] = interior.ideal_px(x, y);
+                let [ideal_x, ideal_y] = interior.undistorted_px(x, y);
                 let [back_x, back_y] = interior.image_px(ideal_x, ideal_y).unwrap();
                 assert!((back_x - x).abs() < 1e-8 && (back_y - y).abs() < 1e-8, "{back_x}, {back_y} instead of {x}, {y}");
             }
@@ -262,35 +245,10 @@ mod tests {
 
     #[test]
     fn positive_k1_moves_points_outwards() {
-        let camera = Camera { principal_point_mm: [0.0; 2], radial_distortion: [1e-4, 1e-7, 1e-10], ..camera() };
+        let camera = CameraMm { principal_point_mm: [0.0; 2], radial_distortion: [1e-4, 1e-7, 1e-10], ..camera() };
         let interior = Interior::from_pixel_size(&camera, 2000, 2000).unwrap();
         let [x, y] = interior.photo_mm(1300.0, 600.0);
         let factor = 1.0 + 25.0 * 1e-4 + 625.0 * 1e-7 + 15625.0 * 1e-10;
         assert!((x - 3.0 * factor).abs() < 1e-12 && (y - 4.0 * factor).abs() < 1e-12);
-    }
-
-    #[test]
-    fn values_outside_their_ranges_are_refused_by_name() {
-        let wrong = [
-            (Camera { focal_mm: 0.0, ..camera() }, "camera.focal_mm"),
-            (Camera { focal_mm: f64::NAN, ..camera() }, "camera.focal_mm"),
-            (Camera { principal_point_mm: [0.0, f64::INFINITY], ..camera() }, "camera.principal_point_mm"),
-            (Camera { pixel_mm: Some(-0.1), ..camera() }, "camera.pixel_mm"),
-            (Camera { pixel_mm: None, ..camera() }, "camera.pixel_mm"),
-            (Camera { radial_distortion: [f64::NAN, 0.0, 0.0], ..camera() }, "camera.radial_distortion"),
-        ];
-        for (camera, name) in wrong {
-            match Interior::from_pixel_size(&camera, 100, 100) {
-                Err(Error::InvalidOption { field, .. }) => assert_eq!(field, name),
-                other => panic!("{name}: {other:?}"),
-            }
-        }
-    }
-
-    #[test]
-    fn a_camera_without_focal_length_or_with_an_unknown_field_is_no_camera() {
-        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24}"#).is_ok());
-        assert!(serde_json::from_str::<Camera>(r#"{"pixel_mm": 0.01}"#).is_err());
-        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24, "focus": 1}"#).is_err());
     }
 }

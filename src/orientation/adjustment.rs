@@ -1,40 +1,10 @@
 //! The rigorous adjustment: all four photo coordinates are observed, the coplanarity of the rays is the condition (Gauss-Helmert).
 
-use super::coplanarity::{Pose, Ray};
+use super::adjusted::Adjusted;
+use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, Normals};
 use super::refusal::{check_condition, check_parallax, diverged, undetermined};
-use crate::Error;
-
-/// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
-#[derive(Debug, Clone)]
-pub(super) struct Adjusted {
-    pub pose: Pose,
-    /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
-    pub cofactors: Matrix5,
-    /// Cofactors of the estimate: N⁻¹, or more where it is another than least squares of all good observations.
-    pub precision: Matrix5,
-    /// What the estimate makes of a change of the weighted residuals: N⁻¹, or more where residuals are cut or weighted down.
-    pub sensitivity: Matrix5,
-    /// Standard error of a photo coordinate of weight 1; 0 without redundancy.
-    pub sigma: f64,
-    pub iterations: usize,
-    /// Size of the last step relative to [`step_tolerance`].
-    pub last_step: f64,
-}
-
-impl Adjusted {
-    /// Turns the base into its opposite. Of its two tangents the first turns too and the second does not, while both shifts do: the second
-    /// shift changes sign.
-    pub fn reverse_base(&mut self) {
-        self.pose.base = -self.pose.base;
-        for k in 0..4 {
-            for matrix in [&mut self.cofactors, &mut self.precision, &mut self.sensitivity] {
-                matrix[(k, 4)] = -matrix[(k, 4)];
-                matrix[(4, k)] = -matrix[(4, k)];
-            }
-        }
-    }
-}
+use crate::{Cause, Error};
 
 const MAX_ITERATIONS: usize = 50;
 
@@ -52,7 +22,7 @@ pub(super) fn step_tolerance(sigma: f64) -> f64 {
 }
 
 /// Moves the pose by a step, cut to the longest one allowed.
-pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknowns) -> Pose {
+pub(super) fn move_within_bounds(pose: &RelativePose, step: &super::coplanarity::Unknowns) -> RelativePose {
     let length = step.norm();
     if length > LONGEST_STEP { pose.moved(&(step * (LONGEST_STEP / length))) } else { pose.moved(step) }
 }
@@ -72,9 +42,9 @@ pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknown
 pub(super) fn adjust(
     rays: &[Ray],
     weights: &[f64],
-    start: Pose,
+    start: RelativePose,
     settled: f64,
-    bounds: impl Fn(&Pose) -> Result<(), String>,
+    bounds: impl Fn(&RelativePose) -> Result<(), Cause>,
 ) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
@@ -102,7 +72,7 @@ pub(super) fn adjust(
         pose = move_within_bounds(&pose, &solution.step);
         (last_sigma, last_cofactors) = (sigma, solution.cofactors);
         last_step = solution.size / step_tolerance(sigma);
-        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < settled {
             let cofactors = solution.cofactors;
             return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
@@ -111,5 +81,5 @@ pub(super) fn adjust(
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
     check_condition(&last_cofactors)?;
-    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+    Err(diverged(MAX_ITERATIONS, Cause::LongSteps { ratio: last_step }))
 }

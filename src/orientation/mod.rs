@@ -1,5 +1,6 @@
 //! Relative orientation: coplanarity, consensus of minimal samples, rigorous adjustment.
 
+mod adjusted;
 mod adjustment;
 mod coplanarity;
 mod determinant;
@@ -17,16 +18,15 @@ mod reliability;
 mod result;
 mod robust_start;
 mod shared;
-mod weakness;
+mod warning;
 mod weighting;
 
-pub(crate) use coplanarity::{Pose, Ray, condition};
+pub(crate) use coplanarity::{Ray, RelativePose, condition};
 pub use error_model::ErrorModel;
 pub(crate) use field::{Field, square_distance};
 pub(crate) use normals::Normals;
 pub use options::{OrientationMethod, OrientationOptions, Weighting};
-pub(crate) use precision::BY_AND_BZ;
 pub use relative::{orient_relative, orient_relative_with};
-pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};
+pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;

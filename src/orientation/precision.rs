@@ -1,14 +1,11 @@
 //! From the pose and its cofactors to ω φ κ by bz and theirs.
 
-use super::coplanarity::{Pose, Unknowns};
+use super::coplanarity::{RelativePose, Unknowns};
 use super::normals::Matrix5;
 use super::result::FiveParameters;
-use crate::Error;
 use crate::camera::angles_from_rotation;
+use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix3, Vector3};
-
-/// What a base across the x axis leaves undetermined.
-pub(crate) const BY_AND_BZ: &str = "by and bz";
 
 /// Least share of the base along x; below it by and bz in units of b mean nothing.
 const LEAST_ALONG_X: f64 = 1e-3;
@@ -17,12 +14,12 @@ const LEAST_ALONG_X: f64 = 1e-3;
 const LEAST_COSINE: f64 = 1e-4;
 
 /// The base component b, with the sign of the base: positive where the right photo lies to the right.
-pub(super) fn signed_base(pose: &Pose, base_mm: f64) -> f64 {
+pub(super) fn signed_base(pose: &RelativePose, base_mm: f64) -> f64 {
     if pose.base.x < 0.0 { -base_mm.abs() } else { base_mm.abs() }
 }
 
 /// ω φ κ by bz of a pose: the base is t·b/t_x.
-pub(super) fn parameters(pose: &Pose, base_mm: f64) -> FiveParameters {
+pub(super) fn parameters(pose: &RelativePose, base_mm: f64) -> FiveParameters {
     let [omega, phi, kappa] = angles_from_rotation(&pose.rotation);
     let scale = base_mm / pose.base.x;
     FiveParameters {
@@ -35,31 +32,28 @@ pub(super) fn parameters(pose: &Pose, base_mm: f64) -> FiveParameters {
 }
 
 /// Cofactors of ω φ κ (radians) and by bz (mm) from those of the small turns and shifts.
-pub(super) fn propagated(pose: &Pose, base_mm: f64, cofactors: &Matrix5) -> Matrix5 {
+pub(super) fn propagated(pose: &RelativePose, base_mm: f64, cofactors: &Matrix5) -> Matrix5 {
     let jacobian = derivatives(pose, base_mm);
     let product = jacobian * cofactors * jacobian.transpose();
     (product + product.transpose()) * 0.5
 }
 
 /// Refuses poses that ω φ κ by bz do not describe.
-pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
+pub(super) fn check_describable(pose: &RelativePose) -> Result<(), Error> {
     let along_x = pose.base.x.abs();
     if !(along_x >= LEAST_ALONG_X) {
-        let reason = format!(
-            "the base has {along_x:.1e} of its length along x (at least {LEAST_ALONG_X} is needed), so by and bz have no size in units of b; \
-             turn both photos by 90°"
-        );
-        return Err(Error::Degenerate { what: BY_AND_BZ, reason });
+        let cause = Cause::BaseAcrossX { along_x, least: LEAST_ALONG_X };
+        return Err(Error::Degenerate { computation: Computation::ByAndBz, cause });
     }
     let cosine = (pose.rotation[(0, 0)] * pose.rotation[(0, 0)] + pose.rotation[(1, 0)] * pose.rotation[(1, 0)]).sqrt();
     if !(cosine >= LEAST_COSINE) {
-        return Err(Error::Degenerate { what: "ω and κ", reason: "φ is ±90°, where both turn about the same axis".into() });
+        return Err(Error::Degenerate { computation: Computation::OmegaAndKappa, cause: Cause::GimbalLock });
     }
     Ok(())
 }
 
 /// Derivatives of ω φ κ by bz by the small turns and shifts.
-pub(super) fn derivatives(pose: &Pose, base_mm: f64) -> Matrix5 {
+pub(super) fn derivatives(pose: &RelativePose, base_mm: f64) -> Matrix5 {
     let [omega, ..] = angles_from_rotation(&pose.rotation);
     let (sin, cos) = (libm::sin(omega), libm::cos(omega));
     // The axes about which ω, φ and κ turn, in model space: e₁, M₁ᵀe₂, Mᵀe₃.
@@ -94,7 +88,7 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_small_differences() {
-        let pose = Pose { rotation: rotation_from_angles(0.2, -0.4, 2.5), base: Vector3::new(-0.7, 0.5, 0.2).normalize() };
+        let pose = RelativePose { rotation: rotation_from_angles(0.2, -0.4, 2.5), base: Vector3::new(-0.7, 0.5, 0.2).normalize() };
         let base_mm = signed_base(&pose, 92.0);
         assert_eq!(base_mm, -92.0);
         let jacobian = derivatives(&pose, base_mm);

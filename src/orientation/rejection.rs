@@ -1,10 +1,11 @@
 //! Rejection of gross errors by standardised residuals.
 
-use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
-use super::coplanarity::{Linearised, Pose, Ray};
+use super::adjusted::Adjusted;
+use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
+use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::robust_start::{Consensus, least_agreement};
-use crate::Error;
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
+use crate::{Cause, Error, Unsettled};
 
 /// Observations with their weights.
 #[derive(Debug, Clone, Copy)]
@@ -101,7 +102,7 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
             accepted = next;
         }
     }
-    Err(super::refusal::diverged(MAX_ROUNDS, "the rejection of gross errors did not settle".into()))
+    Err(super::refusal::diverged(MAX_ROUNDS, Cause::Unsettled { unsettled: Unsettled::GrossErrors, rounds: MAX_ROUNDS }))
 }
 
 /// A standardised residual, in σ: v / √q_vv.
@@ -198,7 +199,7 @@ pub(super) fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {
 }
 
 /// Corrections of the four coordinates of every observation, in units of the focal length.
-pub(super) fn corrections(rays: &[Ray], pose: &Pose) -> Vec<[f64; 4]> {
+pub(super) fn corrections(rays: &[Ray], pose: &RelativePose) -> Vec<[f64; 4]> {
     rays.iter()
         .map(|ray| {
             let (adjusted, _) = pose.project(ray);

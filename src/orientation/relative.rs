@@ -1,7 +1,8 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
-use super::adjustment::{Adjusted, SETTLED, adjust};
-use super::coplanarity::{Pose, Ray};
+use super::adjusted::Adjusted;
+use super::adjustment::{SETTLED, adjust};
+use super::coplanarity::{Ray, RelativePose};
 use super::determinant::adjust_determinants;
 use super::normals::{Matrix5, correlations};
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
@@ -10,7 +11,7 @@ use super::rejection::{Clean, Limits, Weighted, adjust_without_gross_errors, cor
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
 use super::robust_start::{median_parallax, robust_start};
-use super::weakness::{condition, parallax_beside_rotation, plane_misfit, spread, weaknesses};
+use super::warning::{condition, parallax_beside_rotation, plane_misfit, spread, warnings};
 use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
 use crate::Error;
@@ -105,7 +106,7 @@ fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &O
 }
 
 fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
-    let start = Pose::vertical(median_parallax(observed.rays));
+    let start = RelativePose::vertical(median_parallax(observed.rays));
     let adjusted = match options.method {
         OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, SETTLED, near_vertical)?,
         OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
@@ -115,8 +116,8 @@ fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, 
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
 fn face_the_points(adjusted: &mut Adjusted, rays: &[Ray]) {
-    let in_front = |pose: &Pose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
-    let reversed = Pose { base: -adjusted.pose.base, ..adjusted.pose };
+    let in_front = |pose: &RelativePose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
+    let reversed = RelativePose { base: -adjusted.pose.base, ..adjusted.pose };
     if in_front(&reversed) > in_front(&adjusted.pose) {
         adjusted.reverse_base();
     }
@@ -178,7 +179,7 @@ impl Outcome {
             plane_misfit,
             spread,
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
-            weaknesses: weaknesses(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
+            warnings: warnings(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
             base_ellipse_mm: total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
             residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
             points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),

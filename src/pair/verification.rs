@@ -6,8 +6,8 @@ use super::frames::CommonFrame;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
-    TwoViewOptions, guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, NoGeometry, Pinhole, TwoView,
+    TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
 
@@ -43,14 +43,14 @@ pub struct FeatureMatchOptions {
 pub struct VerifiedMatches {
     /// Those that agree with the geometry, in ascending order of the left features; none without one.
     pub matches: Vec<DescriptorMatch>,
-    /// Its inliers are indices of `matches`: all of them. Or, in words, why there is none.
-    pub geometry: Result<TwoView, String>,
+    /// Its inliers are indices of `matches`: all of them. Or why there is none.
+    pub geometry: Result<TwoView, NoGeometry>,
 }
 
 /// Matches the features of two images: nearest descriptors, the geometry of the two views, then more matches along its epipolar lines (or
 /// at the places that the map of a plane gives), and the geometry of all.
 ///
-/// Positions are in px of cameras without distortion where `options.geometry` names cameras: see [`Interior::ideal_px`].
+/// Positions are in px of cameras without distortion where `options.geometry` names cameras: see [`Interior::undistorted_px`].
 ///
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where positions and descriptors do not fit together.
@@ -94,8 +94,7 @@ pub(super) fn verify(
     let first: Vec<DescriptorMatch> = first.iter().filter(|m| !unwanted(m)).copied().collect();
     let start = match two_view(&positions(&first), options) {
         Ok(start) => start,
-        Err(error) if error.is_usage() || matches!(error, Error::InvalidInput { .. }) => return Err(error),
-        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(error.to_string()) }),
+        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(NoGeometry::of(error)?) }),
     };
     let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
     let largest_distance = Some(farthest_alike(left, right, &agreeing));
@@ -174,7 +173,7 @@ fn guide(found: &TwoView) -> Guide {
     }
 }
 
-/// The camera without distortion to which [`Interior::ideal_px`] leads.
+/// The camera without distortion to which [`Interior::undistorted_px`] leads.
 fn pinhole(interior: &Interior, focal_mm: f64) -> Pinhole {
     Pinhole { focal_px: Some(focal_mm / interior.pixel_mm()), principal_px: interior.principal_point_px() }
 }
@@ -203,7 +202,7 @@ impl<'a> PairCameras<'a> {
     /// Positions in the left (0) or the right (1) camera.
     pub(super) fn ideal(&self, side: usize, positions: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
         match self.interior.map(|interior| [&interior.left, &interior.right][side]) {
-            Some(own) => positions.map(|[x, y]| own.ideal_px(x, y)).collect(),
+            Some(own) => positions.map(|[x, y]| own.undistorted_px(x, y)).collect(),
             None => positions.collect(),
         }
     }

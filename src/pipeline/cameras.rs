@@ -1,7 +1,7 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::{InitialCamera, Remark};
-use crate::{CameraRule, Error, ExifImage, ModelCamera, Pinhole, parse_camera_rules};
+use crate::{Camera, CameraRule, Error, ExifImage, Pinhole, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 
 /// Cameras of a file, which take the place of those of EXIF.
@@ -105,8 +105,9 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
     cameras.iter().filter_map(|camera| {
         let focal_px = camera.focal_px?;
         let sides = focal_px / f64::from(camera.width_px.max(camera.height_px));
-        let is_usual = (USUAL_FOCAL[0]..=USUAL_FOCAL[1]).contains(&sides);
-        (!is_usual).then(|| Remark::DoubtfulFocal { camera: camera.label.clone(), focal_px, sides, usual: USUAL_FOCAL })
+        let [least, most] = USUAL_FOCAL;
+        let label = camera.label.clone();
+        (!(least..=most).contains(&sides)).then_some(Remark::DoubtfulFocal { label, focal_px, sides, least, most, in_mm: sides < least })
     })
 }
 
@@ -115,7 +116,7 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
 pub(super) struct PairCamera {
     pub pinhole: Pinhole,
     /// Whose distortion positions are freed of; absent where none is known.
-    pub lens: Option<ModelCamera>,
+    pub lens: Option<Camera>,
 }
 
 /// What is known of the cameras of a pair: two focal lengths or none.

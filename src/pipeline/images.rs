@@ -1,6 +1,5 @@
 //! The first stage: every image is decoded once, and its features are kept.
 
-use super::Failure;
 use super::features::Features;
 use super::job::{Done, FileNeeded, News, ReadImage, StageName, Work};
 use super::likeness::coarse_of;
@@ -9,7 +8,7 @@ use super::stage::{Request, Stage};
 use super::state::{Positions, State};
 use super::task::{FeatureTask, Task};
 use super::{RunImage, SkippedImage};
-use crate::Error;
+use crate::{Error, Failure};
 
 /// What is known of an image once it was read.
 pub(super) struct Read {
@@ -93,7 +92,8 @@ impl Stage for Images {
         let (head, count) = (features.head, features.count as u32);
         let (width_px, height_px) = (head.width_px, head.height_px);
         let news = ReadImage { index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
-        let image = RunImage { name: name.clone(), key, content, width_px, height_px, features: count, masked, exif: head.exif, camera: 0 };
+        let image =
+            RunImage { name: name.clone(), key, content, width_px, height_px, features: Some(count), masked, exif: head.exif, camera: 0 };
         self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }));
         Ok(Some(Done::of(name, Some(News::Image(news)))))
     }

@@ -1,6 +1,5 @@
 //! Every chosen pair is matched once, and its verified matches are kept.
 
-use super::Failure;
 use super::cameras::{PairCamera, pair_cameras};
 use super::features::Features;
 use super::job::{Done, News, StageName, Work};
@@ -9,8 +8,8 @@ use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{PairTask, Task};
 use crate::{
-    ChosenPair, Connection, DescriptorMatch, Error, FeatureMatch, FeatureMatchOptions, Located, PairOutcome, TwoView, TwoViewOptions,
-    match_features,
+    ChosenPair, Connection, DescriptorMatch, Error, Failure, FeatureMatch, FeatureMatchOptions, Located, PairOutcome, TwoView,
+    TwoViewOptions, match_features,
 };
 use serde::{Deserialize, Serialize};
 
@@ -36,7 +35,7 @@ impl Usable {
             Self { numbers: Vec::new(), positions: Vec::new(), descriptors: Vec::with_capacity(features.descriptors.as_flattened().len()) };
         for (number, measured) in features.positions().into_iter().enumerate() {
             let measured = measured.map(f64::from);
-            let Some(position) = camera.lens.as_ref().map_or(Some(measured), |lens| lens.ideal_px(measured).ok()) else { continue };
+            let Some(position) = camera.lens.as_ref().map_or(Some(measured), |lens| lens.undistorted_px(measured).ok()) else { continue };
             usable.numbers.push(number as u32);
             usable.positions.push(position);
             usable.descriptors.extend_from_slice(&features.descriptors[number]);
@@ -61,7 +60,7 @@ pub(super) fn execute(task: &PairTask, records: [&[u8]; 2]) -> Result<Vec<u8>, E
     let found = match_features(left.located(), right.located(), &options)?;
     let matches = found.matches.len() as u32;
     let (outcome, geometry) = match found.geometry {
-        Err(reason) => (PairOutcome::NotOriented { matches, reason }, None),
+        Err(no_geometry) => (PairOutcome::NotOriented { no_geometry }, None),
         // All matches agree with it.
         Ok(geometry) => {
             let geometry = Some(TwoView { inliers: Vec::new(), ..geometry });
@@ -146,7 +145,7 @@ impl Stage for Pairs {
     }
 
     fn fail(&mut self, item: usize, failure: Failure, state: &mut State) -> Result<Done, Error> {
-        let outcome = PairOutcome::Failed { reason: failure.of_one()?.to_string() };
+        let outcome = PairOutcome::Failed { failure: failure.of_one()? };
         Ok(self.done(item, outcome, None, Vec::new(), state))
     }
 }

@@ -1,12 +1,12 @@
 //! The matches of all pairs are joined to tie points, few of them are chosen, and the block is oriented: the run computes this itself.
 
+use super::JoinedPoints;
 use super::job::{Done, StageName, Work};
 use super::stage::{Request, Stage};
 use super::state::State;
-use super::{Failure, JoinedPoints};
 use crate::{
-    BlockMatches, BlockModel, Error, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points, shared_points,
-    tie_points,
+    BlockMatches, BlockModel, Error, Failure, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points,
+    shared_points, tie_points,
 };
 
 /// Which of the computations a stage is.
@@ -62,7 +62,7 @@ impl Stage for OwnStage {
 }
 
 fn join(state: &mut State) -> Result<(), Error> {
-    let counts: Vec<u32> = state.images.iter().map(|image| image.features).collect();
+    let counts: Vec<u32> = state.positions.iter().map(|positions| positions.len() as u32).collect();
     let mut matches = BlockMatches::new(&counts)?;
     for pair in state.pairs.iter_mut().filter(|pair| !pair.matches.is_empty()) {
         matches.add_pair(pair.connection.images, &std::mem::take(&mut pair.matches))?;

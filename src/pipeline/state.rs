@@ -3,16 +3,19 @@
 use super::cameras::doubtful;
 use super::control::gnss_observation;
 use super::images::Read;
-use super::input::Checked;
+use super::input::{Checked, RunInput};
 use super::pairs::Matched;
-use super::{BlockRun, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
-use crate::{BlockDescription, BlockModel, Error, ExifImage, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic};
+use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use crate::{
+    BlockDescription, BlockModel, Error, ExifImage, Failure, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic,
+};
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
 
 /// What a run knows.
 pub(super) struct State {
+    pub given: RunInput,
     pub input: Checked,
     pub images: Vec<RunImage>,
     pub skipped: Vec<SkippedImage>,
@@ -38,8 +41,9 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(input: Checked) -> Self {
+    pub fn new(given: RunInput, input: Checked) -> Self {
         Self {
+            given,
             input,
             images: Vec::new(),
             skipped: Vec::new(),
@@ -93,8 +97,8 @@ impl State {
     }
 
     fn impossible_positions(&self) -> Option<Remark> {
-        let value = |image: &RunImage| image.exif.impossible.clone().map(|value| [image.name.clone(), value]);
-        let images: Vec<[String; 2]> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
+        let value = |image: &RunImage| Some(ImpossiblePosition { name: image.name.clone(), value: image.exif.impossible.clone()? });
+        let images: Vec<ImpossiblePosition> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
         (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
     }
 
@@ -136,7 +140,7 @@ impl State {
     pub fn ended(self) -> Option<BlockRun> {
         let (connections, geometries) = self.pairs.into_iter().map(|pair| (pair.connection, pair.geometry)).unzip();
         Some(BlockRun {
-            settings: self.input.settings,
+            input: self.given,
             images: self.images,
             skipped: self.skipped,
             unused_masks: self.input.unused_masks,
@@ -145,9 +149,9 @@ impl State {
             cameras: self.cameras,
             connections,
             geometries,
-            points: self.joined?,
+            points: Some(self.joined?),
             refinement: self.refinement,
-            reconstruction: self.reconstruction?,
+            reconstruction: self.reconstruction?.map_err(|error| Failure::from(&error)),
             model: self.model,
         })
     }

@@ -1,22 +1,22 @@
 //! The reconstruction as it is called: one model after another, until no images are left that make one.
 
 use super::adjusting::{CameraPrior, camera_prior};
-use super::description::{BlockDescription, KnownCamera};
-use super::finish::{Finished, Material, finish};
+use super::finish::{Finished, finish};
 use super::frame::Frame;
 use super::growth::Growth;
+use super::material::{GROWING_CONNECTION, Material};
 use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
 use super::refusal::check;
-use super::result::{ReconstructedModel, Reconstruction, UnorientedImage, UnorientedReason};
+use super::result::{ReconstructedModel, Reconstruction, UnorientedImage};
 use super::start::start_pairs;
+use super::warning::UnorientedReason;
 use crate::Error;
-use crate::adjustment::BlockCamera;
+use crate::camera::Camera;
+use crate::model::{BlockDescription, KnownCamera};
 use crate::tracks::{ImageFeatures, SelectOptions, SharedPoints, TiePoints, select_points, shared_points};
 
-/// Common points that a pair of images keeps while the block grows and is adjusted.
-pub(super) const GROWING_CONNECTION: usize = 15;
 /// Starts that are compared, and the images that each grows to for that.
 const STARTS: usize = 4;
 const COMPARED_AT: usize = 5;
@@ -45,7 +45,7 @@ pub fn reconstruct_block(
     options.check()?;
     check(description, points, features)?;
     let frame = Frame::new(description)?;
-    let cameras: Vec<BlockCamera> = description.cameras.iter().map(KnownCamera::approximate).collect();
+    let cameras: Vec<Camera> = description.cameras.iter().map(KnownCamera::approximate).collect();
     let priors: Vec<CameraPrior> =
         cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();
@@ -90,7 +90,7 @@ pub fn reconstruct_block(
     let unoriented = (0..images).filter(|image| !is_oriented[*image]).map(|image| {
         let known = rays.of_image(image).len();
         let reason = if known == 0 { UnorientedReason::NoPoints } else { refused[image].unwrap_or(UnorientedReason::NoPartner) };
-        UnorientedImage { image, reason, text: reason.in_words(&description.images[image].name) }
+        UnorientedImage { image, reason }
     });
     let unoriented = unoriented.collect();
     let origin = frame.origin.filter(|_| models.iter().any(|model| model.in_system));

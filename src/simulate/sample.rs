@@ -5,17 +5,14 @@ use super::flight::Flight;
 use super::photo::{Photo, Scan, photos};
 use super::random::{Random, Stream};
 use super::render::render;
-use super::scene::{Exposure, Scene};
+use super::scene::{Moment, Scene};
 use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
-use crate::camera::{Camera, Fiducial};
+use crate::camera::{CameraMm, Fiducial};
+use crate::catalogue::refuse;
 use crate::orientation::FiveParameters;
-use crate::parameters::refuse;
 use crate::{Error, GreyImage};
-
-/// The seed of the built-in sample.
-pub const SAMPLE_SEED: u32 = 1;
 
 /// A simulated pair and its truth.
 #[derive(Debug, Clone)]
@@ -23,7 +20,7 @@ pub struct Sample {
     /// The patches that were cut from the scans of both photos.
     pub left: GreyImage,
     pub right: GreyImage,
-    pub camera: Camera,
+    pub camera: CameraMm,
     /// Fiducial marks as measured, in px of the whole scans; the centre of a scan's top-left pixel is (0.5, 0.5).
     pub left_fiducials: Vec<Fiducial>,
     pub right_fiducials: Vec<Fiducial>,
@@ -57,8 +54,8 @@ pub fn simulate(flight: &Flight) -> Result<Sample, Error> {
     let Stage { scene, photos, mut scan_random } = Stage::new(flight)?;
     let (width, height) = (flight.width_px, flight.height_px);
     let [left_photo, right_photo] = &photos;
-    let left_view = View::new(&scene, left_photo, Exposure::First, width, height);
-    let right_view = View::new(&scene, right_photo, Exposure::Second, width, height);
+    let left_view = View::new(&scene, left_photo, Moment::First, width, height);
+    let right_view = View::new(&scene, right_photo, Moment::Second, width, height);
     let take = |view: &View<'_>, psf_px, gain, offset_grey, [noise, grain]: [Stream; 2]| {
         let Flight { noise_grey, grain_grey, grain_px, haze, .. } = *flight;
         let sensor = Sensor { gain, offset_grey, noise_grey, grain_grey, grain_px, haze };
@@ -130,12 +127,11 @@ fn cut_px(random: &mut Random) -> [f64; 2] {
 }
 
 /// Pixels come from the fiducial marks, so that the camera names none.
-fn camera(flight: &Flight) -> Camera {
-    Camera {
-        focal_mm: flight.focal_mm,
+fn camera(flight: &Flight) -> CameraMm {
+    CameraMm {
         principal_point_mm: [flight.principal_x_mm, flight.principal_y_mm],
-        pixel_mm: None,
         radial_distortion: [flight.distortion, 0.0, 0.0],
+        ..CameraMm::without_distortion(flight.focal_mm, None)
     }
 }
 

@@ -1,8 +1,8 @@
 //! Between JavaScript values and plain data.
 
-use crate::json::reason;
-use crate::{Error, InterestPoint};
-use js_sys::{Float64Array, JSON, Object, Reflect};
+use crate::json;
+use crate::{Error, InterestPoint, with_defaults};
+use js_sys::{Float64Array, Function, JSON, Object, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -22,17 +22,12 @@ pub fn thrown(error: Error) -> JsValue {
 
 /// Reads a value. It goes through text, so that unknown fields are refused.
 pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).and_then(serde_json::from_value).map_err(|e| refused(what, &e))
+    parsed(value).map_err(|e| e.to_string()).and_then(json::from_value).map_err(|reason| refused(what, reason))
 }
 
 /// Reads options: the fields that are given, the others from the defaults.
 pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    let merged = parsed(value).and_then(|given| {
-        let mut options = serde_json::to_value(T::default())?;
-        overlay(&mut options, given);
-        serde_json::from_value(options)
-    });
-    merged.map_err(|e| refused(what, &e))
+    parsed(value).and_then(with_defaults).map_err(|error| refused(what, error.to_string()))
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
@@ -46,23 +41,24 @@ fn parsed(value: &JsValue) -> serde_json::Result<Value> {
     serde_json::from_str(text.as_deref().unwrap_or("null"))
 }
 
-/// Puts the fields that are given in place of the defaults, object by object.
-fn overlay(options: &mut Value, given: Value) {
-    match (options, given) {
-        (Value::Object(options), Value::Object(given)) => {
-            for (name, value) in given {
-                overlay(options.entry(name).or_insert(Value::Null), value);
-            }
-        }
-        // Options as a whole may be absent.
-        (Value::Object(_), Value::Null) => {}
-        (options, given) => *options = given,
-    }
+/// The reason has no place, which would be that in a text that nobody wrote.
+fn refused(what: &'static str, reason: String) -> JsValue {
+    thrown(Error::InvalidJson { what, reason })
 }
 
-/// The reason has no place, which would be that in a text that nobody wrote.
-fn refused(what: &'static str, error: &serde_json::Error) -> JsValue {
-    thrown(Error::InvalidJson { what, reason: reason(error) })
+/// Writes files through a function of the caller, who gets back what that throws as it is.
+pub fn emitting<T>(
+    emit: &Function,
+    write: impl FnOnce(&mut dyn FnMut(&str, &str) -> Result<(), Error>) -> Result<T, Error>,
+) -> JsResult<T> {
+    let mut threw = None;
+    let written = write(&mut |path, text| {
+        emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
+            threw = Some(error);
+            Error::NotWritten { what: "a file" }
+        })
+    });
+    written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
 }
 
 /// Packs plain data as an object.

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BlockScene, photo_camera, read_project } from '../../pkg/node.js';
+import { BlockScene, photo_camera, FinishedBlock } from '../../pkg/node.js';
 import { greyPng } from '../../pkg/command/png.js';
 import { done, hosted, open, part, saved, SKIP, upload } from './page.js';
 
@@ -28,7 +28,7 @@ async function openedPair(page, camera) {
   await part(page, 'block-run').click();
   await page.waitForFunction(() => /^(Done|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
   await part(page, 'block-export-kind').selectOption('project');
-  const { block } = read_project(await saved(page, 'block-export'));
+  const block = FinishedBlock.open(await saved(page, 'block-export')).model();
   await part(page, 'block-show-matrix').click();
   await part(page, 'block-matrix').focus();
   await page.keyboard.press('ArrowRight');
@@ -56,7 +56,7 @@ test('a pair of a block that was adjusted has its calibrated camera, not that of
   const { block, shown } = await openedPair(page, CAMERA);
   const [camera] = block.cameras;
   assert.ok(camera && block.images.every(({ pose }) => pose), 'the block is not oriented');
-  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').Camera>} */ (photo_camera(camera));
+  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').CameraMm>} */ (photo_camera(camera));
   assert.deepEqual(shown, { focal: focal_mm, x0, y0, k1, k2, k3 });
   // The photos were taken without distortion: what the file says of it is wrong, and the block finds that.
   assert.ok(Math.abs(camera.radial?.[0] ?? NaN) < 0.5 * Math.abs(K1), `k1 is ${camera.radial}`);

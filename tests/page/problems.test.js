@@ -86,7 +86,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'offset-problem', /^Give both numbers, or empty both/);
   // Nothing of it was taken.
   await page.waitForTimeout(400);
-  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: the value typed is not allowed/);
+  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: this value is not allowed/);
   await type(page, 'camera-focal', '150');
   assert.equal(await invalid(page, 'camera-focal'), null);
   assert.equal(await part(page, 'camera-focal-problem').textContent(), '');
@@ -94,7 +94,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'base', /150\.0 mm/);
   await type(page, 'offset-dy', '1');
   await says(page, 'offset-found', /^Given/);
-  await says(page, 'status', /^Origin of the left image in the scan: the value typed is not allowed/);
+  await says(page, 'status', /^Origin of the left image in the scan: this value is not allowed/);
   await type(page, 'origin-left-col', '');
   assert.match(await done(page), /^Done/);
   assert.deepEqual(complaints, []);
@@ -201,10 +201,10 @@ test('each bad file of several is told, and what was open only where something w
   const give = () => part(page, 'file-input').setInputFiles(files);
   await give();
   await says(page, 'status', /a\.txt holds no fiducial marks: .*bad\.jpg cannot be opened: .*worse\.jpg cannot be opened: /);
-  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /What was open/);
+  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /images are kept/);
   await sample(page);
   await give();
-  await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* What was open is kept\.$/);
+  await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* The open images are kept\.$/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -214,21 +214,21 @@ test('the status line says that a value is not allowed, until it is', { skip: SK
   await sample(page);
   const field = page.locator('input[type="number"][data-key="points.suppression_window"]');
   await field.fill('4');
-  await says(page, 'status', /^Suppression window: the value typed is not allowed and not used\. Results are of the last valid one\.$/);
+  await says(page, 'status', /^Suppression window: this value is not allowed\. The last valid one stays in use\.$/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
   await field.fill('3');
   assert.match(await done(page), /^Done/);
   await part(page, 'tab-camera').click();
   await type(page, 'camera-focal', '-5');
-  await says(page, 'status', /^Focal length: the value typed is not allowed/);
+  await says(page, 'status', /^Focal length: this value is not allowed/);
   await type(page, 'camera-focal', '153.38');
   assert.match(await done(page), /^Done/);
   await part(page, 'mode-block').click();
   const pairs = page.locator('main.block input[type="number"][data-key="multiscale.number"]');
   await pairs.fill('-1');
-  await says(page, 'block-status', /not allowed and not used/);
+  await says(page, 'block-status', /is not allowed/);
   await pairs.fill('2000');
-  await says(page, 'block-status', /^Give the images/);
+  await says(page, 'block-status', /^Open the images/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -238,7 +238,7 @@ test('a simulated pair that is swapped says that its truth is of the other order
   await sample(page);
   assert.ok(await part(page, 'score').isVisible());
   await part(page, 'swap').click();
-  await says(page, 'status', /^Done: .*compared with its truth in its own order only: swap again/);
+  await says(page, 'status', /^Done: .*holds in its own order only: swap again/);
   assert.equal(await part(page, 'score').count(), 0);
   await part(page, 'swap').click();
   await part(page, 'score').waitFor();

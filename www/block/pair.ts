@@ -1,12 +1,13 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import { photo_camera } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../pair/engine/engine';
-import type { Camera } from '../shared/crate';
+import type { CameraMm } from '../shared/crate';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
+import { messageOf } from '../shared/text/format';
 
 /** The pair's own images count up from 1: those of blocks count down. */
 let nextId = -1;
@@ -18,16 +19,16 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
   const [left, right] = files;
   if (left === undefined || right === undefined) {
-    say(block, 'The files of these images are not open: drop them, and try again.');
+    say(block, 'The files of these images are not open: drop them and try again.');
     return;
   }
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
-  let camera: Camera | null;
+  let camera: CameraMm | null;
   try {
     camera = cameraOf(block, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
-    say(block, `The pair cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+    say(block, `The pair cannot be shown: ${messageOf(error)}.`);
     return;
   }
   readyFor(store, block, camera);
@@ -37,12 +38,12 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
 }
 
 /** The block's settings of features and its camera, in place of whatever the pair before had. */
-function readyFor(store: Store, block: BlockStore, camera: Camera | null): void {
+function readyFor(store: Store, block: BlockStore, camera: CameraMm | null): void {
   const { settings } = store.state;
   const features = block.state.options.settings?.features;
   if (settings !== null && features !== undefined) {
     const { points, matching } = settings;
-    store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: 'multiscale' }, matching: { ...matching, strategy: 'gradient' } } });
+    store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: null }, matching: { ...matching, strategy: 'gradient' } } });
   }
   store.dispatch({ type: 'camera', camera });
   store.dispatch({ type: 'offset', offset: null });
@@ -53,7 +54,7 @@ function readyFor(store: Store, block: BlockStore, camera: Camera | null): void 
 }
 
 /** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
-function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
+function cameraOf(block: BlockStore, a: number, b: number): CameraMm | null {
   const { images = [], cameras = [] } = block.state.shown?.view ?? {};
   const [left, right] = [images[a], images[b]];
   const camera = left !== undefined && left.camera === right?.camera ? cameras[left.camera] : undefined;

@@ -1,8 +1,8 @@
 /** The pair's part of the page: makes its parts and wires them together. */
-import './style/view.css';
+import './style/pair.css';
 import type { Taker } from '../shared/files/drop';
 import { byId } from '../shared/panel/dom';
-import { mountTabs, showTab } from '../shared/panel/tabs';
+import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
 import { Files, takerOf } from './files/open';
@@ -25,31 +25,34 @@ import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
 import { View } from './view/view';
+import { messageOf } from '../shared/text/format';
 
 export interface Pair {
   store: Store;
   engine: Engine;
   taker: Taker;
-  /** Runs an action of the user's; what goes wrong is said in the status line. */
-  attempt: (action: () => void | Promise<void>) => Promise<void>;
 }
 
 export function mountPair(): Pair {
   const store = new Store();
+  const { element: left, panels: [settings, camera, simulate] } = tabbed('Settings', [['settings', 'Settings'], ['camera', 'Camera'], ['simulate', 'Simulate']]);
+  const { element: right, panels: [results, point, matches] } = tabbed('Results', [['results', 'Results'], ['point', 'Point'], ['matches', 'Matches']]);
+  byId('stage').before(left);
+  byId('stage').after(right);
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
   const files = new Files(store, engine);
+  /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {
       await action();
     } catch (error) {
-      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, error instanceof Error ? error.message : String(error))}.` } });
+      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, messageOf(error))}.` } });
     }
   };
 
   mountInput(view, store, navigator);
-  for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
   mountToolbar(byId('toolbar'), store, navigator);
   const pick = pickerOf(files);
   mountPanes(view, store, {
@@ -57,16 +60,16 @@ export function mountPair(): Pair {
     mask: (side) => { pick(side, 'mask'); },
     unmask: (side) => { store.dispatch({ type: 'mask', side, mask: null }); },
   });
-  mountControls(byId('panel-settings'), store);
-  mountCamera(byId('panel-camera'), store, () => { pick(null); });
-  mountFiducials(byId('panel-camera'), store, (side) => { pick(side); });
-  mountCounts(byId('panel-results'), store);
-  mountGeometry(byId('panel-results'), store);
-  mountOrientation(byId('panel-results'), store);
-  mountHistograms(byId('panel-results'), store);
-  mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
-  mountStatistics(byId('panel-matches'), store, (side, index) => { navigator.select({ side, index }); });
-  mountSimulate(byId('panel-simulate'), store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
+  mountControls(settings, store);
+  mountCamera(camera, store, () => { pick(null); });
+  mountFiducials(camera, store, (side) => { pick(side); });
+  mountCounts(results, store);
+  mountGeometry(results, store);
+  mountOrientation(results, store);
+  mountHistograms(results, store);
+  mountPoint(point, store, (side, index) => { navigator.select({ side, index }); });
+  mountStatistics(matches, store, (side, index) => { navigator.select({ side, index }); });
+  mountSimulate(simulate, store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
   mountAnnouncements(byId('announce'), store);
   mountStatus(store, {
     cancel: () => { engine.cancel(); },
@@ -75,7 +78,7 @@ export function mountPair(): Pair {
   mountHeader({ store, engine, view, files, pick, attempt });
   store.watch((s) => [s.selection] as const, ([selection]) => {
     // The table of matches shows the selected one itself, and is gone through by selecting.
-    if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');
+    if (selection !== null && matches.hidden) showTab('tab-point');
   });
-  return { store, engine, attempt, taker: takerOf(view, files) };
+  return { store, engine, taker: takerOf(view, files) };
 }

@@ -1,9 +1,9 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { Jobs } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../../pkg/wasm/tiepoint.js';
-import { CallError, Cancelled, WorkerClient } from '../../shared/engine/client';
+import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
-import { sentence } from '../../shared/text/format';
+import { messageOf, sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
 import type { BlockCalls, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
@@ -150,6 +150,5 @@ function madeBuffer(answer: JobAnswer): Transferable[] {
 }
 
 function reasonOf(error: unknown): string {
-  const text = error instanceof Error ? error.message : String(error);
-  return error instanceof CallError && error.ended ? `the worker ran out of memory or broke down (${text})` : text;
+  return breakdownOf(error) ?? messageOf(error);
 }

@@ -5,6 +5,7 @@ import { save } from '../../shared/files/save';
 import type { ExportKind } from '../engine/calls';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { isBusy } from '../state/state';
+import { messageOf } from '../../shared/text/format';
 
 const NAMES: Readonly<Record<ExportKind, string>> = {
   project: 'Project file', everything: 'Everything (.zip)', colmap: 'COLMAP', micmac: 'MicMac', bundler: 'Bundler', nvm: 'NVM (VisualSFM)',
@@ -23,8 +24,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   });
   store.watch((s) => [s.shown] as const, ([shown]) => {
     const formats = shown?.view.formats ?? [];
-    // Everything holds tables that only a run can fill.
-    const kinds: ExportKind[] = ['project', ...(shown !== null && shown.files.length > 0 ? (['everything'] as const) : []), ...formats];
+    const kinds: ExportKind[] = ['project', 'everything', ...formats];
     const { value } = select;
     fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
     if (kinds.includes(value as ExportKind)) select.value = value;
@@ -39,10 +39,10 @@ async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind):
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${name} was saved.` } });
   } catch (error) {
     if (error instanceof Cancelled) {
-      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is still there.' } });
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is unchanged.' } });
       return;
     }
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = messageOf(error);
     store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${NAMES[kind]} was not written: ${reason}.` } });
   }
 }

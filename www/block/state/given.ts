@@ -5,6 +5,7 @@ import { masksOf } from '../../../pkg/block/masks.js';
 import { parse_camera_rules, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
+import { messageOf } from '../../shared/text/format';
 
 /** What a run can be given beside its images. */
 export type Given = 'cameras' | 'control' | 'marks' | 'masks';
@@ -16,8 +17,8 @@ export type Problems = Readonly<Partial<Record<Given, string>>>;
 
 /** Control points and their marks are of use together. */
 export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
-  control: 'Control points need their marks in images: give both files, or neither',
-  marks: 'Marks need the control points that they mark: give both files, or neither',
+  control: 'Ground control points need their image measurements: give both files, or neither',
+  marks: 'Image measurements need their ground control points: give both files, or neither',
 };
 
 export function problemsOf({ files, options }: Pick<BlockState, 'files' | 'options'>): Problems {
@@ -40,7 +41,7 @@ const problems = remember((
       read();
       return true;
     } catch (error) {
-      found[given] = `${name === '' ? '' : `${name}: `}${error instanceof Error ? error.message : String(error)}`;
+      found[given] = `${name === '' ? '' : `${name}: `}${messageOf(error)}`;
       return false;
     }
   };

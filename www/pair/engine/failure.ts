@@ -4,8 +4,9 @@ import type { StageName } from '../state/state';
 import type { Catalogue } from '../../shared/crate';
 import { CallError } from '../../shared/engine/client';
 import { STAGES } from '../state/stages';
+import { messageOf } from '../../shared/text/format';
 
-const KEPT = 'Your images, settings and earlier results are kept.';
+const KEPT = 'Images, settings and earlier results are kept.';
 
 function advice(stage: StageName): string {
   switch (stage) {
@@ -26,7 +27,7 @@ function advice(stage: StageName): string {
 
 /** A sentence or two for the user. */
 export function plainMessage(stage: StageName, error: unknown, catalogue: Catalogue | null): string {
-  const text = readable(catalogue, error instanceof Error ? error.message : String(error));
+  const text = readable(catalogue, messageOf(error));
   if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
   switch (error.failure.kind) {
     case 'refused':
@@ -34,8 +35,8 @@ export function plainMessage(stage: StageName, error: unknown, catalogue: Catalo
       return error.failure.code === 'image-too-small' ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
     case 'memory':
       return `Memory ran out while ${STAGES[stage].label} (${text}). ${KEPT} ${advice(stage)}`;
-    case 'trap':
-      return `The worker stopped while ${STAGES[stage].label} (${text}): most often memory ran out. ${KEPT} ${advice(stage)}`;
+    case 'fault':
+      return `The program broke off while ${STAGES[stage].label} (${text}): a fault of its own, please report it. ${KEPT} ${advice(stage)}`;
     case 'other':
       return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT} ${advice(stage)}`;
   }

@@ -1,8 +1,8 @@
 /** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
-import { CallError, Cancelled } from '../../shared/engine/client';
+import { breakdownOf, Cancelled } from '../../shared/engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
-import { sentence } from '../../shared/text/format';
+import { messageOf, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
@@ -69,7 +69,7 @@ export class Files {
         return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
-      return info(`${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+      return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
     } catch (error) {
       return this.failed(`${file.name} cannot be used as a mask`, error);
     }
@@ -77,7 +77,7 @@ export class Files {
 
   /** Renders the pair of a flight in a worker and opens it. */
   async takeFlight(name: string, flight: Flight): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a made landscape …' } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a synthetic scene …' } });
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
@@ -100,14 +100,14 @@ export class Files {
     const bad = said.some(({ kind }) => kind === 'problem');
     const { left, right } = this.store.state.images;
     // Where nothing was open there is nothing to be afraid for.
-    const kept = bad && (left !== null || right !== null) ? ' What was open is kept.' : '';
+    const kept = bad && (left !== null || right !== null) ? ' The open images are kept.' : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
     this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
   }
 
   private failed(what: string, error: unknown): Told {
     if (error instanceof Cancelled) return info('Cancelled. Nothing was changed.');
-    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error)))}`);
+    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
   }
 
   /** Fiducials named "right", or the second of two tables, belong right. */
@@ -160,9 +160,8 @@ export class Files {
   }
 
   private failedImage(name: string, error: unknown): Told {
-    if (error instanceof CallError && error.ended) {
-      return problem(`${name} could not be opened: the worker ran out of memory (${error.message}). Try a smaller image, or close other tabs.`);
-    }
+    const breakdown = breakdownOf(error);
+    if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
     return this.failed(`${name} cannot be opened`, error);
   }
 

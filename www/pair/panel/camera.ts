@@ -1,6 +1,6 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
-import type { Camera, ExifCamera } from '../../shared/crate';
+import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -13,8 +13,8 @@ interface CameraNumber {
   label: string;
   unit: string;
   testid: string;
-  of: (camera: Camera) => number | null | undefined;
-  alone: (value: number) => Partial<Camera>;
+  of: (camera: CameraMm) => number | null | undefined;
+  alone: (value: number) => Partial<CameraMm>;
 }
 
 const NUMBERS = [
@@ -25,12 +25,15 @@ const NUMBERS = [
   { label: 'k1', unit: 'mm⁻²', testid: 'camera-k1', of: (c) => c.radial_distortion?.[0], alone: (v) => ({ radial_distortion: [v, 0, 0] }) },
   { label: 'k2', unit: 'mm⁻⁴', testid: 'camera-k2', of: (c) => c.radial_distortion?.[1], alone: (v) => ({ radial_distortion: [0, v, 0] }) },
   { label: 'k3', unit: 'mm⁻⁶', testid: 'camera-k3', of: (c) => c.radial_distortion?.[2], alone: (v) => ({ radial_distortion: [0, 0, v] }) },
+  { label: 'p1', unit: 'mm⁻¹', testid: 'camera-p1', of: (c) => c.tangential_distortion?.[0], alone: (v) => ({ tangential_distortion: [v, 0] }) },
+  { label: 'p2', unit: 'mm⁻¹', testid: 'camera-p2', of: (c) => c.tangential_distortion?.[1], alone: (v) => ({ tangential_distortion: [0, v] }) },
 ] as const satisfies readonly CameraNumber[];
 
 /** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): Camera | null {
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]: readonly (number | undefined)[]): CameraMm | null {
   if (focal === undefined) return null;
-  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), radial_distortion: [k1, k2, k3] };
+  const lens = { radial_distortion: [k1, k2, k3] as [number, number, number], tangential_distortion: [p1, p2] as [number, number] };
+  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), ...lens };
 }
 
 export function mountCamera(host: HTMLElement, store: Store, loadFile: () => void): void {
@@ -73,12 +76,12 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: EXIF. Values below take its place. ${exif}`;
+  if (!('missing' in used)) return `In use: EXIF. Values below replace it. ${exif}`;
   const focal = state.results.match?.value.geometry?.focal ?? null;
   if (focal !== null && state.results.match?.value.estimated != null) {
-    return `In use: as the matches tell it, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal points in the middle. Values below take its place. ${exif}`;
+    return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
   }
-  return `Without a principal distance, and a pixel size or fiducial marks, matches are not oriented, unless they tell the focal length themselves (gradients). ${exif}`;
+  return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
 }
 
 /** The offset of the right image: estimated, or given. */
@@ -98,16 +101,16 @@ function offsetGroup(store: Store): HTMLElement {
   });
   store.watch((s) => [s.results.offset, s.offset, s.settings] as const, ([result, given, settings]) => {
     if (settings !== null && comparesGradients(settings)) {
-      fill(found, 'The strategy that compares gradients looks in the whole right image: it needs no offset.');
+      fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
       return;
     }
     if (given !== null || result === undefined) {
-      fill(found, given !== null ? 'Given. Empty both fields to estimate it.' : 'Right minus left position; empty: estimated by correlation, coarse to fine.');
+      fill(found, given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.');
       return;
     }
     const [mx, my] = result.value.median_px;
     const correlation = result.value.correlation;
-    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low, so the images may not overlap; a given offset may help' : ''}.`);
+    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`);
   });
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
 }

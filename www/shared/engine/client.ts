@@ -1,6 +1,7 @@
 /** One worker as the page sees it: typed calls that are answered, refused, or ended with the worker. */
 import type { RequestMessage, ResponseMessage, StartMessage, Table, WireFailure } from './messages';
-import { spawnWorker, wasmModule } from './spawn';
+import { spawnWorker, wasmModule } from './platform';
+import { messageOf } from '../text/format';
 
 /** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 export class CallError extends Error {
@@ -8,6 +9,12 @@ export class CallError extends Error {
   constructor(readonly failure: WireFailure, readonly ended: boolean) {
     super(failure.message);
   }
+}
+
+/** What ended the worker, in words; null where it lives on.  */
+export function breakdownOf(error: unknown): string | null {
+  if (!(error instanceof CallError) || !error.ended) return null;
+  return error.failure.kind === 'memory' ? `the worker ran out of memory (${error.message})` : `the worker broke off at a fault of the program (${error.message}): please report it`;
 }
 
 /** A call that the user cancelled. */
@@ -54,7 +61,7 @@ export class WorkerClient<C extends Table<C>> {
     handle.onmessage = (event: MessageEvent<ResponseMessage>) => { this.receive(event.data); };
     handle.onerror = (event) => {
       event.preventDefault();
-      this.end(new CallError({ kind: 'trap', code: null, message: event.message || 'the worker could not start' }, true));
+      this.end(new CallError({ kind: 'fault', code: null, message: event.message || 'the worker could not start' }, true));
     };
     const ready = wasmModule().then((module) => {
       const start: StartMessage = { module };
@@ -71,7 +78,7 @@ export class WorkerClient<C extends Table<C>> {
       waiting.resolve(response.output as never);
       return;
     }
-    const ended = response.failure.kind === 'trap' || response.failure.kind === 'memory';
+    const ended = response.failure.kind === 'fault' || response.failure.kind === 'memory';
     const error = new CallError(response.failure, ended);
     waiting.reject(error);
     if (ended) this.end(error);
@@ -93,5 +100,5 @@ interface Started {
 }
 
 function otherFailure(error: unknown): WireFailure {
-  return { kind: 'other', code: null, message: error instanceof Error ? error.message : String(error) };
+  return { kind: 'other', code: null, message: messageOf(error) };
 }

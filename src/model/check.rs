@@ -1,0 +1,141 @@
+//! What a block must be before it is written, and after it is read.
+
+use super::block::seen_twice;
+use super::{BlockModel, GeographicOrigin, ObjectPoint};
+use crate::Error;
+use crate::camera::Pose;
+use crate::error::refuse;
+use std::collections::BTreeMap;
+
+/// How far rows of a rotation may be from unit length and right angles.
+const ROTATION_TOLERANCE: f64 = 1e-6;
+
+impl BlockModel {
+    /// Refuses what no file should hold.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
+    /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
+    pub fn check(&self) -> Result<(), Error> {
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
+        let mut names = BTreeMap::new();
+        for (index, image) in self.images.iter().enumerate() {
+            let what = "image of the block";
+            if image.name.trim().is_empty() || image.name.chars().any(char::is_control) {
+                return refuse(
+                    what,
+                    format!("the name {:?} of image {index} (counted from 0)", image.name),
+                    "a name without control characters",
+                );
+            }
+            if let Some(first) = names.insert(image.name.as_str(), index) {
+                return refuse(
+                    what,
+                    format!("the name '{}' for images {first} and {index} (counted from 0)", image.name),
+                    "each name once",
+                );
+            }
+            if image.camera >= self.cameras.len() {
+                return refuse(
+                    "camera of an image",
+                    format!("index {} for '{}'", image.camera, image.name),
+                    &format!("indices below {}", self.cameras.len()),
+                );
+            }
+            image.pose.iter().try_for_each(|pose| check_pose(&image.name, pose))?;
+        }
+        self.points.iter().enumerate().try_for_each(|(index, point)| self.check_point(index, point))?;
+        self.origin.iter().try_for_each(check_origin)
+    }
+
+    fn check_point(&self, index: usize, point: &ObjectPoint) -> Result<(), Error> {
+        let what = "point of the block";
+        let share = |value: f64| (0.0..=1.0).contains(&value);
+        if !point.position.iter().flatten().all(|v| v.is_finite()) || !point.rmse_px.iter().all(|v| v.is_finite() && *v >= 0.0) {
+            return refuse(
+                what,
+                format!("{:?} with residuals of {:?} px as point {index} (counted from 0)", point.position, point.rmse_px),
+                "finite numbers",
+            );
+        }
+        if !share(point.confidence) || !point.rays.iter().all(|ray| share(ray.confidence)) {
+            return refuse(what, format!("a confidence of point {index} (counted from 0) outside 0 to 1"), "0 to 1");
+        }
+        for ray in &point.rays {
+            let Some(image) = self.images.get(ray.image) else {
+                return refuse(
+                    what,
+                    format!("image {} of point {index} (counted from 0)", ray.image),
+                    &format!("indices below {}", self.images.len()),
+                );
+            };
+            let camera = &self.cameras[image.camera];
+            if !camera.sees(ray.x_px, ray.y_px) {
+                let got = format!("the ray of point {index} (counted from 0) at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
+                return refuse(what, got, &format!("places within {} x {} px", camera.width_px, camera.height_px));
+            }
+        }
+        match seen_twice(&point.rays) {
+            Some(image) => {
+                let got = format!("two rays of point {index} (counted from 0) in '{}'", self.images[image].name);
+                refuse(what, got, "one ray in an image")
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+fn check_pose(name: &str, pose: &Pose) -> Result<(), Error> {
+    let what = "image of the block";
+    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    let m = &pose.rotation;
+    let cross = [m[0][1] * m[1][2] - m[0][2] * m[1][1], m[0][2] * m[1][0] - m[0][0] * m[1][2], m[0][0] * m[1][1] - m[0][1] * m[1][0]];
+    let near = |value: f64, wanted: f64| (value - wanted).abs() <= ROTATION_TOLERANCE;
+    let square = (0..3).all(|i| (i..3).all(|j| near(dot(&m[i], &m[j]), if i == j { 1.0 } else { 0.0 })));
+    if !square || !near(dot(&cross, &m[2]), 1.0) {
+        return refuse(what, format!("{m:?} as rotation of '{name}'"), "a rotation matrix");
+    }
+    if !pose.position.iter().all(|v| v.is_finite()) {
+        return refuse(what, format!("{:?} as position of '{name}'", pose.position), "finite numbers");
+    }
+    Ok(())
+}
+
+fn check_origin(origin: &GeographicOrigin) -> Result<(), Error> {
+    let place = origin.longitude_deg.abs() <= 180.0 && origin.latitude_deg.abs() <= 90.0 && origin.height_m.abs() <= 1e6;
+    if place { Ok(()) } else { refuse("origin of the block", format!("{origin:?}"), "a longitude, a latitude and a height up to 1000 km") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::tiny_block;
+
+    #[test]
+    fn what_no_file_should_hold_is_refused() {
+        let refused = |change: &dyn Fn(&mut BlockModel), word: &str| {
+            let mut model = tiny_block();
+            model.check().unwrap();
+            change(&mut model);
+            let message = model.check().unwrap_err().to_string();
+            assert!(message.contains(word), "{message}");
+        };
+        refused(&|m| m.images[1].name = m.images[0].name.clone(), "for images 0 and 1");
+        refused(&|m| m.images[1].name = "a\nb".into(), "control");
+        refused(&|m| m.images[0].camera = 1, "index 1 for");
+        refused(&|m| m.cameras[0].focal_px = f64::NAN, "focal");
+        refused(&|m| m.cameras[0].radial[1] = f64::INFINITY, "distortion");
+        refused(&|m| m.cameras[0].height_px = 0, "size of the images");
+        refused(&|m| m.cameras[0].pixel_mm = Some(0.0), "pixel");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().rotation[0][0] = 0.5, "rotation");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().rotation.iter_mut().for_each(|r| r[2] = -r[2]), "rotation");
+        refused(&|m| m.images[0].pose.as_mut().unwrap().position[1] = f64::NAN, "position");
+        refused(&|m| m.points[0].position = Some([f64::NAN; 3]), "point 0");
+        refused(&|m| m.points[1].rays[0].image = 9, "image 9 of point 1");
+        refused(&|m| m.points[1].rays[0].x_px = -0.1, "within 400 x 300");
+        refused(&|m| m.points[1].rays[0].y_px = f64::NAN, "within 400 x 300");
+        refused(&|m| m.points[1].rays[0].confidence = 1.5, "confidence");
+        refused(&|m| m.points[0].rays[1].image = m.points[0].rays[0].image, "two rays of point 0");
+        refused(&|m| m.origin.as_mut().unwrap().latitude_deg = 91.0, "latitude");
+    }
+}

@@ -1,0 +1,71 @@
+//! Pairs that can be computed but hardly be believed are said to be so, with the figure that shows it.
+
+use super::scene::{Dice, FOCAL_MM, NADIR, PLANE, Pair};
+use tiepoint::{Observation, RelativeOrientation, Warning, orient_relative};
+
+const SIGMA_MM: f64 = 0.02;
+
+fn oriented(observations: &[Observation]) -> RelativeOrientation {
+    orient_relative(observations, FOCAL_MM, &NADIR.options()).unwrap()
+}
+
+#[test]
+fn relief_over_the_whole_photo_is_without_warning() {
+    for seed in 0..20 {
+        let found = oriented(&NADIR.observe(300, SIGMA_MM, seed));
+        assert!(found.warnings.is_empty(), "{:?}", found.warnings);
+        assert!(found.plane_misfit.unwrap() > 10.0 && found.condition < 2000.0 && found.spread > 0.3);
+    }
+}
+
+#[test]
+fn a_plane_is_told_from_relief_by_its_misfit() {
+    for seed in 0..20 {
+        let found = oriented(&PLANE.observe(300, SIGMA_MM, seed));
+        assert!(found.warnings.iter().any(|w| matches!(w, Warning::Plane { .. })), "{:?}, misfit {:?}", found.warnings, found.plane_misfit);
+        assert!((0.7..1.3).contains(&found.plane_misfit.unwrap()), "{:?}", found.plane_misfit);
+    }
+    // Relief of as little as the noise: still a plane. Ten times that: none.
+    let relief = |share: f64| {
+        oriented(&Pair { relief: share, ..NADIR }.observe(300, SIGMA_MM, 3)).warnings.iter().any(|w| matches!(w, Warning::Plane { .. }))
+    };
+    assert!(relief(0.5 * SIGMA_MM / 92.0) && !relief(20.0 * SIGMA_MM / 92.0));
+}
+
+#[test]
+fn points_in_a_corner_are_clustered() {
+    let near = |o: &Observation| (o.left[0] - 40.0).abs() < 9.0 && (o.left[1] - 20.0).abs() < 9.0;
+    let observations: Vec<Observation> = NADIR.observe(20_000, SIGMA_MM, 1).into_iter().filter(near).collect();
+    assert!(observations.len() > 40);
+    let found = oriented(&observations);
+    assert!(
+        found.warnings.iter().any(|w| matches!(w, Warning::Clustered { .. })) && found.spread < 0.05,
+        "{:?}, spread {}",
+        found.warnings,
+        found.spread
+    );
+}
+
+#[test]
+fn a_critical_cylinder_is_told_by_the_condition() {
+    // Points on a circular cylinder along the base that holds both projection centres (Finsterwalder's critical cylinder).
+    let mut dice = Dice::new(5);
+    let radius = 0.5 * FOCAL_MM;
+    let observations: Vec<Observation> = (0..400)
+        .map(|_| {
+            let (x, angle) = (dice.uniform(0.0, 92.0), dice.uniform(-1.2, 1.2));
+            let (y, depth) = (radius * angle.sin(), radius * (1.0 + angle.cos()));
+            let photo = |x: f64, dice: &mut Dice| [FOCAL_MM * x / depth, FOCAL_MM * y / depth].map(|v| v + SIGMA_MM * dice.normal());
+            Observation::new(photo(x, &mut dice), photo(x - 92.0, &mut dice))
+        })
+        .collect();
+    match orient_relative(&observations, FOCAL_MM, &NADIR.options()) {
+        Ok(found) => assert!(
+            found.warnings.iter().any(|w| matches!(w, Warning::IllConditioned { .. })) && found.condition > 2e4,
+            "{:?}, condition {}",
+            found.warnings,
+            found.condition
+        ),
+        Err(refused) => assert!(refused.to_string().contains("condition figure"), "{refused}"),
+    }
+}
