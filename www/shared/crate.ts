@@ -1,8 +1,8 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 import {
-  ambiguity_defaults, defaults, flight_parameters, flight_preset, flight_presets, operator_defaults, parameters, rule_names, version,
+  ambiguity_defaults, defaults, flight_parameters, flight_preset, flight_presets, operator_defaults, paper, parameters, rule_names, version,
 } from '../../pkg/wasm/tiepoint.js';
-import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
+import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Paper, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
 
 export type {
   CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
@@ -12,7 +12,7 @@ export type {
 } from '../../pkg/wasm/tiepoint.js';
 export { draw_match_lines, draw_points, draw_vectors, message } from '../../pkg/wasm/tiepoint.js';
 
-export type { Flight, Parameter, Preset, Settings };
+export type { Flight, Paper, Parameter, Preset, Settings };
 
 /** What the crate says of itself: read once, when the module is there. */
 export interface Catalogue {
@@ -26,6 +26,7 @@ export interface Catalogue {
   rules: string[];
   flightParameters: Parameter[];
   flights: { name: Preset; flight: Flight }[];
+  paper: Paper;
 }
 
 export function readCatalogue(): Catalogue {
@@ -37,6 +38,7 @@ export function readCatalogue(): Catalogue {
     ambiguityDefaults: ambiguity_defaults(),
     rules: rule_names(),
     flightParameters: flight_parameters(),
+    paper: paper(),
     flights: flight_presets().map((name) => ({ name, flight: flight_preset(name) })),
   };
 }
