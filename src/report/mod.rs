@@ -203,7 +203,7 @@ impl Report {
         html! {
             div.pair { (side(0)) (side(1)) }
             p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
-                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " left out by a mask" }
+                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " masked out" }
             }
         }
     }

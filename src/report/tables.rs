@@ -228,7 +228,7 @@ fn difference_of_matches(moments: &Study) -> Markup {
     html! {
         "Matches. The paper accepts the smallest measure below 3 in the search window. As printed, its measure has a denominator that can vanish, and "
         "a best candidate of many is below 3 nearly always. Here " (denominator) ", and matches "
-        "are refused that are " (inconsistent(&moments.settings.matching)) ": " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
+        "are rejected that are " (inconsistent(&moments.settings.matching)) ": " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
         (percent(moments.result.matching.matches.len(), points)) ") are matched; in the paper " (count(PAPER.points[2][0])) " of " (count(PAPER.points[1][0])) " ("
         (percent(PAPER.points[2][0], PAPER.points[1][0])) ")."
     }
