@@ -1,8 +1,6 @@
 // @ts-check
 /** The two ways a command fails, each told in one line. */
 
-import { BlockError } from '../block/index.js';
-
 /** A bad call: exit code 2. */
 export class UsageError extends Error {}
 
@@ -38,7 +36,7 @@ export function explain(error, rename) {
   const message = error instanceof Error ? error.message : String(error);
   if (error instanceof UsageError) return { line: message, code: 2 };
   if (isRefusal(error)) return { line: rename(message), code: error.usage ? 2 : 1 };
-  if (error instanceof DataError || error instanceof BlockError) return { line: message, code: 1 };
+  if (error instanceof DataError) return { line: message, code: 1 };
   if (error instanceof RangeError) return { line: `there is not enough memory for this: ${message}`, code: 1 };
   if (error instanceof WebAssembly.RuntimeError) return { line: `the computation broke off (${message}): reduce the images, or report this as a bug`, code: 1 };
   return { line: `unexpected: ${message}`, code: 1 };

@@ -8,11 +8,14 @@ const WIDTH = 24;
 /** The bar is drawn again after so many milliseconds. */
 const PAUSE_MS = 100;
 
-/** What the steps of each stage are; of the last one there is one step, which is not counted.  @type {Record<Step['stage'], string>} */
+/** What the steps of each stage are; those of one piece have one step, which is not counted.  @type {Record<Step['stage'], string>} */
 const WORDS = {
-  photos: 'photos', images: 'images', likeness: 'likeness of images', pairs: 'pairs', points: 'images and pairs joined to points', windows: 'images for windows of rays',
+  photos: 'photos', images: 'images', likeness: 'likeness of images', pairs: 'pairs', points: 'tie points', windows: 'images for windows of rays',
   refinement: 'groups of points refined', orientation: 'orientation',
 };
+
+/** Stages that are one computation. */
+const OF_ONE_PIECE = ['points', 'orientation'];
 
 export class StageProgress {
   #bar = process.stderr.isTTY === true;
@@ -32,7 +35,7 @@ export class StageProgress {
     if (ended && !(this.#quiet && !this.#bar)) {
       this.end();
       const found = step.found > 0 ? ` (${step.found} from an earlier run)` : '';
-      const counted = step.stage === 'orientation' ? '' : `: ${step.total}`;
+      const counted = OF_ONE_PIECE.includes(step.stage) ? '' : `: ${step.total}`;
       process.stderr.write(`${WORDS[step.stage]}${counted}${found} in ${duration(step.seconds)}\n`);
     }
   }

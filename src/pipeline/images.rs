@@ -92,7 +92,8 @@ impl Stage for Images {
         let positions = features.positions();
         let (head, count) = (features.head, features.count as u32);
         let (width_px, height_px) = (head.width_px, head.height_px);
-        let news = ReadImage { index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
+        let camera = state.input.rules.camera_of(&name, [width_px, height_px], &head.exif).1;
+        let news = ReadImage { camera, index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
         let image = RunImage { name: name.clone(), key, content, width_px, height_px, features: count, masked, exif: head.exif, camera: 0 };
         self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }));
         Ok(Some(Done::of(name, Some(News::Image(news)))))
@@ -101,8 +102,8 @@ impl Stage for Images {
     fn fail(&mut self, item: usize, failure: Failure, state: &mut State) -> Result<Done, Error> {
         let reason = failure.of_one()?;
         let name = state.input.images[item].clone();
-        let skipped = SkippedImage { name: name.clone(), reason };
-        self.found[item] = Found::Skipped(skipped.clone());
-        Ok(Done::of(name, Some(News::Skipped(skipped))))
+        let news = News::Skipped { name: name.clone(), reason: reason.to_string() };
+        self.found[item] = Found::Skipped(SkippedImage { name: name.clone(), reason });
+        Ok(Done::of(name, Some(news)))
     }
 }

@@ -68,8 +68,8 @@ impl State {
         let tried = read.len() + skipped.len();
         if read.len() < 2 {
             let first = skipped.first().map_or(String::new(), |image| format!(" ({}: {})", image.name, image.reason));
-            let got = format!("{} of {tried} could be read{first}", read.len());
-            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more that can be read".into() });
+            let got = format!("{} that could be read, of {tried}{first}", read.len());
+            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more".into() });
         }
         for Read { image, positions, coarse } in read {
             self.images.push(image);
