@@ -77,8 +77,10 @@ async function rebuild(steps, toolchain, programs) {
 
 /** @param {Steps} steps */
 async function typeChecks(steps) {
-  const tsc = (/** @type {string} */ project) => async () =>
-    void (await must(process.execPath, [join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]));
+  const program = (/** @type {string[]} */ path, /** @type {string[]} */ ...args) => async () =>
+    void (await must(process.execPath, [join(ROOT, 'node_modules', ...path), ...args]));
+  const tsc = (/** @type {string} */ project) => program(['typescript', 'bin', 'tsc'], '--noEmit', '-p', project);
+  await steps.check('types', 'lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'lint', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
   await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
@@ -100,7 +102,7 @@ async function nodeTest(files, env = {}) {
 
 /** What is run again and again while one works: no wasm, no browser.  @param {Steps} steps */
 async function quick(steps) {
-  await steps.prepare('npm packages', async () => (await ensurePackages(), true));
+  await steps.prepare('npm packages', () => ensurePackages().then(() => true));
   const toolchain = await steps.prepare('Rust', ensureToolchain);
   await typeChecks(steps);
   if (!toolchain) return;
@@ -111,7 +113,7 @@ async function quick(steps) {
 /** @param {Steps} steps */
 async function everything(steps) {
   const needs = (/** @type {string[]} */ ...groups) => groups.some((group) => steps.wanted(group));
-  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', async () => (await ensurePackages(), true)));
+  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
   // Linking the module and optimising it keep one core busy for minutes: the native tests take the other one.

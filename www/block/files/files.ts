@@ -1,16 +1,11 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
+import type { FoundFile, Taker } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
 import { sentence } from '../../shared/text/format';
 import type { BlockFile } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import type { GivenText } from '../state/given';
-
-/** A file with its path below the folder that was given; the path is empty for a file given by itself. */
-export interface FoundFile {
-  file: File;
-  path: string;
-}
 
 const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 const PROJECT = /\.tiepoint$/iu;
@@ -22,6 +17,13 @@ const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control
 
 export class BlockFiles {
   constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
+
+  /** Takes what is dropped on the page while the block is shown. */
+  readonly taker: Taker = {
+    isActive: () => this.store.state.mode === 'block',
+    markAt: () => 'block',
+    take: (found) => { void this.take(found); },
+  };
 
   /** Adds images to the block; what a folder holds besides images is left aside. */
   async take(found: readonly FoundFile[]): Promise<void> {

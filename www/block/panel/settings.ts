@@ -2,6 +2,8 @@
 import { makeControl } from '../../shared/panel/control';
 import type { Value } from '../../shared/panel/control';
 import { button, fill, h } from '../../shared/panel/dom';
+import { fileButton } from '../../shared/panel/picker';
+import type { Picked } from '../../shared/panel/picker';
 import type { BlockSettings, Parameter } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
@@ -101,38 +103,35 @@ function problemOf(store: BlockStore, given: Given): HTMLElement {
 }
 
 function masks(store: BlockStore, files: BlockFiles): HTMLElement {
-  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: 'block-masks-input', aria: { label: 'Files: Masks' } });
-  input.accept = 'image/*,.tif,.tiff,.pgm,.pnm';
-  input.multiple = true;
-  input.addEventListener('change', () => {
-    const given = [...(input.files ?? [])];
-    if (given.length > 0) files.takeMasks(given);
-    input.value = '';
-  });
-  const name = h('p', { class: 'note', testid: 'block-masks-name' });
-  const remove = button('Remove', 'block-masks-remove', () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
-  remove.setAttribute('aria-label', 'Remove: Masks');
+  const part = besideField(store, 'masks', 'Masks', { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
+    (given) => { files.takeMasks(given); }, () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
   store.watch((s) => [s.options.masks] as const, ([given]) => {
-    fill(name, given.length === 0 ? MASKS : given.length === 1 ? (given[0]?.name ?? '') : `${String(given.length)} masks: ${given.slice(0, 3).map((mask) => mask.name).join(', ')}${given.length > 3 ? ' …' : ''}`);
-    remove.hidden = given.length === 0;
+    const names = given.slice(0, 3).map(({ name }) => name).join(', ');
+    part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? ' …' : ''}`, MASKS);
   });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button('Masks …', 'block-masks', () => { input.click(); }), remove), name, problemOf(store, 'masks'), input);
+  return part.element;
 }
 
 function textFile(store: BlockStore, files: BlockFiles, option: GivenText, title: string, none: string, accept: string): HTMLElement {
-  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `block-${option}-input`, aria: { label: `File: ${title}` } });
-  input.accept = accept;
-  input.addEventListener('change', () => {
-    const file = input.files?.[0];
-    if (file !== undefined) void files.takeText(option, file);
-    input.value = '';
-  });
-  const name = h('p', { class: 'note', testid: `block-${option}-name` });
-  const remove = button('Remove', `block-${option}-remove`, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
+  const part = besideField(store, option, title, { accept },
+    ([file]) => { if (file !== undefined) void files.takeText(option, file); }, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
+  store.watch((s) => [s.options[option]] as const, ([given]) => { part.show(given?.name ?? null, none); });
+  return part.element;
+}
+
+/** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
+function besideField(
+  store: BlockStore, given: Given, title: string, how: Pick<Picked, 'accept' | 'multiple'>, take: (files: File[]) => void, clear: () => void,
+): { element: HTMLElement; show: (name: string | null, none: string) => void } {
+  const [press, input] = fileButton(`${title} …`, { testid: `block-${given}`, label: `File: ${title}`, ...how }, take);
+  const remove = button('Remove', `block-${given}-remove`, clear);
   remove.setAttribute('aria-label', `Remove: ${title}`);
-  store.watch((s) => [s.options[option]] as const, ([given]) => {
-    fill(name, given?.name ?? none);
-    remove.hidden = given === null;
-  });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, problemOf(store, option), input);
+  const name = h('p', { class: 'note', testid: `block-${given}-name` });
+  return {
+    element: h('div', { class: 'control' }, h('div', { class: 'buttons' }, press, remove), name, problemOf(store, given), input),
+    show: (text, none) => {
+      fill(name, text ?? none);
+      remove.hidden = text === null;
+    },
+  };
 }

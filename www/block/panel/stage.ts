@@ -1,5 +1,6 @@
 /** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { zoomButtons } from '../../shared/panel/zoom';
 import { count } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
@@ -10,8 +11,6 @@ import { isBusy } from '../state/state';
 import type { Choice } from '../state/state';
 import type { BlockView, Layout } from '../state/view';
 import { describe, matchesOf } from '../state/words';
-
-const ZOOM = 1.5;
 
 const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
   oriented: 'Oriented positions, from above',
@@ -42,15 +41,14 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     showPointed();
   } };
   const picture = new Picture(pictureHost, store, looks);
-  new Matrix(matrixHost, store, looks);
+  const matrix = new Matrix(matrixHost, store, looks);
   const layout = h('span', { class: 'note', testid: 'block-layout' });
-  const tools = h('div', { class: 'actions' },
-    button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
   const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
-  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, cells]]);
-  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, cells),
+  const switched = switcher([['Picture', pictureHost, layout], ['Matrix', matrixHost, cells]]);
+  const tools = h('div', { class: 'actions' }, ...zoomButtons('block-', 'Whole block', () => (matrixHost.hidden ? picture : matrix)));
+  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
     welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
-    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
+    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose.'));
   looks.point(null);
   // The invitation lies over the picture.
   store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });

@@ -15,7 +15,7 @@ export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLEl
   const cancel = button('Cancel', 'block-cancel', () => { engine.cancel(); });
   store.watch((s) => [s] as const, ([state]) => {
     const { text, kind } = lineOf(state);
-    line.dataset['kind'] = kind;
+    line.dataset.kind = kind;
     // Each image and pair would be read out.
     line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
     // Messages of the crate name parameters by their keys.

@@ -2,22 +2,39 @@
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { Looking } from '../view/looking';
-import { Table } from './table';
-import type { Column, Rows } from './table';
+import { fill, h } from '../../shared/panel/dom';
+import { Table } from '../../shared/panel/table';
+import type { Column } from '../../shared/state/rows';
 import type { BlockView } from '../state/view';
 
 export function mountImages(host: HTMLElement, store: BlockStore, looking: Looking): void {
-  const table = new Table(host, 'block-images', 'Images', (image) => { looking.choose({ kind: 'image', image }); });
+  const table = captioned(host, 'block-images', 'Images', (image) => { looking.choose({ kind: 'image', image }); });
   store.watch((s) => [s.shown] as const, ([shown]) => { table.show(shown === null ? NONE : imageRows(shown.view)); });
   store.watch((s) => [s.choice] as const, ([choice]) => { table.mark(choice?.kind === 'image' ? choice.image : -1); });
 }
 
 export function mountPoints(host: HTMLElement, store: BlockStore): void {
-  const table = new Table(host, 'block-points', 'Points', null);
+  const table = captioned(host, 'block-points', 'Points');
   store.watch((s) => [s.shown] as const, ([shown]) => { table.show(shown === null ? NONE : pointRows(shown.view)); });
 }
 
+interface Rows {
+  count: number;
+  columns: readonly Column[];
+}
+
 const NONE: Rows = { count: 0, columns: [] };
+
+/** A table under a line that counts its rows. */
+function captioned(host: HTMLElement, testid: string, words: string, choose?: (row: number) => void): { show: (rows: Rows) => void; mark: (row: number) => void } {
+  const caption = h('p', { class: 'note' });
+  host.append(caption);
+  const table = new Table(host, { testid, words: { table: words, region: `Table: ${words}` }, ...(choose === undefined ? {} : { choose }) });
+  return {
+    show: (rows) => { fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`); },
+    mark: (row) => { table.mark(row); },
+  };
+}
 
 /** A column of numbers with so many decimals. */
 function numbers(key: string, label: string, unit: string, digits: number, value: (row: number) => number, help: string): Column {

@@ -4,8 +4,13 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
+import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
+import type { Taker } from '../../shared/files/drop';
+import { contains } from '../../shared/view/transform';
+import { panesOf } from '../view/geometry';
+import type { View } from '../view/view';
 import { sortFiles } from './sort';
 
 /** Longest side of the copy of a mask that is shown, px. */
@@ -169,3 +174,16 @@ export class Files {
   }
 }
 
+/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
+export function takerOf(view: View, files: Files): Taker {
+  const sideAt = (event: DragEvent) => {
+    const box = view.host.getBoundingClientRect();
+    const panes = panesOf(box.width, box.height);
+    return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+  };
+  return {
+    isActive: () => true,
+    markAt: (event) => sideAt(event) ?? 'page',
+    take: (found, at) => { void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null); },
+  };
+}

@@ -54,7 +54,7 @@ export function isBusy(state: State): boolean {
 }
 
 function show(line: HTMLElement, { text, kind }: Line): void {
-  line.dataset['kind'] = kind;
+  line.dataset.kind = kind;
   if (line.textContent !== text) line.textContent = text;
 }
 

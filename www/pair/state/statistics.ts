@@ -1,24 +1,22 @@
-/** The statistics of each match as columns, and the order in which a table shows them. */
+/** The statistics of each match as columns. */
 import type { MatchResult, MatchScore, RelativeOrientation } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
+import type { Column } from '../../shared/state/rows';
+import { fixed } from '../../shared/text/format';
 
 /** Values a match has in `RelativeOrientation.points`. */
 const POINT_STRIDE = 9;
 
-export interface Column {
-  key: string;
-  label: string;
-  unit: string;
+/** A column of numbers. */
+export interface Figure extends Column {
   digits: number;
-  /** What the figure is, in a sentence. */
-  help: string;
   value: (match: number) => number;
 }
 
 /** Everything that is known of each match, one column a figure. */
 export interface Statistics {
   count: number;
-  columns: readonly Column[];
+  columns: readonly Figure[];
   /** Whether the adjustment rejected a match. */
   rejected: Uint8Array;
   /** 0 wrong, 1 right at an edge, 2 strictly right; null without truth. */
@@ -27,13 +25,7 @@ export interface Statistics {
 
 export type Filter = 'all' | 'used' | 'rejected' | 'wrong';
 
-export interface Order {
-  key: string;
-  descending: boolean;
-  filter: Filter;
-}
-
-type Described = Omit<Column, 'value'>;
+type Described = Omit<Figure, 'value' | 'text'>;
 
 const POSITION: readonly Described[] = [
   { key: 'x', label: 'x', unit: 'px', digits: 1, help: 'Column of the left point; the top-left pixel’s centre is at 0.5.' },
@@ -67,22 +59,24 @@ function worstError(fits: Float64Array, match: number): number {
 /** The statistics of a pair's matches; those of the adjustment where there is one. */
 export const statisticsOf = remember((match: MatchResult, orientation: RelativeOrientation | null, score: MatchScore | null, pixel: number | null): Statistics => {
   const count = match.matches.length / 5;
-  const columns: Column[] = POSITION.map((column, k) => ({ ...column, value: (i) => match.matches[5 * i + k] ?? NaN }));
-  columns.push({ ...MEASURE, value: (i) => match.matches[5 * i + 4] ?? NaN });
-  if (!match.fits.every(Number.isNaN)) columns.push({ ...FIT, value: (i) => worstError(match.fits, i) });
+  const figure = (described: Described, value: (i: number) => number): Figure => ({ ...described, value, text: (i) => fixed(value(i), described.digits) });
+  const columns = POSITION.map((column, k) => figure(column, (i) => match.matches[5 * i + k] ?? NaN));
+  columns.push(figure(MEASURE, (i) => match.matches[5 * i + 4] ?? NaN));
+  if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
   const rejected = new Uint8Array(count);
   if (orientation !== null) {
     for (const i of orientation.rejected) rejected[i] = 1;
     const { points } = orientation;
     ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
       const scale = inPixels ? (pixel ?? NaN) : 1;
-      columns.push({ ...column, value: (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale });
+      columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
     });
   }
   return { count, columns, rejected, rightness: score !== null && score.rightness.length === count ? score.rightness : null };
 });
 
-function isKept({ rejected, rightness }: Statistics, filter: Filter, match: number): boolean {
+/** Whether a filter keeps a match. */
+export function isKept({ rejected, rightness }: Statistics, filter: Filter, match: number): boolean {
   switch (filter) {
     case 'all': return true;
     case 'used': return rejected[match] === 0;
@@ -90,17 +84,3 @@ function isKept({ rejected, rightness }: Statistics, filter: Filter, match: numb
     case 'wrong': return rightness?.[match] === 0;
   }
 }
-
-/** The matches that a filter keeps, in order of a column; those without a value come last. Equal values keep their order. */
-export const ordered = remember((statistics: Statistics, { key, descending, filter }: Order): Uint32Array => {
-  const kept = Uint32Array.from({ length: statistics.count }, (_, i) => i).filter((i) => isKept(statistics, filter, i));
-  const column = statistics.columns.find((candidate) => candidate.key === key);
-  if (column === undefined) return descending ? kept.reverse() : kept;
-  const values = Float64Array.from({ length: statistics.count }, (_, i) => column.value(i));
-  const sign = descending ? -1 : 1;
-  return kept.sort((a, b) => {
-    const [va = NaN, vb = NaN] = [values[a], values[b]];
-    if (Number.isNaN(va) || Number.isNaN(vb)) return Number(Number.isNaN(va)) - Number(Number.isNaN(vb)) || a - b;
-    return sign * (va - vb) || a - b;
-  });
-});
