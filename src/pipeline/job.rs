@@ -1,7 +1,7 @@
 //! What passes between a run and its host.
 
-use super::task::Task;
 use super::InitialCamera;
+use super::task::Task;
 use crate::{Connection, ExifImage, TwoView};
 use serde::{Deserialize, Serialize};
 
