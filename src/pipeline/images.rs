@@ -6,18 +6,10 @@ use super::job::{Done, FileNeeded, News, ReadImage, StageName, Work};
 use super::likeness::coarse_of;
 use super::records::{BUILD, Kind, key_of};
 use super::stage::{Request, Stage};
-use super::state::{Positions, State};
+use super::state::{Read, State};
 use super::task::{FeatureTask, Task};
 use super::{RunImage, SkippedImage};
 use crate::Error;
-
-/// What is known of an image once it was read.
-pub(super) struct Read {
-    pub image: RunImage,
-    pub positions: Positions,
-    /// Empty where the likeness of images is not asked for.
-    pub coarse: Vec<u8>,
-}
 
 enum Found {
     Nothing,

@@ -2,14 +2,30 @@
 
 use super::cameras::doubtful;
 use super::control::gnss_observation;
-use super::images::Read;
 use super::input::Checked;
-use super::pairs::Matched;
 use super::{BlockRun, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
-use crate::{BlockDescription, BlockModel, Error, ExifImage, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic};
+use crate::{
+    BlockDescription, BlockModel, Connection, Error, ExifImage, FeatureMatch, ImageFeatures, KnownImage, Reconstruction, TiePoints,
+    TwoView, local_from_geographic,
+};
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
+
+/// What is known of an image once it was read.
+pub(super) struct Read {
+    pub image: RunImage,
+    pub positions: Positions,
+    /// Empty where the likeness of images is not asked for.
+    pub coarse: Vec<u8>,
+}
+
+/// A pair that was matched.
+pub(super) struct Matched {
+    pub connection: Connection,
+    pub geometry: Option<TwoView>,
+    pub matches: Vec<FeatureMatch>,
+}
 
 /// What a run knows.
 pub(super) struct State {
