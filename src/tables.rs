@@ -2,7 +2,7 @@
 
 use crate::json::reason_in_text;
 use crate::text::{records, shorten};
-use crate::{Camera, Error, Fiducial, Observation};
+use crate::{CameraMm, Error, Fiducial, Observation};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
@@ -31,9 +31,9 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
 ///
 /// # Errors
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
-pub fn parse_camera(json: &str) -> Result<Camera, Error> {
+pub fn parse_camera(json: &str) -> Result<CameraMm, Error> {
     let text = json.trim_start_matches('\u{feff}');
-    let camera: Camera = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: reason_in_text(&e) })?;
+    let camera: CameraMm = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: reason_in_text(&e) })?;
     camera.check().map(|()| camera)
 }
 

@@ -9,13 +9,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
     "error",
     "parameters",
     "text",
     "json",
     "math",
     "camera",
+    "model",
     "image",
     "points",
     "descriptors",
@@ -24,9 +25,9 @@ const ORDER: [&str; 22] = [
     "two_view",
     "pair",
     "tracks",
-    "formats",
     "adjustment",
     "reconstruction",
+    "formats",
     "pipeline",
     "tables",
     "simulate",

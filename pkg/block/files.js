@@ -143,7 +143,7 @@ function orientationOf({ reconstruction, reconstructionReason, images, model }) 
       images: own.length, names: own.map((image) => images[image]?.name), in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
       degrees_of_freedom: adjusted.degrees_of_freedom,
       rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
-      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps?.accepted ? [gps.residual] : []))), weaknesses,
+      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gnss }) => (gnss?.accepted ? [gnss.residual] : []))), weaknesses,
     })),
     cameras: model.cameras,
     unoriented: reconstruction.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),

@@ -1,10 +1,7 @@
 //! Tables between commas for spreadsheets and scripts: images, points, rays.
 
-use super::BlockModel;
 use super::text::not_written;
-use crate::Error;
-use crate::angles_from_rotation;
-use nalgebra::Matrix3;
+use crate::{BlockModel, Error};
 use std::borrow::Cow;
 use std::fmt::{self, Write};
 
@@ -26,8 +23,7 @@ fn write_images(model: &BlockModel, out: &mut String) -> fmt::Result {
             Some(pose) => {
                 let [x, y, z] = pose.position;
                 // -0 is written as 0.
-                let [omega, phi, kappa] =
-                    angles_from_rotation(&Matrix3::from_fn(|i, j| pose.rotation[i][j])).map(|angle| angle.to_degrees() + 0.0);
+                let [omega, phi, kappa] = pose.angles().map(|angle| angle.to_degrees() + 0.0);
                 writeln!(out, ",{x},{y},{z},{omega},{phi},{kappa}")?;
             }
             None => writeln!(out, ",,,,,,")?,

@@ -1,9 +1,8 @@
 //! The block's own file: one line that says what it is, and one of JSON that is checked against it.
 
-use super::BlockModel;
 use crate::json::reason;
 use crate::text::shorten;
-use crate::{BlockOptions, Connection, Error, SelectOptions};
+use crate::{BlockModel, BlockOptions, Connection, Error, SelectOptions};
 use serde::{Deserialize, Serialize};
 
 /// The version that is written, and the newest one that is read.
@@ -107,9 +106,9 @@ fn check(project: &Project) -> Result<(), Error> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::tiny_block;
     use super::*;
     use crate::math::Random;
+    use crate::model::tiny_block;
     use crate::{PairOutcome, PairRule};
 
     fn project() -> Project {

@@ -2,7 +2,7 @@
 import { chosenOf, knownCamera } from '../../../pkg/block/index.js';
 import type { BlockRun, GroupedCamera, ReadImage } from '../../../pkg/block/index.js';
 import { explain_connections, export_formats } from '../../../pkg/wasm/tiepoint.js';
-import type { BlockModel, Connection, ModelCamera, Project } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockModel, Connection, Camera, Project } from '../../../pkg/wasm/tiepoint.js';
 import { withReconstruction } from './adjustment';
 import { layoutOf } from './layout';
 import type { BlockView, RayCount, ViewCamera, ViewConnection, ViewImage, ViewPoints } from '../state/view';
@@ -49,7 +49,7 @@ export function viewOfProject({ block, connections }: Project): BlockView {
 }
 
 /** A block of whose cameras the focal length may not be known, as long as none of their images is oriented. */
-type Block = Omit<BlockModel, 'cameras'> & { cameras: readonly (ModelCamera | GroupedCamera)[] };
+type Block = Omit<BlockModel, 'cameras'> & { cameras: readonly (Camera | GroupedCamera)[] };
 
 function viewOf(
   model: Block, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],

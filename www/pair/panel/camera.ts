@@ -1,6 +1,6 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
-import type { Camera, ExifCamera } from '../../shared/crate';
+import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -13,8 +13,8 @@ interface CameraNumber {
   label: string;
   unit: string;
   testid: string;
-  of: (camera: Camera) => number | null | undefined;
-  alone: (value: number) => Partial<Camera>;
+  of: (camera: CameraMm) => number | null | undefined;
+  alone: (value: number) => Partial<CameraMm>;
 }
 
 const NUMBERS = [
@@ -28,7 +28,7 @@ const NUMBERS = [
 ] as const satisfies readonly CameraNumber[];
 
 /** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): Camera | null {
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): CameraMm | null {
   if (focal === undefined) return null;
   return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), radial_distortion: [k1, k2, k3] };
 }

@@ -164,7 +164,7 @@ export interface State {
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
   masks: Record<Side, GivenMask | null>;
-  camera: Camera | null;
+  camera: CameraMm | null;
   fiducialModel: FiducialModel;
   /** Offset given by the user; estimated where null. */
   offset: [number, number] | null;
