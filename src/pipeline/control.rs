@@ -1,8 +1,8 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
 use crate::{
-    BlockDescription, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow,
-    ImageMeasurementRow, ImageObservation, KnownCamera, KnownImage, ObservedPosition, parse_ground_control_points, parse_image_measurements,
+    BlockDescription, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
+    ImageObservation, KnownCamera, KnownImage, ObservedPosition, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -2,9 +2,7 @@
 
 use super::convert::{JsResult, object, pack, read, read_options, thrown};
 use super::finished::FinishedBlock;
-use crate::{
-    CameraRules, ControlTables, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, masks_of,
-};
+use crate::{CameraRules, ControlTables, Failure, GeoreferencingOptions, Run as Pipeline, RunInput, Task, execute, masks_of};
 use js_sys::{Array, Uint8Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
