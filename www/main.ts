@@ -2,6 +2,7 @@
 import './shared/style/base.css';
 import './shared/style/layout.css';
 import './shared/style/panels.css';
+import './shared/style/view.css';
 import { blockCatalogue } from './block/engine/catalogue';
 import { mountBlock } from './block/mount';
 import { openPair } from './block/pair';

@@ -82,8 +82,8 @@ function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): 
   const [folder, folderInput] = fileButton('Folder …', { testid: 'block-folder', label: 'Folder of images', folder: true }, take, 'All images of a folder');
   const buttons = [
     images, folder,
-    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a made town, taken in this tab'),
-    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Takes all images out'),
+    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a synthetic scene, rendered in this tab'),
+    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Removes all images'),
   ];
   images.classList.add('primary');
   fill(host, ...buttons, imagesInput, folderInput);

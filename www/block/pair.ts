@@ -18,7 +18,7 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
   const [left, right] = files;
   if (left === undefined || right === undefined) {
-    say(block, 'The files of these images are not open: drop them, and try again.');
+    say(block, 'The files of these images are not open: drop them and try again.');
     return;
   }
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };

@@ -1,5 +1,5 @@
 /** The pair's part of the page: makes its parts and wires them together. */
-import './style/view.css';
+import './style/pair.css';
 import type { Taker } from '../shared/files/drop';
 import { byId } from '../shared/panel/dom';
 import { mountTabs, showTab } from '../shared/panel/tabs';

@@ -74,23 +74,23 @@ function positions(store: BlockStore): HTMLElement {
   const input = h('input', { id: 'block-gps', type: 'checkbox', testid: 'block-gps' });
   input.addEventListener('change', () => { store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }); });
   store.watch((s) => [s.options.gps] as const, ([gps]) => { input.checked = gps === 'use'; });
-  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use recorded positions (GPS)')),
-    h('p', { class: 'help' }, 'To choose near pairs, and to place the block on the earth.'));
+  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
+    h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'));
 }
 
-const CAMERAS = 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
-const CONTROL = 'None. Two files place the block by surveyed points: lines of name, x, y, z and perhaps two standard errors, and lines of image, point, column, row.';
+const CAMERAS = 'From EXIF. A JSON file overrides it: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
+const CONTROL = 'None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.';
 
 /** Files that say more of the block than its images do. */
 function besides(store: BlockStore, files: BlockFiles): HTMLElement {
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
     textFile(store, files, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
-    textFile(store, files, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
-    textFile(store, files, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'),
+    textFile(store, files, 'control', 'Ground control points', CONTROL, '.txt,.csv,text/*'),
+    textFile(store, files, 'marks', 'Image measurements', '', '.txt,.csv,text/*'),
     masks(store, files));
 }
 
-const MASKS = 'None. Images of the same size, black where no features are wanted; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
+const MASKS = 'None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
 
 /** What is wrong with what was given, beside where it is given. */
 function problemOf(store: BlockStore, given: Given): HTMLElement {

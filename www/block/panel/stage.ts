@@ -14,13 +14,13 @@ import { describe, matchesOf } from '../state/words';
 
 const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
   oriented: 'Oriented positions, from above',
-  recorded: 'Recorded positions (GPS), from above',
-  connections: 'Arranged by connections: places mean nothing',
+  recorded: 'GNSS positions, from above',
+  connections: 'Arranged by connections: positions have no meaning',
 };
 
 export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, files: BlockFiles): void {
   const pictureHost = h('div', { class: 'view block-view', id: 'block-view', testid: 'block-picture', tabindex: 0, role: 'group',
-    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines as wide as they have points in common', describedby: 'block-keys' } });
+    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines whose width grows with their common points', describedby: 'block-keys' } });
   const matrixHost = h('div', { class: 'view block-matrix', testid: 'block-matrix', tabindex: 0, hidden: true, role: 'group',
     aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' } });
   const pointed = h('p', { class: 'pointed', testid: 'block-pointed' });
@@ -29,7 +29,7 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     const { choice } = store.state;
     if (choice?.kind === 'pair') looking.open(choice.images);
   });
-  const hint = 'Point at an image, a line or a cell to see what it is, and why a pair is not connected.';
+  const hint = 'Point at an image, a line or a cell to see what it is and why a pair is not connected.';
   let pointedAt: Choice | null = null;
   const showPointed = () => {
     say(pointed, store, pointedAt, hint);
@@ -75,7 +75,7 @@ function cellLegend(view: BlockView): string {
 function legend(view: BlockView): string {
   const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
   const matches = mostMatches(view);
-  const widest = most > 0 ? `${count(most)} points in common` : `${count(matches)} matches`;
+  const widest = most > 0 ? `${count(most)} common points` : `${count(matches)} matches`;
   return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
 }
 
@@ -100,13 +100,13 @@ function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[
 
 /** The picture with the invitation over it while there is no block. */
 function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTMLElement {
-  const simulate = button('Take the simulated block', 'block-simulate-first', () => { void files.simulate(); });
+  const simulate = button('Simulate a block', 'block-simulate-first', () => { void files.simulate(); });
   const list = h('p', { class: 'note', testid: 'block-given' });
   const welcome = h('div', { class: 'welcome', testid: 'block-welcome' },
     h('h2', {}, 'Match a block of photographs'),
-    h('p', {}, 'Drop the images of a block, or a folder of them. Features are found in each image, pairs are matched and checked by their geometry, and the matches joined to points that many images see.'),
+    h('p', {}, 'Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block.'),
     h('p', { class: 'buttons' }, simulate), list,
-    h('p', { class: 'note' }, 'What is done is kept while this tab is open: a run that was cancelled goes on. Nothing leaves this computer.'));
+    h('p', { class: 'note' }, 'Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer.'));
   host.append(welcome);
   store.watch((s) => [s.shown, s.files, s.running, s.notice, s.catalogue] as const, ([shown, given, , , catalogue]) => {
     welcome.hidden = shown !== null;

@@ -14,7 +14,7 @@ import type { Looking, Zoomable } from './looking';
 
 /** Side of a cell in CSS px: in the whole matrix, and enlarged. */
 const LARGEST_WHOLE = 44;
-const LARGEST = 88;
+const LARGEST = 160;
 /** Room for the numbers of the images. */
 const HEAD = 30;
 /** From this side on a cell holds the number of matches. */
@@ -84,11 +84,11 @@ export class Matrix implements Zoomable {
     this.move(zoomedAbout(this.current(view), factor, x, y, { least, most: Math.max(LARGEST, least) }));
   }
 
-  /** Its first row and column leave the heads only towards the upper left, and something of it stays in sight. */
+  /** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
   private move(wanted: Transform | null): void {
     const count = this.view()?.images.length ?? 0;
     const { width, height } = this.layers;
-    const held = (shift: number, scale: number, room: number) => Math.min(HEAD, Math.max(Math.min(HEAD, room - count * scale - 2), shift));
+    const held = (shift: number, scale: number, room: number) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - count * scale), shift));
     this.moved = wanted === null ? null : { scale: wanted.scale, x: held(wanted.x, wanted.scale, width), y: held(wanted.y, wanted.scale, height) };
     this.layers.redraw();
   }

@@ -69,7 +69,7 @@ export class Files {
         return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
-      return info(`${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+      return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
     } catch (error) {
       return this.failed(`${file.name} cannot be used as a mask`, error);
     }
@@ -77,7 +77,7 @@ export class Files {
 
   /** Renders the pair of a flight in a worker and opens it. */
   async takeFlight(name: string, flight: Flight): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a made landscape …' } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a synthetic scene …' } });
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
@@ -100,7 +100,7 @@ export class Files {
     const bad = said.some(({ kind }) => kind === 'problem');
     const { left, right } = this.store.state.images;
     // Where nothing was open there is nothing to be afraid for.
-    const kept = bad && (left !== null || right !== null) ? ' What was open is kept.' : '';
+    const kept = bad && (left !== null || right !== null) ? ' The open images are kept.' : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
     this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
   }

@@ -73,12 +73,12 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: EXIF. Values below take its place. ${exif}`;
+  if (!('missing' in used)) return `In use: EXIF. Values below replace it. ${exif}`;
   const focal = state.results.match?.value.geometry?.focal ?? null;
   if (focal !== null && state.results.match?.value.estimated != null) {
-    return `In use: as the matches tell it, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal points in the middle. Values below take its place. ${exif}`;
+    return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
   }
-  return `Without a principal distance, and a pixel size or fiducial marks, matches are not oriented, unless they tell the focal length themselves (gradients). ${exif}`;
+  return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
 }
 
 /** The offset of the right image: estimated, or given. */
@@ -98,16 +98,16 @@ function offsetGroup(store: Store): HTMLElement {
   });
   store.watch((s) => [s.results.offset, s.offset, s.settings] as const, ([result, given, settings]) => {
     if (settings !== null && comparesGradients(settings)) {
-      fill(found, 'The strategy that compares gradients looks in the whole right image: it needs no offset.');
+      fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
       return;
     }
     if (given !== null || result === undefined) {
-      fill(found, given !== null ? 'Given. Empty both fields to estimate it.' : 'Right minus left position; empty: estimated by correlation, coarse to fine.');
+      fill(found, given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.');
       return;
     }
     const [mx, my] = result.value.median_px;
     const correlation = result.value.correlation;
-    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low, so the images may not overlap; a given offset may help' : ''}.`);
+    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`);
   });
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
 }

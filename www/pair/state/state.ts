@@ -1,7 +1,7 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
 import type {
-  Camera, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
+  CameraMm, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
   PhotoInfo, RelativeOrientation, WindowReport,
 } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';

@@ -31,19 +31,19 @@ const POSITION: readonly Described[] = [
   { key: 'x', label: 'x', unit: 'px', digits: 1, help: 'Column of the left point; the top-left pixel’s centre is at 0.5.' },
   { key: 'y', label: 'y', unit: 'px', digits: 1, help: 'Row of the left point.' },
 ];
-const MEASURE: Described = { key: 'measure', label: 'measure', unit: '', digits: 4, help: 'How unlike the points are: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.' };
+const MEASURE: Described = { key: 'measure', label: 'measure', unit: '', digits: 4, help: 'Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.' };
 const FIT: Described = {
   key: 'standard_error', label: 's(x, y)', unit: 'px', digits: 3,
-  help: 'Standard error of the right position from least squares matching: of its worse direction.',
+  help: 'Standard error of the right position from least squares matching, in its worse direction.',
 };
 
 /** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
 const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
-  { key: 'v', label: 'y-parallax', unit: 'px', digits: 3, inPixels: true, help: 'What is left of the y-parallax: how far the rays pass each other, at photo scale.' },
-  { key: 'r', label: 'r', unit: '', digits: 3, help: 'Redundancy number: the share of an error of this match that its residual shows. Near 0 it is not checked by the others.' },
-  { key: 'w', label: 'w', unit: '', digits: 2, help: 'Standardised residual. Data snooping rejects beyond the limit that α₀ sets (3.29 for 0.001).' },
-  { key: 'detectable', label: '∇', unit: 'px', digits: 3, inPixels: true, help: 'Minimal detectable blunder across the epipolar line: one of this size is found with the probability β₀.' },
-  { key: 'influence', label: 'δ', unit: '', digits: 2, help: 'External reliability: how far an undetected blunder of that size can move an unknown, in its standard errors.' },
+  { key: 'v', label: 'y-parallax', unit: 'px', digits: 3, inPixels: true, help: 'Residual y-parallax: the distance at which the two rays pass each other, at photo scale.' },
+  { key: 'r', label: 'r', unit: '', digits: 3, help: 'Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it.' },
+  { key: 'w', label: 'w', unit: '', digits: 2, help: 'w-statistic: standardised residual. Data snooping rejects above the limit that α₀ sets (3.29 for 0.001).' },
+  { key: 'detectable', label: '∇', unit: 'px', digits: 3, inPixels: true, help: 'Minimal detectable bias (MDB) across the epipolar line: an error of this size is detected with the probability β₀.' },
+  { key: 'influence', label: 'δ', unit: '', digits: 2, help: 'External reliability: the largest effect of an undetected error of that size on an unknown, in its standard errors.' },
   { key: 'weight', label: 'weight', unit: '', digits: 2, help: 'Weight in the adjustment; 0 where rejected.' },
   { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, along the base.' },
   { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, across the base.' },
