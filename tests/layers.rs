@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 22] = [
+const ORDER: [&str; 23] = [
     "error",
     "parameters",
     "text",
@@ -26,6 +26,7 @@ const ORDER: [&str; 22] = [
     "pipeline",
     "tables",
     "simulate",
+    "outputs",
     "report",
     "wasm",
 ];

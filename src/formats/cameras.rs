@@ -3,7 +3,7 @@
 use super::ModelCamera;
 use super::check::{check_camera, refuse};
 use crate::Error;
-use crate::json::reason_in_text;
+use crate::json;
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -73,7 +73,7 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
         cameras: Vec<CameraRule>,
     }
     let text = json.trim_start_matches('\u{feff}');
-    let file: File = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the cameras", reason: reason_in_text(&e) })?;
+    let file: File = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the cameras", reason })?;
     if file.cameras.is_empty() {
         return refuse("the cameras", "an empty list".into(), "one camera or more");
     }
@@ -157,8 +157,8 @@ mod tests {
             assert!(parse_camera_rules(wrong).is_err(), "{wrong}");
         }
         for (wrong, told) in [
-            (r#"[]"#, "got a list of 0 in line 1, column 2; allowed: an object"),
-            (r#"{"cameras": [{"focal_px": "1170"}]}"#, "got the text \"1170\" in line 1, column 32; allowed: a number"),
+            (r#"[]"#, "invalid length 0, expected struct File with 1 element"),
+            (r#"{"cameras": [{"focal_px": "1170"}]}"#, "cameras[0].focal_px: invalid type: string \"1170\", expected f64 at line 1 column 32"),
             (r#"{"cameras": [{"focal_px": 900}, {"focal_px": 0}]}"#, "focal_px of camera 2 of the file"),
         ] {
             let message = parse_camera_rules(wrong).unwrap_err().to_string();

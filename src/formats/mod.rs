@@ -1,7 +1,6 @@
 //! Files by which blocks go to other programs and come from them: one format a file.
 //!
-//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`SurveyedPoint`]s; a
-//! [`Project`] is the block's own file.
+//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`SurveyedPoint`]s.
 
 mod agisoft;
 mod bingo;
@@ -24,7 +23,6 @@ mod nvm;
 mod opensfm;
 mod patb;
 mod photo_camera;
-mod project;
 mod quaternion;
 mod sight;
 #[cfg(test)]
@@ -36,8 +34,9 @@ pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{SurveyedPoint, parse_surveyed_points};
-pub use csv_tables::csv_field;
+pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
 pub use marks::{ImageMark, parse_image_marks};
 pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
-pub use project::{PROJECT_VERSION, Project, read_project, write_project};
+#[cfg(test)]
+pub(crate) use sight::tiny_block;

@@ -49,7 +49,7 @@ impl Sights {
 
 /// Three images and three points: one of three rays, one of two, one of two that is not intersected.
 #[cfg(test)]
-pub(super) fn tiny_block() -> BlockModel {
+pub(crate) fn tiny_block() -> BlockModel {
     use super::{GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose};
     let upright = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let image = |name: &str, x: Option<f64>| ModelImage {

@@ -2,13 +2,14 @@
 
 use super::{Failure, Remark};
 use crate::{
-    Assembly, AssemblyCamera, BlockModel, BlockSettings, Connection, Error, ExifImage, FreeParameters, JoinCounts, ModelCamera, Project,
-    RayOutcome, SharedPoints, TwoView,
+    Assembly, AssemblyCamera, BlockModel, BlockSettings, Connection, ExifImage, FreeParameters, JoinCounts, ModelCamera, RayOutcome,
+    SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 
-/// A block from its images to its orientation.
-#[derive(Debug, Clone, PartialEq)]
+/// A block from its images to its orientation: all that is written and shown of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct BlockRun {
     pub settings: BlockSettings,
     /// The images that were read; the indices of all that follows count these.
@@ -25,11 +26,12 @@ pub struct BlockRun {
     pub connections: Vec<Connection>,
     /// Of each of `connections`; its inliers are left out, since all matches agree with it.
     pub geometries: Vec<Option<TwoView>>,
-    pub points: JoinedPoints,
+    /// Absent where an older project file does not say.
+    pub points: Option<JoinedPoints>,
     /// Absent where observations are not refined.
     pub refinement: Option<RefinementTable>,
     /// Or why the block has none.
-    pub reconstruction: Result<Assembly, Error>,
+    pub reconstruction: Result<Assembly, Failure>,
     /// The largest model of the reconstruction, or, without one, the points that were chosen.
     pub model: BlockModel,
 }
@@ -46,7 +48,8 @@ pub struct RunImage {
     pub content: String,
     pub width_px: u32,
     pub height_px: u32,
-    pub features: u32,
+    /// Absent where an older project file does not say.
+    pub features: Option<u32>,
     /// Whether a mask belongs to it.
     pub masked: bool,
     pub exif: ExifImage,
@@ -131,12 +134,4 @@ pub struct RefinedObservation {
     pub standard_error_px: Option<f32>,
     /// Of the matched windows, -1..1.
     pub correlation: Option<f32>,
-}
-
-impl BlockRun {
-    /// What the project file holds.
-    pub fn project(&self) -> Project {
-        let BlockSettings { block, selection, .. } = &self.settings;
-        Project { block: self.model.clone(), connections: self.connections.clone(), joining: block.clone(), selection: selection.clone() }
-    }
 }

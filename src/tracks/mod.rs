@@ -28,7 +28,7 @@ pub use matches::{BlockMatches, FeatureMatch};
 pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
-pub(crate) use places::check as check_features;
+pub(crate) use places::{check as check_features, von_gruber_position};
 pub use placing::PlacingOptions;
 pub use points::{MultiRayPoints, PointRay};
 pub use refinement::{

@@ -14,6 +14,7 @@ mod descriptors;
 mod digest;
 mod draw;
 mod features;
+mod finished;
 mod geometry;
 mod matching;
 mod orientation;
