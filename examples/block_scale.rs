@@ -2,7 +2,7 @@
 //! `cargo run --release --example block_scale [IMAGES…]`.
 
 use std::time::Instant;
-use tiepoint::{BlockFlight, BlockOptions, SelectOptions, multi_ray_points, select_points, simulate_block};
+use tiepoint::{BlockFlight, BlockOptions, SelectOptions, select_points, simulate_block, tie_points};
 
 fn main() -> Result<(), tiepoint::Error> {
     let asked: Vec<usize> = std::env::args().skip(1).filter_map(|word| word.parse().ok()).collect();
@@ -15,7 +15,7 @@ fn main() -> Result<(), tiepoint::Error> {
         let start = Instant::now();
         let matches = block.matches()?;
         let gathered = start.elapsed().as_secs_f64();
-        let (points, _) = multi_ray_points(&matches, &BlockOptions::default())?;
+        let (points, _) = tie_points(&matches, &BlockOptions::default())?;
         let joined = start.elapsed().as_secs_f64();
         let chosen = select_points(&points, &block.image_features(), &SelectOptions::default())?;
         let selected = start.elapsed().as_secs_f64();

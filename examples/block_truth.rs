@@ -9,9 +9,9 @@ mod normal;
 use normal::Normal;
 use std::error::Error;
 use tiepoint::{
-    AssembledPoint, Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, BlockView,
-    Conflicts, MultiRayPoints, ObservedPosition, RayVerdict, SelectOptions, SimulatedBlock, angles_from_rotation, assemble_block,
-    multi_ray_points, simulate_block,
+    BlockDescription, BlockFlight, BlockOptions, BlockView, Conflicts, KnownCamera, KnownImage, ObservationVerdict, ObservedPosition,
+    PointSource, Reconstruction, ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints, angles_from_rotation, reconstruct_block,
+    simulate_block, tie_points,
 };
 
 /// Standard error in m of the positions that place the blocks.
@@ -105,22 +105,22 @@ impl Sums {
     fn add(&mut self, flight: &BlockFlight) -> Result<(), tiepoint::Error> {
         let block = simulate_block(flight)?;
         let matches = block.matches()?;
-        let join = |conflicts| multi_ray_points(&matches, &BlockOptions { conflicts, ..BlockOptions::default() });
+        let join = |conflicts| tie_points(&matches, &BlockOptions { conflicts, ..BlockOptions::default() });
         let (points, _) = join(Conflicts::Resolve)?;
         let (fewer, _) = join(Conflicts::Drop)?;
         let pure = points.iter().filter(|rays| together(&block, rays.iter().map(|ray| (ray.image, ray.feature)))).count();
         self.joined.add(pure, points.len());
         self.resolved.add(right_rays(&block, &points), points.ray_count());
         self.dropped.add(right_rays(&block, &fewer), fewer.ray_count());
-        let options = AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() };
-        let assembly = assemble_block(&describe(&block, flight.seed), &points, &block.image_features(), &options)?;
-        self.compare(&block, &assembly);
+        let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
+        let reconstruction = reconstruct_block(&describe(&block, flight.seed), &points, &block.image_features(), &options)?;
+        self.compare(&block, &reconstruction);
         Ok(())
     }
 
     /// The largest model beside the truth; one that is not in the system of the observed positions has no errors to be told.
-    fn compare(&mut self, block: &SimulatedBlock, assembly: &Assembly) {
-        let Some(model) = assembly.models.first().filter(|model| model.in_system) else {
+    fn compare(&mut self, block: &SimulatedBlock, reconstruction: &Reconstruction) {
+        let Some(model) = reconstruction.models.first().filter(|model| model.in_system) else {
             return self.images.add(0, block.exposures.len());
         };
         self.images.add(model.images.len(), block.exposures.len());
@@ -142,12 +142,12 @@ impl Sums {
         let mut accepted = vec![Vec::new(); model.points.len()];
         let verdicts = model.adjusted.block.rays.iter().zip(&model.adjusted.rays).zip(&model.rays);
         for ((ray, statistics), known) in verdicts {
-            if let (RayVerdict::Accepted, Some(feature)) = (statistics.verdict, known.feature) {
+            if let (ObservationVerdict::Accepted, Some(feature)) = (statistics.verdict, known.feature) {
                 accepted[ray.point].push((model.images[ray.image] as u32, feature));
             }
         }
         for (k, known) in model.points.iter().enumerate() {
-            let (AssembledPoint::MultiRay(_), Some(told)) = (known, &model.adjusted.points[k]) else { continue };
+            let (PointSource::TiePoint(_), Some(told)) = (known, &model.adjusted.points[k]) else { continue };
             let pure = together(block, accepted[k].iter().copied());
             self.adjusted.add(usize::from(pure), 1);
             let Some(owner) = accepted[k].first().map(|(image, feature)| block.owners[*image as usize][*feature as usize]) else {
@@ -207,9 +207,10 @@ fn together(block: &SimulatedBlock, rays: impl Iterator<Item = (u32, u32)>) -> b
 }
 
 /// Rays that show the ground that most rays of their point show.
-fn right_rays(block: &SimulatedBlock, points: &MultiRayPoints) -> usize {
-    let of_point = |rays: &[tiepoint::PointRay]| {
-        let alike = |a: &tiepoint::PointRay| rays.iter().filter(|b| block.is_right((a.image, a.feature), (b.image, b.feature))).count();
+fn right_rays(block: &SimulatedBlock, points: &TiePoints) -> usize {
+    let of_point = |rays: &[tiepoint::FeatureObservation]| {
+        let alike =
+            |a: &tiepoint::FeatureObservation| rays.iter().filter(|b| block.is_right((a.image, a.feature), (b.image, b.feature))).count();
         rays.iter().map(alike).max().filter(|most| *most > 1).unwrap_or(0)
     };
     points.iter().map(of_point).sum()
@@ -219,7 +220,7 @@ fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
     let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap_or(0);
     let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).map(|e| e.focal_px);
     let mut normal = Normal(u64::from(seed) << 32);
-    let images = block.exposures.iter().enumerate().map(|(k, exposure)| AssemblyImage {
+    let images = block.exposures.iter().enumerate().map(|(k, exposure)| KnownImage {
         name: format!("{k}.jpg"),
         camera: exposure.camera as usize,
         position: Some(ObservedPosition::Local {
@@ -229,7 +230,7 @@ fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
     });
     BlockDescription {
         images: images.collect(),
-        cameras: (0..cameras).map(|camera| AssemblyCamera::of_size(block.width_px, block.height_px, focal(camera))).collect(),
+        cameras: (0..cameras).map(|camera| KnownCamera::of_size(block.width_px, block.height_px, focal(camera))).collect(),
         control: Vec::new(),
     }
 }

@@ -3,13 +3,13 @@
 use std::path::Path;
 use tiepoint::{
     BlockFlight, BlockModel, BlockOptions, BlockView, Error, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPose,
-    MultiRayPoints, SelectOptions, SimulatedBlock, export_block, multi_ray_points, select_points, simulate_block,
+    SelectOptions, SimulatedBlock, TiePoints, export_block, select_points, simulate_block, tie_points,
 };
 
 fn main() -> Result<(), Error> {
     let folder = std::env::args().nth(1).unwrap_or_else(|| "export".into());
     let block = simulate_block(&BlockFlight { view: BlockView::Oblique, strips: 3, exposures: 4, ..BlockFlight::default() })?;
-    let (points, _) = multi_ray_points(&block.matches()?, &BlockOptions::default())?;
+    let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
     let chosen = select_points(&points, &block.image_features(), &SelectOptions::default())?;
     let model = model_of(&block, &points, &chosen.points)?;
     for format in ExportFormat::ALL {
@@ -27,7 +27,7 @@ fn main() -> Result<(), Error> {
 }
 
 /// The block with its true orientations and points.
-fn model_of(block: &SimulatedBlock, points: &MultiRayPoints, chosen: &[u32]) -> Result<BlockModel, Error> {
+fn model_of(block: &SimulatedBlock, points: &TiePoints, chosen: &[u32]) -> Result<BlockModel, Error> {
     let (width_px, height_px) = (block.width_px, block.height_px);
     let count = block.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
     let camera = |number: u32| ModelCamera {

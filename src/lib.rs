@@ -30,9 +30,9 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    Block, BlockCamera, BlockImage, BlockPoint, BundleOptions, BundleResult, CameraLabel, CameraParameter, CameraStatistics, ControlPoint,
-    Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics, OrientedPart, PositionPrior, PriorStatistics, Ray,
-    RayCountRmse, RayStatistics, RayVerdict, Similarity, adjust_block,
+    AdjustmentOptions, AdjustmentResult, Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, CameraLabel, CameraParameter,
+    CameraStatistics, ControlPoint, Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics,
+    ObservationStatistics, ObservationVerdict, OrientedPart, PositionPrior, PriorStatistics, RayCountRmse, Similarity, adjust_block,
 };
 pub use camera::{
     Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
@@ -44,9 +44,9 @@ pub use descriptors::{
 };
 pub use error::Error;
 pub use formats::{
-    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, ImageMark, ModelCamera, ModelImage, ModelPoint, ModelPose,
-    ModelRay, SurveyedPoint, colmap_features, colmap_matches, export_block, parse_camera_rules,
-    parse_image_marks, parse_surveyed_points, read_colmap_model,
+    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, GroundControlRow, ImageMeasurementRow, ModelCamera, ModelImage,
+    ModelPoint, ModelPose, ModelRay, colmap_features, colmap_matches, export_block,
+    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matching::{
@@ -70,8 +70,8 @@ pub use pair::{
     observations, orient_matches, photo_interior,
 };
 pub use parameters::{
-    ASSEMBLY_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS,
-    GEOMETRY_PARAMETERS, NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind,
+    ADJUSTMENT_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
+    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
 pub use pipeline::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage};
 pub use points::{
@@ -79,8 +79,8 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
-    AssembledModel, AssembledPoint, AssembledRay, Assembly, AssemblyCamera, AssemblyControl, AssemblyImage, AssemblyOptions,
-    BlockDescription, ControlRay, ObservedPosition, RejectedRay, UnorientedImage, UnorientedReason, assemble_block,
+    BlockDescription, GroundControlPoint, ImageMeasurement, KnownCamera, KnownImage, ObservationSource, ObservedPosition, PointSource,
+    ReconstructedModel, Reconstruction, ReconstructionOptions, RejectedObservation, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
@@ -90,18 +90,18 @@ pub use simulate::{
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{
-    BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, ImageFeatures, JoinCounts,
-    MatchReliability, MultiRayPoints, PairChoice, PairOutcome, PairRule, PlacingOptions, PointRay, PointRefiner, RayOutcome, RayPlace,
-    RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, SelectOptions, SelectedPoints, SharedPoints,
-    WindowedRay, alike_pairs, all_pairs, choose_pairs, merge_pairs, multi_ray_points, near_pairs, ray_windows, select_points,
-    sequence_pairs, shared_points,
+    BlockMatches, BlockOptions, BlockSettings, ChosenPair, Conflicts, Connection, ConnectionGraph, FeatureMatch, FeatureObservation,
+    GeoreferencingOptions, ImageFeatures, JoinCounts, MatchReliability, ObservationRefinement, ObservationWindow, ObservationWindows,
+    PairChoice, PairOutcome, PairRule, PointRefiner, RefinedPoint, RefinementMethod, RefinementOptions, RefinementOutcome, SelectOptions,
+    SelectedPoints, SharedPoints, TiePoints, WindowCentre, WindowedObservation, alike_pairs, all_pairs, choose_pairs, merge_pairs,
+    near_pairs, observation_windows, select_points, sequence_pairs, shared_points, tie_points,
 };
 pub use two_view::{
     Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
     homography_direct, two_view,
 };
 
-/// The README's example is compiled and run with the tests.
+/// The example of the documentation is compiled and run with the tests.
 #[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
+#[doc = include_str!("../docs/rust.md")]
+struct Guide;

@@ -1,5 +1,5 @@
 #!/usr/bin/env node
-/** `npm run build`: rebuilds pkg/wasm from the crate, then dist/ from the page's sources. */
+/** `npm run build`: rebuilds pkg/wasm from the crate, then dist/ from the page's sources. `-- --fast` builds a module for the inner loop, which is never committed. */
 
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
@@ -9,11 +9,11 @@ import { DIST, PKG_WASM } from './lib/paths.mjs';
 import { ensureBindgen, ensureToolchain } from './lib/rust.mjs';
 import { ensurePackages } from './lib/setup.mjs';
 
-async function wasm() {
+async function wasm(fast = false) {
   await ensurePackages();
   const toolchain = await ensureToolchain();
   const { buildWasm } = await import('./lib/wasm.mjs');
-  await buildWasm(toolchain, await ensureBindgen(toolchain), PKG_WASM);
+  await buildWasm(toolchain, await ensureBindgen(toolchain), PKG_WASM, fast);
 }
 
 async function page() {
@@ -29,9 +29,9 @@ export async function buildMissing() {
 }
 
 async function main() {
-  const { values } = parseArgs({ options: { 'wasm-only': { type: 'boolean' }, 'page-only': { type: 'boolean' } } });
+  const { values } = parseArgs({ options: { 'wasm-only': { type: 'boolean' }, 'page-only': { type: 'boolean' }, fast: { type: 'boolean' } } });
   const started = performance.now();
-  if (!values['page-only']) await wasm();
+  if (!values['page-only']) await wasm(values.fast);
   if (!values['wasm-only']) await page();
   console.log(`built in ${((performance.now() - started) / 1000).toFixed(1)} s`);
 }

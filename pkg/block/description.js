@@ -1,7 +1,7 @@
 // @ts-check
 /** What is known of a block before its images are oriented: cameras, recorded positions, surveyed points. */
 
-import { check_block_description, parse_image_marks, parse_surveyed_points } from '../wasm/tiepoint.js';
+import { check_block_description, parse_image_measurements, parse_ground_control_points } from '../wasm/tiepoint.js';
 import { BlockError } from './errors.js';
 
 /**
@@ -9,8 +9,8 @@ import { BlockError } from './errors.js';
  * @typedef {import('./types.js').GroupedCamera} GroupedCamera
  * @typedef {import('./types.js').ControlText} ControlText
  * @typedef {import('../wasm/tiepoint.js').BlockDescription} BlockDescription
- * @typedef {import('../wasm/tiepoint.js').AssemblyControl} AssemblyControl
- * @typedef {import('../wasm/tiepoint.js').PlacingOptions} PlacingOptions
+ * @typedef {import('../wasm/tiepoint.js').GroundControlPoint} GroundControlPoint
+ * @typedef {import('../wasm/tiepoint.js').GeoreferencingOptions} GeoreferencingOptions
  * @typedef {import('../wasm/tiepoint.js').ObservedPosition} ObservedPosition
  */
 
@@ -23,7 +23,7 @@ const FIXED = { focal: false, principal_point: false, radial: 0, tangential: fal
 /**
  * What is known before the orientation. Recorded positions and surveyed points are of different systems: where there are surveyed points,
  * they alone place the block, and the distances between recorded positions tell whether they are in metres.
- * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {PlacingOptions} placing @param {ControlText} [control]
+ * @param {BlockImage[]} images @param {GroupedCamera[]} cameras @param {boolean} useGps @param {GeoreferencingOptions} placing @param {ControlText} [control]
  * @returns {{ description: BlockDescription, strayMarks: string[] }} `strayMarks`: images that marks name and that are not in the block
  */
 export function describeBlock(images, cameras, useGps, placing, control) {
@@ -52,7 +52,7 @@ export function impossiblePositions(images) {
 
 /**
  * A receiver that states its error states that of the place: the height is less sure by the same factor as without it.
- * @param {import('../wasm/tiepoint.js').ExifPosition} position @param {PlacingOptions} placing @returns {ObservedPosition}
+ * @param {import('../wasm/tiepoint.js').ExifPosition} position @param {GeoreferencingOptions} placing @returns {ObservedPosition}
  */
 function observed({ longitude_deg, latitude_deg, height_m, error_m }, { receiver_across_m, receiver_up_m }) {
   const across = error_m || receiver_across_m;
@@ -61,19 +61,19 @@ function observed({ longitude_deg, latitude_deg, height_m, error_m }, { receiver
 }
 
 /**
- * @param {ControlText} control @param {BlockImage[]} images @param {PlacingOptions} placing
- * @returns {{ surveyed: AssemblyControl[], strayMarks: string[] }}
+ * @param {ControlText} control @param {BlockImage[]} images @param {GeoreferencingOptions} placing
+ * @returns {{ surveyed: GroundControlPoint[], strayMarks: string[] }}
  */
 function controlOf({ points, marks }, images, { surveyed_across_m, surveyed_up_m }) {
   const places = new Map(images.map(({ name }, index) => [name, index]));
-  const surveyed = parse_surveyed_points(points).map(({ name, position, standard_errors }) => {
+  const surveyed = parse_ground_control_points(points).map(({ name, position, standard_errors }) => {
     const [across, up] = standard_errors ?? [surveyed_across_m, surveyed_up_m];
-    return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), rays: /** @type {AssemblyControl['rays']} */ ([]) };
+    return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), rays: /** @type {GroundControlPoint['rays']} */ ([]) };
   });
   const byName = new Map(surveyed.map((point) => [point.name, point]));
   /** @type {Set<string>} */
   const strays = new Set();
-  for (const { image, point, x_px, y_px } of parse_image_marks(marks)) {
+  for (const { image, point, x_px, y_px } of parse_image_measurements(marks)) {
     const of = byName.get(point);
     if (!of) throw new BlockError(`the marks name the point ${point}, which is not among the surveyed points`);
     const place = places.get(image);

@@ -37,7 +37,7 @@ export function* writing(run, formats, write, beside = {}) {
   yield;
   const graph = explain_connections(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : path === 'rays.csv' && run.refinement ? withOutcomes(run.refinement, text) : text));
-  if (run.assembly) write('orientation.json', `${JSON.stringify(run.assembly)}\n`);
+  if (run.reconstruction) write('orientation.json', `${JSON.stringify(run.reconstruction)}\n`);
   write('pairs.csv', pairTable(run, graph.reasons));
   /** @type {{ format: ExportFormat, refused: string | null }[]} */
   const exports = [];
@@ -65,7 +65,7 @@ function writeFormat(run, format, write) {
 function withFacts(run, table) {
   const [header = '', ...lines] = table.trimEnd().split('\n');
   // As texts number them.
-  const models = new Map((run.assembly?.models ?? []).flatMap(({ images }, model) => images.map((image) => [image, model + 1])));
+  const models = new Map((run.reconstruction?.models ?? []).flatMap(({ images }, model) => images.map((image) => [image, model + 1])));
   const facts = run.images.map(({ features, exif }, index) => {
     const { longitude_deg = '', latitude_deg = '', height_m = '' } = exif.position ?? {};
     return [models.get(index) ?? '', features, run.selection.raysOfImages[index], run.selection.placesOfImages[index], exif.orientation ?? '', longitude_deg, latitude_deg, height_m ?? ''];
@@ -132,21 +132,21 @@ function summaryOf(run, groups, exports) {
 }
 
 /** @param {BlockRun} run */
-function orientationOf({ assembly, assemblyReason, images, model }) {
-  if (!assembly) return { oriented: 0, reason: assemblyReason };
+function orientationOf({ reconstruction, reconstructionReason, images, model }) {
+  if (!reconstruction) return { oriented: 0, reason: reconstructionReason };
   const poses = model.images.filter(({ pose }) => pose).length;
   return {
     oriented: poses,
     points: model.points.length,
     rays: model.points.reduce((sum, { rays }) => sum + rays.length, 0),
-    models: assembly.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
+    models: reconstruction.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
       images: own.length, names: own.map((image) => images[image]?.name), in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
       degrees_of_freedom: adjusted.degrees_of_freedom,
       rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
       position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gps }) => (gps?.accepted ? [gps.residual] : []))), weaknesses,
     })),
     cameras: model.cameras,
-    unoriented: assembly.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),
+    unoriented: reconstruction.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),
     origin: model.origin ?? null,
   };
 }

@@ -49,7 +49,7 @@ export const writePair = (head, indices, strengths) => write(KINDS.pair, head, s
 /** @param {{ key: string }} head @param {Uint32Array} counts common features with each of the images behind */
 export const writeLikeness = (head, counts) => write(KINDS.likeness, head, counts.length, [counts]);
 
-/** @param {import('./types.js').WindowHead} head @param {Uint32Array} places as `ray_windows` gives them; stride 4 @param {Uint8Array} grey */
+/** @param {import('./types.js').WindowHead} head @param {Uint32Array} places as `observation_windows` gives them; stride 4 @param {Uint8Array} grey */
 export const writeWindows = (head, places, grey) => write(KINDS.windows, head, places.length / 4, [places, grey]);
 
 /**

@@ -10,7 +10,7 @@ import { writeWindows } from './records.js';
 export async function windows({ bytes, key, rays, options }) {
   const photo = Photo.decode(bytes);
   try {
-    const { side, places, grey } = photo.ray_windows(rays, options);
+    const { side, places, grey } = photo.observation_windows(rays, options);
     return await writeWindows({ key, side }, places, grey);
   } finally {
     photo.free();

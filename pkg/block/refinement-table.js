@@ -1,7 +1,7 @@
 // @ts-check
 /** What the files of a block say of the refinement of its rays. */
 
-import { ray_outcomes } from '../wasm/tiepoint.js';
+import { refinement_outcomes } from '../wasm/tiepoint.js';
 
 /**
  * @typedef {import('./types.js').BlockRun} BlockRun
@@ -22,7 +22,7 @@ export function withOutcomes(refinement, table) {
     return { line, point: fields[ofPoint ?? 0], place: ofPlace.map((column) => Number(fields[column])).join() };
   });
   const rays = raysAt(refinement);
-  const names = ray_outcomes();
+  const names = refinement_outcomes();
   const refined = samePoints(rows, rays);
   const facts = (/** @type {(typeof rows)[number]} */ { point, place }) => {
     const own = rays.get(place)?.find((ray) => ray.point === refined.get(point));

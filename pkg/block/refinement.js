@@ -4,7 +4,7 @@
  * point are matched by least squares to its reference ray.
  */
 
-import { ray_outcomes, version } from '../wasm/tiepoint.js';
+import { refinement_outcomes, version } from '../wasm/tiepoint.js';
 import { BlockError } from './errors.js';
 import { keptFeatures } from './images.js';
 import { digest, readWindows, RECORD_VERSION } from './records.js';
@@ -137,7 +137,7 @@ async function matchRays(rays, images, keys, options, { pool, store, progress, s
   await runStage({
     name: 'refinement', items: groupsOf(rays), width: pool.size + 1, label: () => '', act, ...(progress && { progress }), ...(signal && { signal }),
   });
-  const outcomes = ray_outcomes();
+  const outcomes = refinement_outcomes();
   const numbers = found.outcomes.reduce((sums, code) => { sums[code] = (sums[code] ?? 0) + 1; return sums; }, outcomes.map(() => 0));
   const counts = /** @type {Refinement['counts']} */ (Object.fromEntries(outcomes.map((outcome, code) => [outcome, numbers[code] ?? 0])));
   return { ...found, counts };

@@ -63,7 +63,7 @@ export async function runBlock(sources, options, surroundings) {
       points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
       selection: spreadOf(model),
       refinement: refined?.refinement ?? null,
-      assembly: oriented.assembly, assemblyReason: oriented.reason,
+      reconstruction: oriented.reconstruction, reconstructionReason: oriented.reason,
       model, project,
     };
   } finally {
@@ -74,15 +74,15 @@ export async function runBlock(sources, options, surroundings) {
 
 /**
  * A block whose images cannot be oriented keeps its points all the same.
- * @typedef {{ assembly: BlockRun['assembly'], model: BlockRun['model'] | null, reason: string | null }} Oriented
+ * @typedef {{ reconstruction: BlockRun['reconstruction'], model: BlockRun['model'] | null, reason: string | null }} Oriented
  * @param {import('../wasm/tiepoint.js').BlockPoints} block @param {import('../wasm/tiepoint.js').BlockDescription} description
  * @param {import('../wasm/tiepoint.js').SelectOptions} selection @returns {Oriented}
  */
 function orientation(block, description, selection) {
   try {
-    return { ...block.assemble(description, { selection }), reason: null };
+    return { ...block.reconstruct(description, { selection }), reason: null };
   } catch (error) {
-    return { assembly: null, model: null, reason: refusal(error) };
+    return { reconstruction: null, model: null, reason: refusal(error) };
   }
 }
 

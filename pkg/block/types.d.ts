@@ -1,7 +1,7 @@
 /** The types that the stages of a block share. */
 
 import type {
-  Assembly, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, RayOutcome, TwoViewResult,
+  Reconstruction, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Project, RefinementOutcome, TwoViewResult,
 } from '../wasm/tiepoint.js';
 
 /** An image file that can be read any number of times. */
@@ -118,11 +118,11 @@ export interface Refinement {
   /** The first ray of each point, and the number of rays. */
   starts: Uint32Array;
   /** How many rays had each outcome. */
-  counts: Record<RayOutcome, number>;
+  counts: Record<RefinementOutcome, number>;
   images: Uint32Array;
   /** x, y in px; stride 2. */
   positions: Float32Array;
-  /** Places among `ray_outcomes`. */
+  /** Places among `refinement_outcomes`. */
   outcomes: Uint8Array;
   /** Standard error in px relative to the reference ray, and correlation with it; NaN where a ray was not refined; stride 2. */
   precision: Float32Array;
@@ -217,8 +217,8 @@ export interface BlockRun {
   /** Null where rays are not refined. */
   refinement: Refinement | null;
   /** Absent where the block has no model, and then why. */
-  assembly: Assembly | null;
-  assemblyReason: string | null;
+  reconstruction: Reconstruction | null;
+  reconstructionReason: string | null;
   model: BlockModel;
   project: Project;
 }

@@ -2,7 +2,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
-import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_marks, parse_surveyed_points, score_block } from '../node.js';
+import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_measurements, parse_ground_control_points, score_block } from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
@@ -147,8 +147,8 @@ function controlOf(values) {
   if (typeof control !== 'string') throw new UsageError('--marks needs --control beside it');
   if (typeof marks !== 'string') throw new UsageError('--control needs --marks beside it');
   const texts = { points: readText(control), marks: readText(marks) };
-  about(control, () => parse_surveyed_points(texts.points));
-  about(marks, () => parse_image_marks(texts.marks));
+  about(control, () => parse_ground_control_points(texts.points));
+  about(marks, () => parse_image_measurements(texts.marks));
   return { control: texts };
 }
 

@@ -3,10 +3,12 @@
 use super::block::Block;
 use super::check::check_block;
 use super::datum::observed;
-use super::options::BundleOptions;
+use super::options::AdjustmentOptions;
 use super::precision::image_errors;
 use super::reliability::of_position;
-use super::result::{BundleResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, RayStatistics, RayVerdict};
+use super::result::{
+    AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
+};
 use super::snooping::{Settled, settle};
 use super::squares::{Squares, Sums};
 use crate::Error;
@@ -19,10 +21,10 @@ use crate::math::normal_spread_within;
 /// taken into their system first.
 ///
 /// ```
-/// use tiepoint::{NetworkFlight, BundleOptions, adjust_block, simulate_network};
+/// use tiepoint::{NetworkFlight, AdjustmentOptions, adjust_block, simulate_network};
 ///
 /// let simulated = simulate_network(&NetworkFlight::default())?;
-/// let adjusted = adjust_block(&simulated.observed, &BundleOptions::default())?;
+/// let adjusted = adjust_block(&simulated.observed, &AdjustmentOptions::default())?;
 /// let height = adjusted.images[0].position_errors.map(|errors| errors[2]);
 /// println!("RMSE {} px, height of image 0 ± {height:?} m", adjusted.rmse_px);
 /// # Ok::<(), tiepoint::Error>(())
@@ -34,7 +36,7 @@ use crate::math::normal_spread_within;
 ///
 /// # Source
 /// Brown 1976, The bundle adjustment: progress and prospects; Triggs et al. 2000, Bundle adjustment: a modern synthesis; Baarda 1968.
-pub fn adjust_block(block: &Block, options: &BundleOptions) -> Result<BundleResult, Error> {
+pub fn adjust_block(block: &Block, options: &AdjustmentOptions) -> Result<AdjustmentResult, Error> {
     options.check()?;
     check_block(block, options.datum)?;
     let settled = settle(block, options)?;
@@ -44,7 +46,7 @@ pub fn adjust_block(block: &Block, options: &BundleOptions) -> Result<BundleResu
 /// A settled adjustment with what its description needs.
 struct Description<'a> {
     block: &'a Block,
-    options: &'a BundleOptions,
+    options: &'a AdjustmentOptions,
     settled: Settled,
     estimated: Option<f64>,
     /// A priori, or estimated; 0 without either.
@@ -53,12 +55,12 @@ struct Description<'a> {
 }
 
 impl<'a> Description<'a> {
-    fn new(block: &'a Block, options: &'a BundleOptions, settled: Settled) -> Self {
+    fn new(block: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
         let cut = if options.snooping { normal_spread_within(options.limit()) } else { 1.0 };
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
         let state = &settled.adjusted.state;
-        let residual = |ray: &super::block::Ray| {
+        let residual = |ray: &super::block::BlockObservation| {
             let camera = block.images[ray.image].camera;
             let at = super::collinearity::project(&state.cameras[camera], &state.images[ray.image], &state.points[ray.point]);
             [ray.x_px - at[0], ray.y_px - at[1]]
@@ -67,10 +69,11 @@ impl<'a> Description<'a> {
         Self { block, options, settled, estimated, sigma, residuals }
     }
 
-    fn result(&self) -> BundleResult {
+    fn result(&self) -> AdjustmentResult {
         let (settled, block) = (&self.settled, self.block);
         let of_rays = block.rays.iter().zip(&self.residuals).zip(&settled.verdicts);
-        let accepted = of_rays.filter(|(_, verdict)| **verdict == RayVerdict::Accepted).map(|((ray, residual), _)| (ray, *residual));
+        let accepted =
+            of_rays.filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted).map(|((ray, residual), _)| (ray, *residual));
         let sums = Sums::new(block, accepted);
         let (of_images, of_points) = (&sums.of_images, &sums.of_points);
         let (gps, control) = observed(block, self.options.datum, settled.weighted_by);
@@ -81,7 +84,7 @@ impl<'a> Description<'a> {
                 .filter(|_| of_points[c.point].rays > 0)
                 .map(|prior| of_position(&prior, &state.points[c.point], q, self.sigma, true))
         };
-        BundleResult {
+        AdjustmentResult {
             block: state.put_into(block.clone()),
             datum: self.options.datum,
             sigma0_px: self.estimated,
@@ -133,10 +136,10 @@ impl<'a> Description<'a> {
         (squares.rays > 0).then(|| ObjectPointStatistics { rays: squares.rays, rmse_px: squares.rmse(), errors })
     }
 
-    fn ray(&self, ray: usize) -> RayStatistics {
+    fn ray(&self, ray: usize) -> ObservationStatistics {
         let judged = self.settled.statistics.as_ref().and_then(|s| s.rays[ray]);
         let w = |standardised: f64| if self.sigma > 0.0 { standardised / self.sigma } else { 0.0 };
-        RayStatistics {
+        ObservationStatistics {
             verdict: self.settled.verdicts[ray],
             residual_px: self.residuals[ray],
             redundancy: judged.map(|j| j.map(|j| j.redundancy)),

@@ -62,15 +62,18 @@ pub(super) const LEAST_SIGMA_PX: f64 = 1e-9;
 impl Adjusted {
     /// Itself, unless it had to converge and did not.
     fn passed(self, demand: &Demand) -> Result<Self, Error> {
-        if demand.passing { Ok(self) } else { self.converged() }
+        if !demand.passing {
+            self.check_converged()?;
+        }
+        Ok(self)
     }
 
     /// # Errors
     /// [`Error::NotConverged`] where it did not.
-    pub fn converged(self) -> Result<Self, Error> {
-        match self.unsettled {
-            Some(reason) => Err(Error::NotConverged { what: WHAT, iterations: self.iterations, reason }),
-            None => Ok(self),
+    pub fn check_converged(&self) -> Result<(), Error> {
+        match &self.unsettled {
+            Some(reason) => Err(Error::NotConverged { what: WHAT, iterations: self.iterations, reason: reason.clone() }),
+            None => Ok(()),
         }
     }
 }

@@ -16,7 +16,7 @@ pub struct Block {
     pub images: Vec<BlockImage>,
     pub points: Vec<BlockPoint>,
     /// In any order; an image sees a point at most once.
-    pub rays: Vec<Ray>,
+    pub rays: Vec<BlockObservation>,
     #[serde(default)]
     pub control: Vec<ControlPoint>,
 }
@@ -109,7 +109,7 @@ pub struct BlockPoint {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Ray {
+pub struct BlockObservation {
     /// Index of the image.
     pub image: usize,
     /// Index of the point.

@@ -1,7 +1,7 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (gross errors of rays; `robust_similarity` and `misplaced`: of positions) → [`BundleResult`].
+//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
 
 mod adjust;
 mod adjustment;
@@ -12,7 +12,6 @@ mod collinearity;
 mod datum;
 mod gradients;
 mod loss;
-mod misplaced;
 mod model;
 mod network;
 mod options;
@@ -33,14 +32,14 @@ mod state;
 mod statistics;
 
 pub use adjust::adjust_block;
-pub use block::{Block, BlockCamera, BlockImage, BlockPoint, ControlPoint, FreeParameters, PositionPrior, Ray};
+pub use block::{Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, ControlPoint, FreeParameters, PositionPrior};
 pub(crate) use collinearity::{CAMERA_PARAMETERS, in_photo, linearise, project};
 pub use model::{CameraLabel, OrientedPart};
-pub use options::{BundleOptions, Datum, Loss};
+pub use options::{AdjustmentOptions, Datum, Loss};
 pub(crate) use reduced::dot3;
 pub use result::{
-    BundleResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, PriorStatistics, RayCountRmse,
-    RayStatistics, RayVerdict,
+    AdjustmentResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics,
+    ObservationVerdict, PriorStatistics, RayCountRmse,
 };
 pub use similarity::Similarity;
 pub(crate) use similarity::minus;

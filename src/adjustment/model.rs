@@ -1,7 +1,7 @@
 //! Between the block of an adjustment and the block that is exchanged: the one place where either becomes the other.
 
-use super::block::{Block, BlockCamera, BlockImage, BlockPoint, FreeParameters, Ray};
-use super::result::{BundleResult, RayVerdict};
+use super::block::{Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, FreeParameters};
+use super::result::{AdjustmentResult, ObservationVerdict};
 use crate::Error;
 use crate::formats::{BlockModel, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
 use serde::{Deserialize, Serialize};
@@ -33,7 +33,7 @@ impl BlockCamera {
     }
 }
 
-impl BundleResult {
+impl AdjustmentResult {
     /// The adjusted block with its accepted rays; points without any are left out. `cameras` and `names` are those of the block's cameras and
     /// images, in their order.
     ///
@@ -47,7 +47,7 @@ impl BundleResult {
             return Err(Error::InvalidInput { what: "labels of the block", got, allowed });
         }
         let mut rays = vec![Vec::new(); block.points.len()];
-        for (ray, _) in block.rays.iter().zip(&self.rays).filter(|(_, statistics)| statistics.verdict == RayVerdict::Accepted) {
+        for (ray, _) in block.rays.iter().zip(&self.rays).filter(|(_, statistics)| statistics.verdict == ObservationVerdict::Accepted) {
             rays[ray.point].push(ModelRay { image: ray.image, x_px: ray.x_px, y_px: ray.y_px, confidence: 1.0 });
         }
         let points = block.points.iter().zip(&self.points).zip(rays).filter_map(|((point, statistics), rays)| {
@@ -102,7 +102,7 @@ impl OrientedPart {
             let Some(position) = point.position else { continue };
             for ray in &point.rays {
                 let Ok(image) = part.images.binary_search(&ray.image) else { continue };
-                part.block.rays.push(Ray { image, point: part.points.len(), x_px: ray.x_px, y_px: ray.y_px, weight: 1.0 });
+                part.block.rays.push(BlockObservation { image, point: part.points.len(), x_px: ray.x_px, y_px: ray.y_px, weight: 1.0 });
             }
             part.points.push(index);
             part.block.points.push(BlockPoint { position });

@@ -37,7 +37,7 @@ pub enum Loss {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BundleOptions {
+pub struct AdjustmentOptions {
     pub datum: Datum,
     pub loss: Loss,
     /// Reject gross errors by data snooping.
@@ -54,7 +54,7 @@ pub struct BundleOptions {
     pub statistics: bool,
 }
 
-impl Default for BundleOptions {
+impl Default for AdjustmentOptions {
     fn default() -> Self {
         Self {
             datum: Datum::Free,
@@ -69,15 +69,15 @@ impl Default for BundleOptions {
     }
 }
 
-impl BundleOptions {
+impl AdjustmentOptions {
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        check("bundle.alpha0", self.alpha0)?;
+        check("adjustment.alpha0", self.alpha0)?;
         if let Some(sigma0_px) = self.sigma0_px {
-            check("bundle.sigma0_px", sigma0_px)?;
+            check("adjustment.sigma0_px", sigma0_px)?;
         }
-        check("bundle.calibration_limit_px", self.calibration_limit_px)?;
-        check("bundle.max_iterations", self.max_iterations as f64)
+        check("adjustment.calibration_limit_px", self.calibration_limit_px)?;
+        check("adjustment.max_iterations", self.max_iterations as f64)
     }
 
     /// The standardised residual beyond which a coordinate is a gross error.

@@ -57,7 +57,7 @@ impl Judgement<'_> {
     }
 
     /// Column and row of a ray that took no part, its point being adjusted without it.
-    pub fn of_outsider(&self, ray: &super::block::Ray, camera: usize, common: &PointCofactors) -> [Judged; 2] {
+    pub fn of_outsider(&self, ray: &super::block::BlockObservation, camera: usize, common: &PointCofactors) -> [Judged; 2] {
         let line = self.line(camera, ray.image, ray.point);
         let with_point = self.cofactors.of_outsider(ray.point, ray.image);
         let cofactors = self.of_computed(&line, camera, ray.image, ray.point, common, with_point.as_ref());

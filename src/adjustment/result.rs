@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 /// inner constraints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BundleResult {
+pub struct AdjustmentResult {
     /// The adjusted values; points without rays are as they were given.
     pub block: Block,
     pub datum: Datum,
@@ -33,7 +33,7 @@ pub struct BundleResult {
     pub images: Vec<ImageStatistics>,
     /// Absent for points without accepted rays.
     pub points: Vec<Option<ObjectPointStatistics>>,
-    pub rays: Vec<RayStatistics>,
+    pub rays: Vec<ObservationStatistics>,
     /// One for each control point; absent where the datum does not use it.
     pub control: Vec<Option<PriorStatistics>>,
 }
@@ -117,7 +117,7 @@ pub struct ObjectPointStatistics {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum RayVerdict {
+pub enum ObservationVerdict {
     Accepted,
     /// Data snooping rejected it.
     GrossError,
@@ -130,8 +130,8 @@ pub enum RayVerdict {
 /// What the adjustment says of one ray, accepted or not.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct RayStatistics {
-    pub verdict: RayVerdict,
+pub struct ObservationStatistics {
+    pub verdict: ObservationVerdict,
     /// Observed minus computed column and row in px.
     pub residual_px: [f64; 2],
     /// r, 0..1, of column and row: the share of an error that shows in the residual; absent without statistics.

@@ -1,7 +1,7 @@
 //! The standard error of a ray by the median of its tests, which gross errors hardly raise.
 
 use super::reliability::Judged;
-use super::result::RayVerdict;
+use super::result::ObservationVerdict;
 use crate::math::{normal_median_within, weighted_median};
 
 /// Where three of ten rays are grossly wrong, half of all lie within this many standard errors: the normal distribution holds 5/7 there.
@@ -12,9 +12,9 @@ const MEDIAN_OF_GOOD: f64 = 1.0676;
 /// residual of accepted rays.
 ///
 /// Coordinates count by their redundancy: along the base of two rays the point follows both, and residuals there say nothing of σ.
-pub(super) fn sigma_by_median(rays: &[Option<[Judged; 2]>], verdicts: &[RayVerdict], rays_at_start: usize, limit: f64) -> f64 {
+pub(super) fn sigma_by_median(rays: &[Option<[Judged; 2]>], verdicts: &[ObservationVerdict], rays_at_start: usize, limit: f64) -> f64 {
     let sizes = |judged: &[Judged; 2]| judged.map(|j| (j.standardised.abs(), j.redundancy));
-    let accepted = rays.iter().zip(verdicts).filter(|(_, verdict)| **verdict == RayVerdict::Accepted);
+    let accepted = rays.iter().zip(verdicts).filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted);
     let mut of_accepted: Vec<(f64, f64)> = accepted.filter_map(|(judged, _)| judged.as_ref()).flat_map(sizes).collect();
     let mut of_all: Vec<(f64, f64)> = rays.iter().flatten().flat_map(sizes).collect();
     // A ray whose point is lost with it can no longer be judged: it counts as the worst, by as much as another.
@@ -37,14 +37,14 @@ mod tests {
     #[test]
     fn coordinates_without_redundancy_say_nothing() {
         let rays: Vec<_> = (1..100).map(|k| judged(f64::from(k) / 50.0, 0.5)).collect();
-        let sigma = sigma_by_median(&rays, &[RayVerdict::Accepted; 99], 99, 3.29);
+        let sigma = sigma_by_median(&rays, &[ObservationVerdict::Accepted; 99], 99, 3.29);
         assert!((sigma * normal_median_within(3.29) - 1.0).abs() < 0.03, "{sigma}");
     }
 
     #[test]
     fn lost_rays_hold_the_scale_up() {
         let rays: Vec<_> = (1..100).map(|k| judged(f64::from(k) / 50.0, 0.5)).collect();
-        let of = |at_start| sigma_by_median(&rays, &[RayVerdict::Accepted; 99], at_start, 3.29);
+        let of = |at_start| sigma_by_median(&rays, &[ObservationVerdict::Accepted; 99], at_start, 3.29);
         assert!(of(180) > 1.1 * of(99) && (of(1000) - 1.98 / MEDIAN_OF_GOOD).abs() < 1e-9, "{} {}", of(180), of(1000));
         assert_eq!(sigma_by_median(&[], &[], 0, 3.29), 0.0);
     }

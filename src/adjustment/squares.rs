@@ -1,6 +1,6 @@
 //! Residuals summed up: of all accepted rays, by images, by points, by the number of rays of a point.
 
-use super::block::{Block, Ray};
+use super::block::{Block, BlockObservation};
 use super::result::RayCountRmse;
 
 /// Sum of squares and number of rays.
@@ -30,7 +30,7 @@ pub(super) struct Sums {
 
 impl Sums {
     /// `accepted` gives rays with their residuals.
-    pub fn new<'a>(block: &Block, accepted: impl Iterator<Item = (&'a Ray, [f64; 2])>) -> Self {
+    pub fn new<'a>(block: &Block, accepted: impl Iterator<Item = (&'a BlockObservation, [f64; 2])>) -> Self {
         let none = |number: usize| vec![Squares::default(); number];
         let mut sums = Self { all: Squares::default(), of_images: none(block.images.len()), of_points: none(block.points.len()) };
         for (ray, residual) in accepted {

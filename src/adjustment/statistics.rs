@@ -6,7 +6,7 @@ use super::datum::Freedoms;
 use super::precision::{Cofactors, Inner, Matrix3, Orientations};
 use super::reduced::Problem;
 use super::reliability::{Judged, Judgement};
-use super::result::RayVerdict;
+use super::result::ObservationVerdict;
 use super::solution::Factored;
 use super::sparse::{Block6, N};
 use crate::Error;
@@ -31,7 +31,7 @@ pub(super) struct JudgedRays {
 }
 
 /// Judges all rays at adjusted values.
-fn judge(cofactors: &Cofactors<'_>, adjusted: &Adjusted, block: &Block, verdicts: &[RayVerdict]) -> JudgedRays {
+fn judge(cofactors: &Cofactors<'_>, adjusted: &Adjusted, block: &Block, verdicts: &[ObservationVerdict]) -> JudgedRays {
     let (state, network) = (&adjusted.state, cofactors.problem.network);
     let factors: Vec<f64> = network
         .sights
@@ -43,7 +43,9 @@ fn judge(cofactors: &Cofactors<'_>, adjusted: &Adjusted, block: &Block, verdicts
     let mut rays = vec![None; block.rays.len()];
     let mut coordinates = vec![None; network.points()];
     let mut outsiders = vec![Vec::new(); network.points()];
-    for (index, (ray, _)) in block.rays.iter().zip(verdicts).enumerate().filter(|(_, (_, verdict))| **verdict != RayVerdict::Accepted) {
+    for (index, (ray, _)) in
+        block.rays.iter().zip(verdicts).enumerate().filter(|(_, (_, verdict))| **verdict != ObservationVerdict::Accepted)
+    {
         outsiders[ray.point].push(index);
     }
     for point in 0..network.points() {
@@ -66,7 +68,7 @@ pub(super) fn judge_by(
     problem: &Problem<'_>,
     adjusted: &Adjusted,
     block: &Block,
-    verdicts: &[RayVerdict],
+    verdicts: &[ObservationVerdict],
 ) -> JudgedRays {
     let reduced = problem.eliminated(&adjusted.state, 0.0, adjusted.robust);
     judge(&Cofactors { problem, reduced: &reduced, orientations }, adjusted, block, verdicts)
@@ -80,7 +82,7 @@ pub(super) fn statistics(
     problem: &Problem<'_>,
     adjusted: &Adjusted,
     block: &Block,
-    verdicts: &[RayVerdict],
+    verdicts: &[ObservationVerdict],
 ) -> Result<(Statistics, Factored, Orientations), Error> {
     let (state, network) = (&adjusted.state, problem.network);
     let mut reduced = problem.reduce(state, 0.0, adjusted.robust);

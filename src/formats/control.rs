@@ -12,7 +12,7 @@ const WHAT: &str = "the table of control points";
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct SurveyedPoint {
+pub struct GroundControlRow {
     pub name: String,
     /// `[x, y, z]` in the unit of the file.
     pub position: [f64; 3],
@@ -27,7 +27,7 @@ pub struct SurveyedPoint {
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
-pub fn parse_surveyed_points(text: &str) -> Result<Vec<SurveyedPoint>, Error> {
+pub fn parse_ground_control_points(text: &str) -> Result<Vec<GroundControlRow>, Error> {
     let (mut points, mut names, mut columns) = (Vec::new(), BTreeSet::new(), None);
     for (line, record) in records(WHAT, text)? {
         let Some(columns) = &columns else {
@@ -75,7 +75,7 @@ impl Columns {
     }
 }
 
-fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut BTreeSet<String>) -> Result<SurveyedPoint, Error> {
+fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut BTreeSet<String>) -> Result<GroundControlRow, Error> {
     let field = |column: usize| record.get(column).unwrap_or("");
     let number = |column: usize, what: &str| {
         let value = field(column).parse().ok().filter(|value: &f64| value.is_finite());
@@ -95,7 +95,7 @@ fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut
     if let Some(errors) = standard_errors.filter(|errors| !errors.iter().all(|error| *error > 0.0)) {
         return Err(refused(format!("standard errors {errors:?} in line {line}, which are not above 0")));
     }
-    Ok(SurveyedPoint { name, position, standard_errors })
+    Ok(GroundControlRow { name, position, standard_errors })
 }
 
 fn refused(got: String) -> Error {
@@ -111,22 +111,22 @@ mod tests {
     use super::*;
 
     fn message(text: &str) -> String {
-        parse_surveyed_points(text).unwrap_err().to_string()
+        parse_ground_control_points(text).unwrap_err().to_string()
     }
 
     #[test]
     fn points_are_read_with_and_without_names_of_columns() {
-        let point = |name: &str, position, standard_errors| SurveyedPoint { name: name.into(), position, standard_errors };
+        let point = |name: &str, position, standard_errors| GroundControlRow { name: name.into(), position, standard_errors };
         let wanted = [point("A1", [1.0, 2.0, 3.0], Some([0.02, 0.03])), point("A 2", [-1.5, 2e3, 0.0], None)];
-        assert_eq!(parse_surveyed_points("A1,1,2,3,0.02,0.03\n\nA 2,-1.5,2e3,0\n").unwrap(), wanted);
+        assert_eq!(parse_ground_control_points("A1,1,2,3,0.02,0.03\n\nA 2,-1.5,2e3,0\n").unwrap(), wanted);
         assert_eq!(
-            parse_surveyed_points("\u{feff}# control\r\nz;Name;y;x;sigma_z;sigma_xy\r\n3;A1;2;1;0.03;0.02\r\n0;A 2;2000;-1.5;;\r\n")
+            parse_ground_control_points("\u{feff}# control\r\nz;Name;y;x;sigma_z;sigma_xy\r\n3;A1;2;1;0.03;0.02\r\n0;A 2;2000;-1.5;;\r\n")
                 .unwrap(),
             wanted
         );
-        assert_eq!(parse_surveyed_points("A1\t1\t2\t3\t0.02\t0.03\nA 2\t-1.5\t2000\t0\n").unwrap(), wanted);
-        assert_eq!(parse_surveyed_points("label,X,Y,Z,accH,accV\nA1,1,2,3,0.02,0.03\nA 2,-1.5,2000,0\n").unwrap(), wanted);
-        assert!(parse_surveyed_points("").unwrap().is_empty());
+        assert_eq!(parse_ground_control_points("A1\t1\t2\t3\t0.02\t0.03\nA 2\t-1.5\t2000\t0\n").unwrap(), wanted);
+        assert_eq!(parse_ground_control_points("label,X,Y,Z,accH,accV\nA1,1,2,3,0.02,0.03\nA 2,-1.5,2000,0\n").unwrap(), wanted);
+        assert!(parse_ground_control_points("").unwrap().is_empty());
     }
 
     #[test]

@@ -10,7 +10,7 @@ const WHAT: &str = "the table of image marks";
 /// A surveyed point as it was measured in an image.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ImageMark {
+pub struct ImageMeasurementRow {
     /// File name of the image.
     pub image: String,
     /// Name of the point.
@@ -28,7 +28,7 @@ pub struct ImageMark {
 ///
 /// # Source
 /// The columns of the table of marks of Pix4D.
-pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
+pub fn parse_image_measurements(text: &str) -> Result<Vec<ImageMeasurementRow>, Error> {
     let mut seen = BTreeSet::new();
     let mut marks = Vec::new();
     for (index, (line, record)) in records(WHAT, text)?.into_iter().enumerate() {
@@ -47,7 +47,7 @@ pub fn parse_image_marks(text: &str) -> Result<Vec<ImageMark>, Error> {
         if !seen.insert((image.clone(), point.clone())) {
             return Err(refused(format!("point '{}' in image '{}' again in line {line}", shorten(&point), shorten(&image))));
         }
-        marks.push(ImageMark { image, point, x_px, y_px });
+        marks.push(ImageMeasurementRow { image, point, x_px, y_px });
     }
     Ok(marks)
 }
@@ -67,11 +67,11 @@ mod tests {
 
     #[test]
     fn marks_are_read_with_and_without_column_names() {
-        let with = parse_image_marks("image,point,x,y\na.jpg,P1,10.5,20\n\n# none\nb.jpg, P1 ,1,2,0.5\n").unwrap();
+        let with = parse_image_measurements("image,point,x,y\na.jpg,P1,10.5,20\n\n# none\nb.jpg, P1 ,1,2,0.5\n").unwrap();
         assert_eq!(with.len(), 2);
-        assert_eq!(with[1], ImageMark { image: "b.jpg".into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 });
-        assert_eq!(parse_image_marks("a.jpg;P1;10.5;20").unwrap(), with[..1]);
-        assert!(parse_image_marks("").unwrap().is_empty());
+        assert_eq!(with[1], ImageMeasurementRow { image: "b.jpg".into(), point: "P1".into(), x_px: 1.0, y_px: 2.0 });
+        assert_eq!(parse_image_measurements("a.jpg;P1;10.5;20").unwrap(), with[..1]);
+        assert!(parse_image_measurements("").unwrap().is_empty());
     }
 
     #[test]
@@ -84,7 +84,7 @@ mod tests {
             ("a.jpg,P1,1O0.5,2O0.5\nb.jpg,P1,1,2", "'1O0.5', '2O0.5' as place in line 1"),
             ("a.jpg,P1,NaN,2", "line 1"),
         ] {
-            let message = parse_image_marks(text).unwrap_err().to_string();
+            let message = parse_image_measurements(text).unwrap_err().to_string();
             assert!(message.contains(named), "{text}: {message}");
         }
     }

@@ -1,6 +1,6 @@
 //! Files by which blocks go to other programs and come from them: one format a file.
 //!
-//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`SurveyedPoint`]s.
+//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`GroundControlRow`]s.
 
 mod agisoft;
 mod bingo;
@@ -33,10 +33,10 @@ mod tie_points;
 pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
-pub use control::{SurveyedPoint, parse_surveyed_points};
+pub use control::{GroundControlRow, parse_ground_control_points};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
-pub use marks::{ImageMark, parse_image_marks};
+pub use marks::{ImageMeasurementRow, parse_image_measurements};
 pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
 #[cfg(test)]
 pub(crate) use sight::tiny_block;

@@ -2,14 +2,14 @@
 
 use super::check::refuse;
 use super::{BlockModel, ModelPoint, ModelRay};
-use crate::{Error, ImageFeatures, MultiRayPoints, PointRay};
+use crate::{Error, FeatureObservation, ImageFeatures, TiePoints};
 
 impl BlockModel {
     /// Adds points, not intersected yet, in the order of `chosen`; `features` are those of the block's images, in their order.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for points, images or features that do not exist. Nothing is added then.
-    pub fn add_points(&mut self, points: &MultiRayPoints, chosen: &[u32], features: &[ImageFeatures<'_>]) -> Result<(), Error> {
+    pub fn add_points(&mut self, points: &TiePoints, chosen: &[u32], features: &[ImageFeatures<'_>]) -> Result<(), Error> {
         let what = "points of the block";
         if features.len() != self.images.len() {
             return refuse(
@@ -18,7 +18,7 @@ impl BlockModel {
                 &format!("those of the block's {} images", self.images.len()),
             );
         }
-        let ray = |ray: &PointRay| {
+        let ray = |ray: &FeatureObservation| {
             let place = features.get(ray.image as usize).and_then(|image| image.positions.get(ray.feature as usize));
             let Some([x, y]) = place else {
                 return refuse(what, format!("feature {} of image {}", ray.feature, ray.image), "features that exist");
@@ -43,14 +43,14 @@ impl BlockModel {
 mod tests {
     use super::super::sight::tiny_block;
     use super::*;
-    use crate::{BlockMatches, BlockOptions, FeatureMatch, multi_ray_points};
+    use crate::{BlockMatches, BlockOptions, FeatureMatch, tie_points};
 
     #[test]
     fn chosen_points_get_the_places_of_their_features() {
         let mut matches = BlockMatches::new(&[2, 2, 0]).unwrap();
         let of = |a, b| FeatureMatch { features: [a, b], strength: 1.0 };
         matches.add_pair([0, 1], &[of(0, 1), of(1, 0)]).unwrap();
-        let (points, _) = multi_ray_points(&matches, &BlockOptions::default()).unwrap();
+        let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
         let positions = [[[1.5, 2.5], [3.5, 4.5]], [[5.5, 6.5], [7.5, 8.5]]];
         let image = |positions| ImageFeatures { width_px: 400, height_px: 300, positions };
         let features = [image(&positions[0][..]), image(&positions[1][..]), image(&[])];

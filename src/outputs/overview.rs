@@ -3,7 +3,7 @@
 use super::images::{ImageRow, image_rows};
 use super::pairs::{PairRow, pair_rows};
 use super::summary::{NamedReason, outcome_counts};
-use crate::{BlockModel, BlockRun, Error, ModelCamera, ModelPoint, RayOutcome};
+use crate::{BlockModel, BlockRun, Error, ModelCamera, ModelPoint, RefinementOutcome};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -26,7 +26,7 @@ pub struct BlockOverview {
     /// Tie points before some were chosen; absent where an older project file does not say.
     pub found: Option<FoundPoints>,
     /// How many observations had each outcome; absent where none were refined.
-    pub refinement: Option<BTreeMap<RayOutcome, usize>>,
+    pub refinement: Option<BTreeMap<RefinementOutcome, usize>>,
     /// Of the points of the model that is written, by their number of rays.
     pub by_rays: Vec<RayCount>,
     /// Oriented images.

@@ -1,6 +1,6 @@
 //! What is known of each pair of a finished block.
 
-use crate::tracks::{MultiRayPoints, PointRay, shared_points};
+use crate::tracks::{TiePoints, FeatureObservation, shared_points};
 use crate::{BlockModel, BlockRun, ConnectionGraph, Error, PairOutcome, PairRule, TwoView};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -53,9 +53,9 @@ pub(super) fn pair_rows(run: &BlockRun) -> Result<(Vec<PairRow>, Vec<Vec<u32>>),
 
 /// The points of a model that both images of a pair see.
 fn chosen_points(model: &BlockModel) -> BTreeMap<[u32; 2], u32> {
-    let mut points = MultiRayPoints::default();
+    let mut points = TiePoints::default();
     for point in &model.points {
-        points.push(point.rays.iter().map(|ray| PointRay { image: ray.image as u32, feature: 0, confidence: 1.0 }), 1.0);
+        points.push(point.rays.iter().map(|ray| FeatureObservation { image: ray.image as u32, feature: 0, confidence: 1.0 }), 1.0);
     }
     shared_points(&points, model.images.len()).into_iter().map(|shared| (shared.images, shared.points)).collect()
 }

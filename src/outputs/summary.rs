@@ -3,8 +3,8 @@
 use super::coverage::coverage;
 use super::pairs::PairRow;
 use crate::{
-    AssembledModel, BlockRun, BlockScore, BlockSettings, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ModelCamera, PairOutcome,
-    RayCountRmse, RayOutcome, RayVerdict, RefinementMethod, RefinementTable,
+    ReconstructedModel, BlockRun, BlockScore, BlockSettings, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ModelCamera, PairOutcome,
+    RayCountRmse, RefinementOutcome, ObservationVerdict, RefinementMethod, RefinementTable,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -110,7 +110,7 @@ pub struct RefinementCounts {
     pub references: usize,
     pub refined: usize,
     /// Those that keep their positions, by the reason.
-    pub kept: BTreeMap<RayOutcome, usize>,
+    pub kept: BTreeMap<RefinementOutcome, usize>,
 }
 
 /// The orientation of a block.
@@ -232,8 +232,8 @@ fn selection(run: &BlockRun) -> SelectionCounts {
 }
 
 /// How many observations had each outcome; 0 where none had.
-pub(super) fn outcome_counts(refinement: &RefinementTable) -> BTreeMap<RayOutcome, usize> {
-    let mut counts: BTreeMap<RayOutcome, usize> = RayOutcome::ALL.iter().map(|outcome| (*outcome, 0)).collect();
+pub(super) fn outcome_counts(refinement: &RefinementTable) -> BTreeMap<RefinementOutcome, usize> {
+    let mut counts: BTreeMap<RefinementOutcome, usize> = RefinementOutcome::ALL.iter().map(|outcome| (*outcome, 0)).collect();
     refinement.observations.iter().for_each(|observation| *counts.entry(observation.outcome).or_default() += 1);
     counts
 }
@@ -241,7 +241,7 @@ pub(super) fn outcome_counts(refinement: &RefinementTable) -> BTreeMap<RayOutcom
 fn refinement_counts(refinement: &RefinementTable, method: RefinementMethod) -> RefinementCounts {
     let mut kept = outcome_counts(refinement);
     let mut taken = |outcome| kept.remove(&outcome).unwrap_or(0);
-    let (references, refined) = (taken(RayOutcome::Reference), taken(RayOutcome::Refined));
+    let (references, refined) = (taken(RefinementOutcome::Reference), taken(RefinementOutcome::Refined));
     RefinementCounts { method, points: refinement.starts.len().saturating_sub(1), rays: refinement.observations.len(), references, refined, kept }
 }
 
@@ -263,7 +263,7 @@ fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSum
     }))
 }
 
-fn model_summary(model: &AssembledModel, name: impl Fn(usize) -> String) -> ModelSummary {
+fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> ModelSummary {
     let adjusted = &model.adjusted;
     let residuals: Vec<[f64; 3]> =
         adjusted.images.iter().filter_map(|image| image.gps.filter(|gps| gps.accepted).map(|gps| gps.residual)).collect();
@@ -277,7 +277,7 @@ fn model_summary(model: &AssembledModel, name: impl Fn(usize) -> String) -> Mode
         rmse_px: adjusted.rmse_px,
         rmse_by_rays: adjusted.rmse_by_rays.clone(),
         degrees_of_freedom: adjusted.degrees_of_freedom,
-        rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count(),
+        rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
         weaknesses: model.weaknesses.clone(),
     }

@@ -1,14 +1,14 @@
 //! Every tunable with its label, unit, range and help: the page, the command and the checks read them from here.
 
+mod adjustment;
 mod block;
-mod bundle;
 mod features;
 mod flight;
 mod geometry;
 mod pair;
 
+pub use adjustment::{ADJUSTMENT_PARAMETERS, NETWORK_PARAMETERS, RECONSTRUCTION_PARAMETERS};
 pub use block::{BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS};
-pub use bundle::{ASSEMBLY_PARAMETERS, BUNDLE_PARAMETERS, NETWORK_PARAMETERS};
 pub use features::FEATURE_PARAMETERS;
 pub use flight::FLIGHT_PARAMETERS;
 pub use geometry::GEOMETRY_PARAMETERS;
@@ -72,7 +72,7 @@ const fn choice(values: &'static [&'static str]) -> ParameterKind {
 
 /// Finds a parameter by its key.
 pub(crate) fn parameter_of(key: &str) -> &'static Parameter {
-    let groups = [PARAMETERS, FEATURE_PARAMETERS, GEOMETRY_PARAMETERS, BLOCK_PARAMETERS, BUNDLE_PARAMETERS, ASSEMBLY_PARAMETERS];
+    let groups = [PARAMETERS, FEATURE_PARAMETERS, GEOMETRY_PARAMETERS, BLOCK_PARAMETERS, ADJUSTMENT_PARAMETERS, RECONSTRUCTION_PARAMETERS];
     groups.into_iter().flatten().find(|p| p.key == key).unwrap_or_else(|| unreachable!("no parameter {key}"))
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Failure, Remark};
 use crate::{
-    Assembly, AssemblyCamera, BlockModel, BlockSettings, Connection, ExifImage, FreeParameters, JoinCounts, ModelCamera, RayOutcome,
+    BlockModel, BlockSettings, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, ModelCamera, Reconstruction, RefinementOutcome,
     SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ pub struct BlockRun {
     /// Absent where observations are not refined.
     pub refinement: Option<RefinementTable>,
     /// Or why the block has none.
-    pub reconstruction: Result<Assembly, Failure>,
+    pub reconstruction: Result<Reconstruction, Failure>,
     /// The largest model of the reconstruction, or, without one, the points that were chosen.
     pub model: BlockModel,
 }
@@ -91,10 +91,10 @@ impl InitialCamera {
     }
 
     /// As the reconstruction takes it.
-    pub fn to_be_calibrated(&self) -> AssemblyCamera {
+    pub fn to_be_calibrated(&self) -> KnownCamera {
         let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
-        let free = if fixed { FreeParameters::default() } else { AssemblyCamera::calibrated() };
-        AssemblyCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
+        let free = if fixed { FreeParameters::default() } else { KnownCamera::calibrated() };
+        KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
     }
 }
 
@@ -129,7 +129,7 @@ pub struct RefinedObservation {
     pub image: u32,
     /// Where it is now, in px.
     pub position_px: [f32; 2],
-    pub outcome: RayOutcome,
+    pub outcome: RefinementOutcome,
     /// Relative to the observation to which it was matched, in px; absent, as the correlation, where it was not refined.
     pub standard_error_px: Option<f32>,
     /// Of the matched windows, -1..1.

@@ -1,7 +1,9 @@
 //! Adjustments of a growing model: of all its images, or of some that the others hold.
 
 use super::growth::{Growth, MANY};
-use crate::adjustment::{Block, BlockCamera, BlockImage, BlockPoint, CAMERA_PARAMETERS, Ray, Start, adjust_start, free_of, values_of};
+use crate::adjustment::{
+    Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, CAMERA_PARAMETERS, Start, adjust_start, free_of, values_of,
+};
 
 /// Images of a camera from which on its parameters are left alone between adjustments of all.
 pub(super) const CALIBRATED: usize = 10;
@@ -63,7 +65,7 @@ impl Growth<'_> {
                 }
                 let [x_px, y_px] = rays.at[ray];
                 let (image, point) = (image_of[image] as usize, point_of[point] as usize);
-                block.rays.push(Ray { image, point, x_px, y_px, weight: 1.0 });
+                block.rays.push(BlockObservation { image, point, x_px, y_px, weight: 1.0 });
             }
         }
         if block.images.len() < 2 {

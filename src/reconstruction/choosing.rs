@@ -3,13 +3,13 @@
 //! Several dozen points an image describe a block and are too few to calibrate its cameras: a few hundred determine orientation and cameras,
 //! the others are left to the search for gross errors alone.
 
-use super::assemble::GROWING_CONNECTION;
 use super::finish::Material;
 use super::net::Net;
-use super::result::{AssembledModel, AssembledPoint};
+use super::reconstruct::GROWING_CONNECTION;
+use super::result::{PointSource, ReconstructedModel};
 use crate::Error;
-use crate::adjustment::RayVerdict;
-use crate::tracks::{MultiRayPoints, PointRay, SelectOptions, select_points};
+use crate::adjustment::ObservationVerdict;
+use crate::tracks::{FeatureObservation, SelectOptions, TiePoints, select_points};
 
 /// Intersected points: all, or where points are chosen as many as the model grew by, by their accepted rays; surveyed ones in any case.
 ///
@@ -23,7 +23,7 @@ pub(super) fn adjusting_points(material: &Material<'_>, net: &Net<'_>) -> Result
         per_image: selection.per_image.max(material.options.growing_rays),
         per_connection: selection.per_connection.max(GROWING_CONNECTION),
     };
-    let mut good = MultiRayPoints::with_capacity(multi_ray.len(), 0);
+    let mut good = TiePoints::with_capacity(multi_ray.len(), 0);
     for point in &multi_ray {
         let accepted = material.points.rays(*point).iter().zip(net.rays.of_point(*point)).filter(|(_, ray)| net.accepted[*ray]);
         good.push(accepted.map(|(ray, _)| *ray), material.points.confidence(*point));
@@ -36,25 +36,25 @@ pub(super) fn adjusting_points(material: &Material<'_>, net: &Net<'_>) -> Result
 ///
 /// # Errors
 /// As [`select_points`].
-pub(super) fn given(material: &Material<'_>, model: AssembledModel) -> Result<AssembledModel, Error> {
+pub(super) fn given(material: &Material<'_>, model: ReconstructedModel) -> Result<ReconstructedModel, Error> {
     let Some(selection) = &material.options.selection else { return Ok(model) };
-    let mut accepted: Vec<Vec<PointRay>> = vec![Vec::new(); model.points.len()];
+    let mut accepted: Vec<Vec<FeatureObservation>> = vec![Vec::new(); model.points.len()];
     for ((ray, statistics), known) in model.adjusted.block.rays.iter().zip(&model.adjusted.rays).zip(&model.rays) {
-        if let (RayVerdict::Accepted, Some(feature)) = (statistics.verdict, known.feature) {
-            accepted[ray.point].push(PointRay { image: model.images[ray.image] as u32, feature, confidence: known.confidence });
+        if let (ObservationVerdict::Accepted, Some(feature)) = (statistics.verdict, known.feature) {
+            accepted[ray.point].push(FeatureObservation { image: model.images[ray.image] as u32, feature, confidence: known.confidence });
         }
     }
     let (mut multi_ray, mut surveyed) = (Vec::new(), Vec::new());
-    let mut good = MultiRayPoints::with_capacity(model.points.len(), 0);
+    let mut good = TiePoints::with_capacity(model.points.len(), 0);
     for (point, known) in model.points.iter().enumerate() {
         match known {
-            AssembledPoint::MultiRay(index) => {
+            PointSource::TiePoint(index) => {
                 if model.adjusted.points[point].is_some() {
                     good.push(accepted[point].iter().copied(), material.points.confidence(*index as usize));
                     multi_ray.push(point);
                 }
             }
-            AssembledPoint::Control(_) => surveyed.push(point),
+            PointSource::GroundControl(_) => surveyed.push(point),
         }
     }
     let chosen = select_points(&good, material.features, selection)?.points;
@@ -62,7 +62,7 @@ pub(super) fn given(material: &Material<'_>, model: AssembledModel) -> Result<As
     Ok(model.with_points(&kept))
 }
 
-impl AssembledModel {
+impl ReconstructedModel {
     /// With some of its points (ascending) and their rays alone.
     fn with_points(self, kept: &[usize]) -> Self {
         let (adjusted, rays) = self.adjusted.with_points(kept);

@@ -11,17 +11,17 @@ const GUESSED_FOCAL: f64 = 1.2;
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct BlockDescription {
-    pub cameras: Vec<AssemblyCamera>,
-    pub images: Vec<AssemblyImage>,
+    pub cameras: Vec<KnownCamera>,
+    pub images: Vec<KnownImage>,
     #[serde(default)]
-    pub control: Vec<AssemblyControl>,
+    pub control: Vec<GroundControlPoint>,
 }
 
 /// A camera before its calibration; symbols as at [`BlockCamera`](crate::BlockCamera).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssemblyCamera {
+pub struct KnownCamera {
     pub width_px: u32,
     pub height_px: u32,
     /// Approximate principal distance in px; absent: not known. It is guessed then, and estimated in any case.
@@ -35,14 +35,14 @@ pub struct AssemblyCamera {
     #[serde(default)]
     pub tangential: [f64; 2],
     /// What the block estimates of it, where it determines that: by default all but k3, p1 and p2.
-    #[serde(default = "AssemblyCamera::calibrated")]
+    #[serde(default = "KnownCamera::calibrated")]
     pub free: FreeParameters,
     /// Side of a pixel in mm, for exports in photo coordinates.
     #[serde(default)]
     pub pixel_mm: Option<f64>,
 }
 
-impl AssemblyCamera {
+impl KnownCamera {
     /// Focal length, principal point, k1 and k2.
     pub const fn calibrated() -> FreeParameters {
         FreeParameters { focal: true, principal_point: true, radial: 2, tangential: false }
@@ -84,7 +84,7 @@ impl AssemblyCamera {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssemblyImage {
+pub struct KnownImage {
     /// File name; no two images have the same.
     pub name: String,
     /// Index of its camera.
@@ -125,17 +125,17 @@ pub enum ObservedPosition {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssemblyControl {
+pub struct GroundControlPoint {
     pub name: String,
     pub position: ObservedPosition,
-    pub rays: Vec<ControlRay>,
+    pub rays: Vec<ImageMeasurement>,
 }
 
 /// A surveyed point as an image shows it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ControlRay {
+pub struct ImageMeasurement {
     /// Index of the image.
     pub image: usize,
     /// Column and row in px, inside the image; the centre of the top-left pixel is (0.5, 0.5).

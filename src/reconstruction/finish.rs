@@ -6,20 +6,22 @@ use super::description::BlockDescription;
 use super::frame::Frame;
 use super::growth::Growth;
 use super::net::Net;
-use super::options::AssemblyOptions;
+use super::options::ReconstructionOptions;
 use super::rays::Rays;
-use super::result::{AssembledModel, AssembledPoint, AssembledRay, RejectedRay, UnorientedReason};
+use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation, UnorientedReason};
 use super::weaknesses::weaknesses;
 use crate::Error;
-use crate::adjustment::{Block, BlockImage, BlockPoint, BundleOptions, BundleResult, ControlPoint, Datum, Ray, adjust_block};
-use crate::tracks::{ImageFeatures, MultiRayPoints};
+use crate::adjustment::{
+    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, BlockPoint, ControlPoint, Datum, adjust_block,
+};
+use crate::tracks::{ImageFeatures, TiePoints};
 
 /// What models are finished with.
 pub(super) struct Material<'a> {
     pub description: &'a BlockDescription,
-    pub points: &'a MultiRayPoints,
+    pub points: &'a TiePoints,
     pub features: &'a [ImageFeatures<'a>],
-    pub options: &'a AssemblyOptions,
+    pub options: &'a ReconstructionOptions,
     pub frame: &'a Frame,
     pub camera_of: &'a [usize],
     pub longer_side_px: &'a [f64],
@@ -37,7 +39,7 @@ const LEAST_SIGMA_PX: f64 = 0.01;
 
 /// A finished model, with the reasons why images that were open to it are not in it.
 pub(super) struct Finished {
-    pub model: AssembledModel,
+    pub model: ReconstructedModel,
     pub unoriented: Vec<(usize, UnorientedReason)>,
 }
 
@@ -76,7 +78,7 @@ fn all_rays(material: &Material<'_>) -> Rays {
 }
 
 /// Adjusts the model, without images that it does not determine; `lost` says of each why it is not in it.
-fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<UnorientedReason>]) -> Result<AssembledModel, Error> {
+fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<UnorientedReason>]) -> Result<ReconstructedModel, Error> {
     let mut attempt = 0;
     loop {
         drop_images(net, LEAST_RAYS, lost);
@@ -114,9 +116,9 @@ struct Draft {
     block: Block,
     images: Vec<usize>,
     cameras: Vec<usize>,
-    points: Vec<AssembledPoint>,
-    rays: Vec<AssembledRay>,
-    rejected: Vec<RejectedRay>,
+    points: Vec<PointSource>,
+    rays: Vec<ObservationSource>,
+    rejected: Vec<RejectedObservation>,
     /// Of a mark beside that of any other ray.
     mark_weight: f64,
 }
@@ -128,7 +130,7 @@ impl Draft {
         cameras.sort_unstable();
         cameras.dedup();
         let place = |list: &[usize], index: usize| list.binary_search(&index).unwrap_or_default();
-        let sigma_px = material.options.bundle.sigma0_px.unwrap_or_else(|| net.sigma_px()).max(LEAST_SIGMA_PX);
+        let sigma_px = material.options.adjustment.sigma0_px.unwrap_or_else(|| net.sigma_px()).max(LEAST_SIGMA_PX);
         let mark_weight = sigma_px / material.options.mark_sigma_px * (sigma_px / material.options.mark_sigma_px);
         let mut draft =
             Self { block: Block::default(), images, cameras, points: Vec::new(), rays: Vec::new(), rejected: Vec::new(), mark_weight };
@@ -151,7 +153,7 @@ impl Draft {
         let index = self.block.points.len();
         let multi_ray = material.points.rays(point);
         let control = point.checked_sub(material.points.len());
-        self.points.push(control.map_or(AssembledPoint::MultiRay(point as u32), AssembledPoint::Control));
+        self.points.push(control.map_or(PointSource::TiePoint(point as u32), PointSource::GroundControl));
         self.block.points.push(BlockPoint { position });
         if let Some(control) = control {
             let (position, sigma) = material.frame.control[control];
@@ -162,20 +164,20 @@ impl Draft {
             let [x_px, y_px] = net.rays.at[ray];
             if net.accepted[ray] {
                 let weight = if control.is_some() { self.mark_weight } else { 1.0 };
-                self.block.rays.push(Ray { image, point: index, x_px, y_px, weight });
+                self.block.rays.push(BlockObservation { image, point: index, x_px, y_px, weight });
                 let known = multi_ray.get(k);
-                self.rays.push(AssembledRay { feature: known.map(|r| r.feature), confidence: known.map_or(1.0, |r| r.confidence) });
+                self.rays.push(ObservationSource { feature: known.map(|r| r.feature), confidence: known.map_or(1.0, |r| r.confidence) });
             } else {
-                self.rejected.push(RejectedRay { image, point: index, x_px, y_px, residual_px: net.residual(ray) });
+                self.rejected.push(RejectedObservation { image, point: index, x_px, y_px, residual_px: net.residual(ray) });
             }
         }
     }
 
     /// Adjusts in the datum that was asked for, or in the best that the observed positions allow; tells whether it lies in their system, and
     /// why not, where it should.
-    fn adjust(&self, material: &Material<'_>) -> Result<(BundleResult, bool, Option<String>), Error> {
+    fn adjust(&self, material: &Material<'_>) -> Result<(AdjustmentResult, bool, Option<String>), Error> {
         let options = material.options;
-        let with = |datum: Datum| adjust_block(&self.block, &BundleOptions { datum, ..options.bundle.clone() });
+        let with = |datum: Datum| adjust_block(&self.block, &AdjustmentOptions { datum, ..options.adjustment.clone() });
         if let Some(datum) = options.datum {
             return with(datum).map(|adjusted| (adjusted, datum != Datum::Free, None));
         }
@@ -201,9 +203,9 @@ impl Draft {
         }
     }
 
-    fn model(self, material: &Material<'_>, adjusted: BundleResult, in_system: bool, complaint: Option<String>) -> AssembledModel {
+    fn model(self, material: &Material<'_>, adjusted: AdjustmentResult, in_system: bool, complaint: Option<String>) -> ReconstructedModel {
         let guessed = |camera: &usize| material.description.cameras[*camera].focal_px.is_none();
-        let mut model = AssembledModel {
+        let mut model = ReconstructedModel {
             guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
             images: self.images,
             cameras: self.cameras,
@@ -226,7 +228,7 @@ mod tests {
     #[test]
     fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {
         let rays = Rays::new([[0, 2], [0, 2], [0, 3]].iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 4);
-        let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &AssemblyOptions::default());
+        let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &ReconstructionOptions::default());
         net.accepted.iter_mut().for_each(|accepted| *accepted = true);
         let images = [0, 2, 3];
         let named = Error::UndeterminedImage { what: "the bundle adjustment", image: 1, reason: String::new() };

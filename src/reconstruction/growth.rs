@@ -2,7 +2,7 @@
 
 use super::adjusting::{CALIBRATED, CameraPrior};
 use super::net::Net;
-use super::options::AssemblyOptions;
+use super::options::ReconstructionOptions;
 use super::resection::resect;
 use super::result::UnorientedReason;
 use super::start::StartPair;
@@ -30,7 +30,7 @@ const UNCALIBRATED: f64 = 4.0;
 #[derive(Clone)]
 pub(super) struct Growth<'a> {
     pub net: Net<'a>,
-    pub options: &'a AssemblyOptions,
+    pub options: &'a ReconstructionOptions,
     pub priors: &'a [CameraPrior],
     /// Images of other models.
     pub is_open: Vec<bool>,
@@ -42,7 +42,7 @@ pub(super) struct Growth<'a> {
 }
 
 impl<'a> Growth<'a> {
-    pub fn new(net: Net<'a>, options: &'a AssemblyOptions, priors: &'a [CameraPrior], is_open: Vec<bool>) -> Self {
+    pub fn new(net: Net<'a>, options: &'a ReconstructionOptions, priors: &'a [CameraPrior], is_open: Vec<bool>) -> Self {
         let images = net.rays.images();
         Self { net, options, priors, is_open, refused: vec![None; images], tries: vec![0; images], adjusted: 0 }
     }

@@ -2,10 +2,9 @@
 //!
 //! Data flow: [`BlockDescription`] with multi-ray points → `rays` (who sees what) → `start` (two images) → `growth` (`resection` of images by
 //! `p3p`, `intersection` of points, `adjusting` on the way) → `frame` (into the system of observed positions) → `finish` (all points, the
-//! choice among them, the bundle adjustment) → [`Assembly`].
+//! choice among them, the bundle adjustment) → [`Reconstruction`].
 
 mod adjusting;
-mod assemble;
 mod choosing;
 mod description;
 mod finish;
@@ -17,6 +16,7 @@ mod net;
 mod options;
 mod p3p;
 mod rays;
+mod reconstruct;
 mod refusal;
 mod resection;
 mod result;
@@ -24,7 +24,9 @@ mod start;
 mod units;
 mod weaknesses;
 
-pub use assemble::assemble_block;
-pub use description::{AssemblyCamera, AssemblyControl, AssemblyImage, BlockDescription, ControlRay, ObservedPosition};
-pub use options::AssemblyOptions;
-pub use result::{AssembledModel, AssembledPoint, AssembledRay, Assembly, RejectedRay, UnorientedImage, UnorientedReason};
+pub use description::{BlockDescription, GroundControlPoint, ImageMeasurement, KnownCamera, KnownImage, ObservedPosition};
+pub use options::ReconstructionOptions;
+pub use reconstruct::reconstruct_block;
+pub use result::{
+    ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, UnorientedImage, UnorientedReason,
+};

@@ -1,14 +1,14 @@
-//! A block as it is exchanged: before any of it is oriented, and with one of its assembled models.
+//! A block as it is exchanged: before any of it is oriented, and with one of its reconstructed models.
 
 use super::description::BlockDescription;
-use super::result::{AssembledPoint, Assembly};
+use super::result::{PointSource, Reconstruction};
 use crate::adjustment::CameraLabel;
 use crate::formats::{BlockModel, ModelImage};
-use crate::{Error, MultiRayPoints};
+use crate::{Error, TiePoints};
 
 impl BlockDescription {
     /// The block before any of its images is oriented, without points; what is not known of a camera is guessed as
-    /// [`assemble_block`](crate::assemble_block) guesses it.
+    /// [`reconstruct_block`](crate::reconstruct_block) guesses it.
     pub fn to_model(&self) -> BlockModel {
         let images = self.images.iter().map(|image| ModelImage { name: image.name.clone(), camera: image.camera, pose: None });
         BlockModel {
@@ -19,17 +19,17 @@ impl BlockDescription {
     }
 }
 
-impl Assembly {
+impl Reconstruction {
     /// One of the models with all cameras and images of the block, those of other models not oriented: indices are those of the block.
     ///
-    /// `points` are those that were assembled: they give the confidence of each point.
+    /// `points` are those that were reconstructed: they give the confidence of each point.
     ///
     /// # Errors
     /// [`Error::InvalidInput`] for a model that does not exist.
-    pub fn block_model(&self, model: usize, description: &BlockDescription, points: &MultiRayPoints) -> Result<BlockModel, Error> {
+    pub fn block_model(&self, model: usize, description: &BlockDescription, points: &TiePoints) -> Result<BlockModel, Error> {
         let Some(own) = self.models.get(model) else {
             let allowed = format!("models below {}", self.models.len());
-            return Err(Error::InvalidInput { what: "model of the assembly", got: model.to_string(), allowed });
+            return Err(Error::InvalidInput { what: "model of the reconstruction", got: model.to_string(), allowed });
         };
         let labels: Vec<CameraLabel> = own.cameras.iter().map(|camera| description.cameras[*camera].label()).collect();
         let names: Vec<String> = own.images.iter().map(|image| description.images[*image].name.clone()).collect();
@@ -42,7 +42,7 @@ impl Assembly {
         for (point, known) in own.adjusted.points.iter().zip(&own.points) {
             let (Some(_), Some(kept)) = (point, if point.is_some() { kept.next() } else { None }) else { continue };
             kept.rays.iter_mut().for_each(|ray| ray.image = own.images[ray.image]);
-            if let AssembledPoint::MultiRay(index) = known {
+            if let PointSource::TiePoint(index) = known {
                 kept.confidence = f64::from(points.confidence(*index as usize));
             }
         }
@@ -52,14 +52,14 @@ impl Assembly {
 
 #[cfg(test)]
 mod tests {
-    use super::super::description::{AssemblyCamera, AssemblyImage};
+    use super::super::description::{KnownCamera, KnownImage};
     use super::*;
 
     #[test]
     fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
-        let known = AssemblyCamera { principal_point_px: Some([2010.0, 1490.0]), ..AssemblyCamera::of_size(4000, 3000, Some(3500.0)) };
-        let image = |name: &str, camera| AssemblyImage { name: name.into(), camera, position: None };
-        let cameras = vec![AssemblyCamera::of_size(600, 800, None), known];
+        let known = KnownCamera { principal_point_px: Some([2010.0, 1490.0]), ..KnownCamera::of_size(4000, 3000, Some(3500.0)) };
+        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None };
+        let cameras = vec![KnownCamera::of_size(600, 800, None), known];
         let description = BlockDescription { cameras, images: vec![image("a.jpg", 1), image("b.jpg", 0)], control: Vec::new() };
         let model = description.to_model();
         model.check().unwrap();

@@ -1,6 +1,6 @@
 //! A block on its way: what is oriented and intersected so far.
 
-use super::options::AssemblyOptions;
+use super::options::ReconstructionOptions;
 use super::rays::Rays;
 use crate::adjustment::{BlockCamera, Pose, in_photo, project, values_of};
 use crate::camera::undistorted;
@@ -46,7 +46,7 @@ impl<'a> Net<'a> {
         camera_of: &'a [usize],
         longer_side_px: &'a [f64],
         cameras: Vec<BlockCamera>,
-        options: &AssemblyOptions,
+        options: &ReconstructionOptions,
     ) -> Self {
         let (poses, points, accepted) = (vec![None; rays.images()], vec![None; rays.points()], vec![false; rays.len()]);
         let (limit_px, mark_limit_px) = (options.largest_residual_px, LIMIT_SIGMAS * options.mark_sigma_px);
@@ -165,7 +165,7 @@ mod tests {
     fn a_point_that_an_image_leaves_with_one_ray_is_lost_with_it() {
         let seen_by: [&[u32]; 3] = [&[0, 1], &[0, 1, 2], &[1, 2]];
         let rays = Rays::new(seen_by.iter().map(|images| images.iter().map(|image| (*image, [1.0, 1.0]))), 3);
-        let mut net = Net::new(&rays, &[0, 0, 0], &[100.0], Vec::new(), &AssemblyOptions::default());
+        let mut net = Net::new(&rays, &[0, 0, 0], &[100.0], Vec::new(), &ReconstructionOptions::default());
         net.points.iter_mut().for_each(|point| *point = Some([0.0; 3]));
         net.accepted.iter_mut().for_each(|accepted| *accepted = true);
         net.lose(0);
@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn marks_have_a_limit_of_their_own() {
         let rays = Rays::new([0, 1].into_iter().map(|_| [(0, [1.0, 1.0])]), 1).with_surveyed(1);
-        let options = AssemblyOptions { mark_sigma_px: 0.5, ..AssemblyOptions::default() };
+        let options = ReconstructionOptions { mark_sigma_px: 0.5, ..ReconstructionOptions::default() };
         let net = Net::new(&rays, &[0], &[100.0], Vec::new(), &options);
         assert_eq!([0, 1].map(|ray| net.limit_of(ray)), [8.0, 2.5]);
     }

@@ -1,17 +1,17 @@
-//! What the user chooses of the assembly of a block.
+//! What the user chooses of the reconstruction of a block.
 
 use crate::Error;
-use crate::adjustment::{BundleOptions, Datum};
+use crate::adjustment::{AdjustmentOptions, Datum};
 use crate::parameters::check;
 use crate::tracks::SelectOptions;
 use serde::{Deserialize, Serialize};
 
-/// Options of [`assemble_block`](crate::assemble_block).
+/// Options of [`reconstruct_block`](crate::reconstruct_block).
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssemblyOptions {
-    /// What says where the block lies, in place of that of `bundle`; absent: the observed positions that suffice for it, else none.
+pub struct ReconstructionOptions {
+    /// What says where the block lies, in place of that of `adjustment`; absent: the observed positions that suffice for it, else none.
     pub datum: Option<Datum>,
     /// Rays an image has while the block grows, and in its adjustment where points are chosen: more are more precise, fewer are faster.
     pub growing_rays: usize,
@@ -29,14 +29,14 @@ pub struct AssemblyOptions {
     pub most_models: usize,
     /// Start of the random numbers.
     pub seed: u32,
-    /// By default as [`BundleOptions`] is, but that camera parameters are fixed beyond 20 px.
-    pub bundle: BundleOptions,
+    /// By default as [`AdjustmentOptions`] is, but that camera parameters are fixed beyond 20 px.
+    pub adjustment: AdjustmentOptions,
 }
 
 /// A focal length that is fixed at a value from growth would hide its error: it is estimated where the block says anything of it.
 const CALIBRATION_LIMIT_PX: f64 = 20.0;
 
-impl Default for AssemblyOptions {
+impl Default for ReconstructionOptions {
     fn default() -> Self {
         Self {
             datum: None,
@@ -48,39 +48,39 @@ impl Default for AssemblyOptions {
             selection: None,
             most_models: 10,
             seed: 1,
-            bundle: BundleOptions { calibration_limit_px: CALIBRATION_LIMIT_PX, ..BundleOptions::default() },
+            adjustment: AdjustmentOptions { calibration_limit_px: CALIBRATION_LIMIT_PX, ..AdjustmentOptions::default() },
         }
     }
 }
 
-impl AssemblyOptions {
+impl ReconstructionOptions {
     /// Refuses values outside their ranges.
     pub(super) fn check(&self) -> Result<(), Error> {
-        check("assembly.growing_rays", self.growing_rays as f64)?;
-        check("assembly.least_rays", self.least_rays as f64)?;
-        check("assembly.least_angle_deg", self.least_angle_deg)?;
-        check("assembly.largest_residual_px", self.largest_residual_px)?;
-        check("assembly.mark_sigma_px", self.mark_sigma_px)?;
-        check("assembly.most_models", self.most_models as f64)?;
+        check("reconstruction.growing_rays", self.growing_rays as f64)?;
+        check("reconstruction.least_rays", self.least_rays as f64)?;
+        check("reconstruction.least_angle_deg", self.least_angle_deg)?;
+        check("reconstruction.largest_residual_px", self.largest_residual_px)?;
+        check("reconstruction.mark_sigma_px", self.mark_sigma_px)?;
+        check("reconstruction.most_models", self.most_models as f64)?;
         self.selection.as_ref().map_or(Ok(()), SelectOptions::check)?;
-        self.bundle.check()
+        self.adjustment.check()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ASSEMBLY_PARAMETERS;
+    use crate::RECONSTRUCTION_PARAMETERS;
 
     #[test]
     fn every_option_is_described_once() {
-        let values = serde_json::to_value(AssemblyOptions::default()).unwrap();
-        let own = values.as_object().unwrap().keys().filter(|field| !["selection", "bundle"].contains(&field.as_str()));
-        let mut fields: Vec<String> = own.map(|field| format!("assembly.{field}")).collect();
+        let values = serde_json::to_value(ReconstructionOptions::default()).unwrap();
+        let own = values.as_object().unwrap().keys().filter(|field| !["selection", "adjustment"].contains(&field.as_str()));
+        let mut fields: Vec<String> = own.map(|field| format!("reconstruction.{field}")).collect();
         fields.sort_unstable();
-        let mut described: Vec<String> = ASSEMBLY_PARAMETERS.iter().map(|p| p.key.to_string()).collect();
+        let mut described: Vec<String> = RECONSTRUCTION_PARAMETERS.iter().map(|p| p.key.to_string()).collect();
         described.sort_unstable();
         assert_eq!(described, fields);
-        AssemblyOptions::default().check().unwrap();
+        ReconstructionOptions::default().check().unwrap();
     }
 }

@@ -1,13 +1,13 @@
-//! What cannot be assembled, and why.
+//! What cannot be reconstructed, and why.
 
-use super::description::{AssemblyCamera, AssemblyControl, BlockDescription, ObservedPosition};
+use super::description::{BlockDescription, GroundControlPoint, KnownCamera, ObservedPosition};
 use super::weaknesses::camera_named;
 use crate::Error;
 use crate::parameters::{FOCAL_PX, check_values};
-use crate::tracks::{ImageFeatures, MultiRayPoints, check_features};
+use crate::tracks::{ImageFeatures, TiePoints, check_features};
 
 impl BlockDescription {
-    /// Refuses what no block can be, as [`assemble_block`](crate::assemble_block) does, before anything is measured.
+    /// Refuses what no block can be, as [`reconstruct_block`](crate::reconstruct_block) does, before anything is measured.
     ///
     /// # Errors
     /// [`Error::TooFew`] below two images; [`Error::InvalidInput`] for indices of nothing, values that are none or out of range, and marks of
@@ -31,7 +31,7 @@ impl BlockDescription {
         self.control.iter().try_for_each(|control| self.check_control(control))
     }
 
-    fn check_control(&self, control: &AssemblyControl) -> Result<(), Error> {
+    fn check_control(&self, control: &GroundControlPoint) -> Result<(), Error> {
         let name = format!("surveyed point {}", control.name);
         check_position(&control.position, || name.clone())?;
         if matches!(control.position, ObservedPosition::Geographic { height_m: None, .. }) {
@@ -44,7 +44,7 @@ impl BlockDescription {
                 let got = format!("index {} as image of {name}", ray.image);
                 return Err(Error::InvalidInput { what, got, allowed: format!("indices below {}", self.images.len()) });
             };
-            let AssemblyCamera { width_px, height_px, .. } = self.cameras[image.camera];
+            let KnownCamera { width_px, height_px, .. } = self.cameras[image.camera];
             let is_inside = (0.0..=f64::from(width_px)).contains(&ray.x_px) && (0.0..=f64::from(height_px)).contains(&ray.y_px);
             if !is_inside {
                 let got = format!("({}, {}) for {} in {}, outside the image", ray.x_px, ray.y_px, control.name, image.name);
@@ -64,7 +64,7 @@ impl BlockDescription {
 }
 
 /// Refuses a block that cannot be, and points and features that are not its own.
-pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, features: &[ImageFeatures<'_>]) -> Result<(), Error> {
+pub(super) fn check(description: &BlockDescription, points: &TiePoints, features: &[ImageFeatures<'_>]) -> Result<(), Error> {
     description.check()?;
     if features.len() != description.images.len() {
         let got = format!("features of {} images", features.len());
@@ -74,7 +74,7 @@ pub(super) fn check(description: &BlockDescription, points: &MultiRayPoints, fea
     check_features(points, features)
 }
 
-fn check_camera(camera: &AssemblyCamera, place: impl Fn() -> String) -> Result<(), Error> {
+fn check_camera(camera: &KnownCamera, place: impl Fn() -> String) -> Result<(), Error> {
     check_values("size of the images", &[f64::from(camera.width_px), f64::from(camera.height_px)], 1.0..=1e7, &place)?;
     camera.focal_px.map_or(Ok(()), |focal| check_values("focal length of a camera", &[focal], FOCAL_PX, &place))?;
     camera.principal_point_px.map_or(Ok(()), |at| check_values("principal point of a camera", &at, -1e7..=1e7, &place))?;

@@ -152,7 +152,7 @@ fn least_spread(known: &[&Known]) -> f64 {
 mod tests {
     use super::*;
     use crate::adjustment::{BlockCamera, FreeParameters};
-    use crate::reconstruction::options::AssemblyOptions;
+    use crate::reconstruction::options::ReconstructionOptions;
     use crate::reconstruction::rays::Rays;
 
     #[test]
@@ -170,7 +170,7 @@ mod tests {
             [depth * (col - 6000.0) / 3000.0, -depth * (row - 400.0) / 3000.0, 700.0 - depth]
         };
         let rays = Rays::new((0..40).map(|k| [(0, at(k))]), 1);
-        let mut net = Net::new(&rays, &[0], &[1000.0], vec![camera], &AssemblyOptions::default());
+        let mut net = Net::new(&rays, &[0], &[1000.0], vec![camera], &ReconstructionOptions::default());
         (0..40).for_each(|k| net.points[k] = Some(place(k)));
         let (pose, agreeing) = resect(&net, 0, 1.0, 12, 1).unwrap();
         assert_eq!(agreeing, 40);

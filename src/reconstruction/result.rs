@@ -1,14 +1,14 @@
-//! What the assembly of a block gives.
+//! What the reconstruction of a block gives.
 
-use crate::adjustment::BundleResult;
+use crate::adjustment::AdjustmentResult;
 use crate::formats::GeographicOrigin;
 use serde::{Deserialize, Serialize};
 
 /// The models of a block, the one with most images first, and the images that are in none.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Assembly {
-    pub models: Vec<AssembledModel>,
+pub struct Reconstruction {
+    pub models: Vec<ReconstructedModel>,
     pub unoriented: Vec<UnorientedImage>,
     /// Where (0, 0, 0) of the models that lie in the system of geographic positions is.
     pub origin: Option<GeographicOrigin>,
@@ -17,7 +17,7 @@ pub struct Assembly {
 /// A model: images that are oriented to each other, adjusted.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssembledModel {
+pub struct ReconstructedModel {
     /// The image of the block that each image of the adjusted one is, ascending.
     pub images: Vec<usize>,
     /// The camera of the block that each camera of the adjusted one is, ascending.
@@ -25,12 +25,12 @@ pub struct AssembledModel {
     /// Cameras of the block whose focal length was not known.
     pub guessed_focal: Vec<usize>,
     /// What each point of the adjusted block is.
-    pub points: Vec<AssembledPoint>,
+    pub points: Vec<PointSource>,
     /// What each ray of the adjusted block is.
-    pub rays: Vec<AssembledRay>,
+    pub rays: Vec<ObservationSource>,
     /// Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
-    pub rejected: Vec<RejectedRay>,
-    pub adjusted: BundleResult,
+    pub rejected: Vec<RejectedObservation>,
+    pub adjusted: AdjustmentResult,
     /// Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
     pub in_system: bool,
     /// What is weak about it, in words.
@@ -41,17 +41,17 @@ pub struct AssembledModel {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum AssembledPoint {
-    /// Index of a multi-ray point.
-    MultiRay(u32),
-    /// Index of a surveyed point.
-    Control(usize),
+pub enum PointSource {
+    /// Index of a tie point.
+    TiePoint(u32),
+    /// Index of a ground control point.
+    GroundControl(usize),
 }
 
 /// What a ray of an adjusted block is.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AssembledRay {
+pub struct ObservationSource {
     /// Index of the feature in its image; absent for a ray to a surveyed point.
     pub feature: Option<u32>,
     /// Probability, 0..1, that it belongs to its point, as the matches have it.
@@ -61,7 +61,7 @@ pub struct AssembledRay {
 /// A ray that does not fit to its point.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct RejectedRay {
+pub struct RejectedObservation {
     /// Index of the image in the adjusted block.
     pub image: usize,
     /// Index of the point in the adjusted block.

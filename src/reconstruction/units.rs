@@ -2,7 +2,7 @@
 
 use super::description::{BlockDescription, ObservedPosition};
 use super::frame::Frame;
-use super::result::AssembledModel;
+use super::result::ReconstructedModel;
 use crate::math::median;
 
 /// Lengths that differ by less are taken as the same: ln 1.2.
@@ -25,7 +25,7 @@ const LARGEST_EXTENT_DEG: f64 = 1.0;
 const LEAST_HEIGHT: f64 = 10.0;
 
 /// What speaks against metres.
-pub(super) fn of_units(model: &AssembledModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
+pub(super) fn of_units(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
     let ratio = ratio_of_lengths(model, frame).filter(|_| model.in_system);
     let scale = ratio.map(|ratio| {
         let unit = UNITS.iter().find(|(per_metre, _)| libm::log(ratio / per_metre).abs() < NEAR_UNIT_LOG);
@@ -39,7 +39,7 @@ pub(super) fn of_units(model: &AssembledModel, description: &BlockDescription, f
 
 /// How many times as long distances between images are as those between their recorded positions: the median, where it says that lengths
 /// differ.
-fn ratio_of_lengths(model: &AssembledModel, frame: &Frame) -> Option<f64> {
+fn ratio_of_lengths(model: &ReconstructedModel, frame: &Frame) -> Option<f64> {
     let images = model.images.iter().zip(&model.adjusted.block.images);
     let known: Vec<_> = images.filter_map(|(image, adjusted)| Some((adjusted.position, frame.recorded[*image]?))).collect();
     let some: Vec<_> = known.iter().step_by(known.len().div_ceil(COMPARED).max(1)).collect();

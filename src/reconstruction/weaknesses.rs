@@ -2,10 +2,10 @@
 
 use super::description::BlockDescription;
 use super::frame::Frame;
-use super::result::AssembledPoint;
-use super::result::{AssembledModel, UnorientedReason};
+use super::result::PointSource;
+use super::result::{ReconstructedModel, UnorientedReason};
 use super::units::of_units;
-use crate::adjustment::RayVerdict;
+use crate::adjustment::ObservationVerdict;
 use crate::text::counted;
 
 /// An image with fewer accepted rays is weak.
@@ -23,7 +23,12 @@ const OBLIQUE_DEG: f64 = 10.0;
 /// Images are named one by one up to so many.
 const NAMED: usize = 5;
 
-pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription, frame: &Frame, complaint: Option<String>) -> Vec<String> {
+pub(super) fn weaknesses(
+    model: &ReconstructedModel,
+    description: &BlockDescription,
+    frame: &Frame,
+    complaint: Option<String>,
+) -> Vec<String> {
     let mut found = Vec::new();
     found.extend(of_datum(model, complaint));
     found.extend(of_positions(model, description, frame));
@@ -35,7 +40,7 @@ pub(super) fn weaknesses(model: &AssembledModel, description: &BlockDescription,
     found
 }
 
-fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String> {
+fn of_datum(model: &ReconstructedModel, complaint: Option<String>) -> Option<String> {
     if model.in_system {
         return of_turn(model);
     }
@@ -45,7 +50,7 @@ fn of_datum(model: &AssembledModel, complaint: Option<String>) -> Option<String>
 
 /// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
 /// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
-fn of_turn(model: &AssembledModel) -> Option<String> {
+fn of_turn(model: &ReconstructedModel) -> Option<String> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let least = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
     let datum = model.adjusted.datum;
@@ -66,14 +71,14 @@ fn of_turn(model: &AssembledModel) -> Option<String> {
 }
 
 /// The angle between the mean direction of view and the vertical.
-fn mean_tilt_deg(model: &AssembledModel) -> f64 {
+fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
     let images = &model.adjusted.block.images;
     let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.rotation[2][k]).sum::<f64>());
     libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
 }
 
 /// Recorded positions that took no part, and heights that were not recorded.
-fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
+fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
     let mut found = Vec::new();
     if frame.is_levelled && model.adjusted.datum.uses_gps() {
         found.push(
@@ -100,8 +105,8 @@ fn of_positions(model: &AssembledModel, description: &BlockDescription, frame: &
 }
 
 /// Surveyed points whose marks do not fit, each by its name.
-fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<String> {
-    let place = |control: usize| model.points.iter().position(|point| *point == AssembledPoint::Control(control));
+fn of_marks(model: &ReconstructedModel, description: &BlockDescription) -> Vec<String> {
+    let place = |control: usize| model.points.iter().position(|point| *point == PointSource::GroundControl(control));
     let name = |image: usize| description.images[model.images[image]].name.clone();
     let mut found = Vec::new();
     for (index, control) in description.control.iter().enumerate() {
@@ -117,7 +122,7 @@ fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<Strin
             continue;
         };
         let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
-        let after = of_rays.filter(|(ray, statistics)| ray.point == point && statistics.verdict != RayVerdict::Accepted);
+        let after = of_rays.filter(|(ray, statistics)| ray.point == point && statistics.verdict != ObservationVerdict::Accepted);
         let mut images: Vec<usize> = after.map(|(ray, _)| ray.image).collect();
         images.extend(model.rejected.iter().filter(|ray| ray.point == point).map(|ray| ray.image));
         images.sort_unstable();
@@ -130,7 +135,7 @@ fn of_marks(model: &AssembledModel, description: &BlockDescription) -> Vec<Strin
     found
 }
 
-fn of_cameras(model: &AssembledModel, description: &BlockDescription) -> Vec<String> {
+fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<String> {
     let mut found = Vec::new();
     for (camera, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
         let named = camera_named(*camera, description);
@@ -164,7 +169,7 @@ pub(super) fn camera_named(camera: usize, description: &BlockDescription) -> Str
     }
 }
 
-fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<String> {
+fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Option<String> {
     let weak: Vec<&str> = (model.images.iter().zip(&model.adjusted.images))
         .filter(|(_, statistics)| statistics.rays < FEW_RAYS)
         .map(|(image, _)| description.images[*image].name.as_str())
@@ -175,7 +180,7 @@ fn of_images(model: &AssembledModel, description: &BlockDescription) -> Option<S
     (!weak.is_empty()).then(|| format!("{} {verb} fewer than {FEW_RAYS} rays: {named}{more}.", counted(weak.len(), "image")))
 }
 
-fn of_rays(model: &AssembledModel) -> Vec<String> {
+fn of_rays(model: &ReconstructedModel) -> Vec<String> {
     let mut found = Vec::new();
     let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
     let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
@@ -183,7 +188,7 @@ fn of_rays(model: &AssembledModel) -> Vec<String> {
         let all = counted(points, "point");
         found.push(format!("{two} of {all} of the adjustment have two rays only: their errors along the base do not show."));
     }
-    let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != RayVerdict::Accepted).count() + model.rejected.len();
+    let lost = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + model.rejected.len();
     let all = model.adjusted.rays.len() + model.rejected.len();
     if lost as f64 > MANY_REJECTED * all as f64 {
         found.push(format!("{lost} of {all} rays do not fit."));

@@ -4,7 +4,7 @@ use super::belonging::belonging;
 use super::evidence::evidence;
 use super::mixture::{probabilities, reliability};
 use super::sets::{Joined, RaySets};
-use super::{BlockMatches, BlockOptions, Conflicts, MatchReliability, MultiRayPoints, PointRay};
+use super::{BlockMatches, BlockOptions, Conflicts, FeatureObservation, MatchReliability, TiePoints};
 use crate::Error;
 use serde::{Deserialize, Serialize};
 
@@ -45,7 +45,7 @@ const ROUNDS: usize = 2;
 ///
 /// # Source
 /// The joining is Kruskal's 1956 algorithm with a side condition.
-pub fn multi_ray_points(matches: &BlockMatches, options: &BlockOptions) -> Result<(MultiRayPoints, JoinCounts), Error> {
+pub fn tie_points(matches: &BlockMatches, options: &BlockOptions) -> Result<(TiePoints, JoinCounts), Error> {
     options.check()?;
     let (probability, reliability) = judge(matches, options.expected_right);
     let order = by_probability(matches, &probability);
@@ -105,8 +105,8 @@ fn points_of(
     dropped: &[u32],
     min_rays: usize,
     counts: &mut JoinCounts,
-) -> MultiRayPoints {
-    let mut points = MultiRayPoints::default();
+) -> TiePoints {
+    let mut points = TiePoints::default();
     let mut kept = Vec::new();
     sets.each(|nodes| {
         let root = sets.root_of(nodes[0]);
@@ -123,7 +123,7 @@ fn points_of(
             counts.dropped_rays += kept.len();
             return;
         }
-        let ray = |node: &u32| PointRay {
+        let ray = |node: &u32| FeatureObservation {
             image: matches.image_of(*node),
             feature: matches.feature_of(*node),
             confidence: belonging[*node as usize],
@@ -137,7 +137,7 @@ fn points_of(
 }
 
 /// The surest points, as many as leave the expected share of impure ones within bounds.
-fn surest(points: MultiRayPoints, impure: f64, counts: &mut JoinCounts) -> MultiRayPoints {
+fn surest(points: TiePoints, impure: f64, counts: &mut JoinCounts) -> TiePoints {
     let confidence = |point: u32| points.confidence(point as usize);
     let mut order: Vec<u32> = (0..points.len() as u32).collect();
     order.sort_unstable_by(|a, b| confidence(*b).total_cmp(&confidence(*a)).then(a.cmp(b)));
@@ -156,7 +156,7 @@ fn surest(points: MultiRayPoints, impure: f64, counts: &mut JoinCounts) -> Multi
     order.truncate(kept);
     order.sort_unstable();
     let rays = |point: &u32| points.rays(*point as usize);
-    let mut left = MultiRayPoints::with_capacity(kept, order.iter().map(|point| rays(point).len()).sum());
+    let mut left = TiePoints::with_capacity(kept, order.iter().map(|point| rays(point).len()).sum());
     order.iter().for_each(|point| left.push(rays(point).iter().copied(), confidence(*point)));
     counts.dropped_points += points.len() - left.len();
     counts.dropped_rays += points.ray_count() - left.ray_count();
@@ -172,7 +172,7 @@ mod tests {
         FeatureMatch { features: [a, b], strength }
     }
 
-    fn rays(points: &MultiRayPoints) -> Vec<Vec<(u32, u32)>> {
+    fn rays(points: &TiePoints) -> Vec<Vec<(u32, u32)>> {
         points.iter().map(|rays| rays.iter().map(|ray| (ray.image, ray.feature)).collect()).collect()
     }
 
@@ -192,7 +192,7 @@ mod tests {
     #[test]
     fn a_conflict_is_cut_at_its_weakest_edge() {
         let options = BlockOptions { impure: 0.5, ..BlockOptions::default() };
-        let (points, counts) = multi_ray_points(&conflict(), &options).unwrap();
+        let (points, counts) = tie_points(&conflict(), &options).unwrap();
         let whole = |feature| (0..4).map(|image| (image, feature)).collect::<Vec<_>>();
         assert_eq!(rays(&points), [whole(0), whole(1)]);
         assert_eq!(counts.cut_as_conflict, 1);
@@ -201,7 +201,7 @@ mod tests {
     #[test]
     fn a_conflict_that_is_dropped_takes_all_its_rays_along() {
         let options = BlockOptions { impure: 0.5, conflicts: Conflicts::Drop, ..BlockOptions::default() };
-        let (points, counts) = multi_ray_points(&conflict(), &options).unwrap();
+        let (points, counts) = tie_points(&conflict(), &options).unwrap();
         assert!(points.is_empty());
         assert_eq!((counts.dropped_points, counts.dropped_rays), (1, 8));
     }
@@ -213,7 +213,7 @@ mod tests {
         let join = |order: [usize; 3]| {
             let mut matches = BlockMatches::new(&[2; 3]).unwrap();
             order.iter().for_each(|k| matches.add_pair(lists[*k].0, &lists[*k].1).unwrap());
-            multi_ray_points(&matches, &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap()
+            tie_points(&matches, &BlockOptions { impure: 0.5, ..BlockOptions::default() }).unwrap()
         };
         assert_eq!(join([0, 1, 2]), join([2, 0, 1]));
         assert_eq!(join([0, 1, 2]), join([1, 2, 0]));
@@ -223,16 +223,16 @@ mod tests {
     fn points_of_too_few_rays_are_counted_and_left_out() {
         let mut matches = BlockMatches::new(&[1; 2]).unwrap();
         matches.add_pair([0, 1], &[of(0, 0, 1.0)]).unwrap();
-        let (points, counts) = multi_ray_points(&matches, &BlockOptions { min_rays: 3, ..BlockOptions::default() }).unwrap();
+        let (points, counts) = tie_points(&matches, &BlockOptions { min_rays: 3, ..BlockOptions::default() }).unwrap();
         assert!(points.is_empty() && counts.dropped_rays == 2);
-        let (points, _) = multi_ray_points(&matches, &BlockOptions::default()).unwrap();
+        let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
         assert_eq!(rays(&points), [[(0, 0), (1, 0)]]);
         assert!((points.confidence(0) - 0.998).abs() < 1e-6 && points.rays(1).is_empty());
     }
 
     #[test]
     fn nothing_gives_nothing() {
-        let (points, counts) = multi_ray_points(&BlockMatches::new(&[]).unwrap(), &BlockOptions::default()).unwrap();
+        let (points, counts) = tie_points(&BlockMatches::new(&[]).unwrap(), &BlockOptions::default()).unwrap();
         assert!(points.is_empty() && counts.matches == 0);
     }
 
@@ -244,7 +244,7 @@ mod tests {
             (BlockOptions { min_rays: 1, ..BlockOptions::default() }, "block.min_rays"),
             (BlockOptions { expected_right: 1.0, ..BlockOptions::default() }, "block.expected_right"),
         ] {
-            assert!(matches!(multi_ray_points(&matches, &options), Err(Error::InvalidOption { field, .. }) if field == name));
+            assert!(matches!(tie_points(&matches, &options), Err(Error::InvalidOption { field, .. }) if field == name));
         }
     }
 }

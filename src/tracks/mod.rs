@@ -1,7 +1,7 @@
 //! From pairs to a block: which images are tried and connected, multi-ray points, and the choice among them.
 //!
 //! Data flow: [`ChosenPair`] → matches of a pair ([`BlockMatches`], [`ConnectionGraph`]) → `evidence` (how probable a match is by the
-//! matches around it) → `joining` ([`MultiRayPoints`]) → [`select_points`] → `refinement` of the rays of chosen points ([`PointRefiner`]).
+//! matches around it) → `joining` ([`TiePoints`]) → [`select_points`] → `refinement` of the rays of chosen points ([`PointRefiner`]).
 
 mod belonging;
 mod choice;
@@ -23,17 +23,17 @@ mod shared;
 
 pub use choice::{ChosenPair, PairRule, alike_pairs, all_pairs, merge_pairs, near_pairs, sequence_pairs};
 pub use connections::{Connection, ConnectionGraph, PairOutcome};
-pub use joining::{JoinCounts, multi_ray_points};
+pub use joining::{JoinCounts, tie_points};
 pub use matches::{BlockMatches, FeatureMatch};
 pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
 pub(crate) use places::{check as check_features, von_gruber_position};
-pub use placing::PlacingOptions;
-pub use points::{MultiRayPoints, PointRay};
+pub use placing::GeoreferencingOptions;
+pub use points::{FeatureObservation, TiePoints};
 pub use refinement::{
-    PointRefiner, RayOutcome, RayPlace, RayWindow, RayWindows, RefinedPoint, RefinedRay, RefinementMethod, RefinementOptions, WindowedRay,
-    ray_windows,
+    ObservationRefinement, ObservationWindow, ObservationWindows, PointRefiner, RefinedPoint, RefinementMethod, RefinementOptions,
+    RefinementOutcome, WindowCentre, WindowedObservation, observation_windows,
 };
 pub use selection::{SelectedPoints, select_points};
 pub use settings::{BlockSettings, PairChoice, choose_pairs};

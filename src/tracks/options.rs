@@ -72,7 +72,7 @@ impl SelectOptions {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BLOCK_PARAMETERS, PlacingOptions, RefinementOptions};
+    use crate::{BLOCK_PARAMETERS, GeoreferencingOptions, RefinementOptions};
 
     #[test]
     fn every_option_is_described_once() {
@@ -81,7 +81,7 @@ mod tests {
         };
         let mut fields = keys("block", serde_json::to_value(BlockOptions::default()).unwrap());
         fields.extend(keys("selection", serde_json::to_value(SelectOptions::default()).unwrap()));
-        fields.extend(keys("placing", serde_json::to_value(PlacingOptions::default()).unwrap()));
+        fields.extend(keys("placing", serde_json::to_value(GeoreferencingOptions::default()).unwrap()));
         fields.extend(keys("refinement", serde_json::to_value(RefinementOptions::default()).unwrap()));
         fields.sort_unstable();
         let mut described: Vec<String> =

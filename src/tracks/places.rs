@@ -1,6 +1,6 @@
 //! Where in an image a point lies: cells of an even grid, nine groups of which are the von Gruber positions.
 
-use super::{MultiRayPoints, PointRay};
+use super::{FeatureObservation, TiePoints};
 use crate::Error;
 
 /// Where the features of an image are.
@@ -38,18 +38,18 @@ impl<'a> Cells<'a> {
     }
 
     /// The cell of a ray among those of all images.
-    pub(super) fn of(&self, ray: &PointRay) -> usize {
+    pub(super) fn of(&self, ray: &FeatureObservation) -> usize {
         let image = &self.images[ray.image as usize];
         let [x, y] = image.positions[ray.feature as usize];
         let at = [x, y].map(f64::from);
         ray.image as usize * self.side * self.side + cell(at, [image.width_px, image.height_px], self.side)
     }
 
-    pub(super) fn count(&self, ray: &PointRay) -> u16 {
+    pub(super) fn count(&self, ray: &FeatureObservation) -> u16 {
         self.counts[self.of(ray)]
     }
 
-    pub(super) fn add(&mut self, ray: &PointRay) {
+    pub(super) fn add(&mut self, ray: &FeatureObservation) {
         let cell = self.of(ray);
         self.counts[cell] = self.counts[cell].saturating_add(1);
     }
@@ -66,7 +66,7 @@ impl<'a> Cells<'a> {
 }
 
 /// Refuses rays whose images or features do not exist, and features that lie outside their images.
-pub(crate) fn check(points: &MultiRayPoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
+pub(crate) fn check(points: &TiePoints, images: &[ImageFeatures<'_>]) -> Result<(), Error> {
     let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "features of the images", got, allowed: allowed.into() });
     for (index, image) in images.iter().enumerate() {
         let inside = |[x, y]: &[f32; 2]| (0.0..=image.width_px as f32).contains(x) && (0.0..=image.height_px as f32).contains(y);
@@ -77,7 +77,8 @@ pub(crate) fn check(points: &MultiRayPoints, images: &[ImageFeatures<'_>]) -> Re
             );
         }
     }
-    let missing = |ray: &&PointRay| images.get(ray.image as usize).is_none_or(|image| ray.feature as usize >= image.positions.len());
+    let missing =
+        |ray: &&FeatureObservation| images.get(ray.image as usize).is_none_or(|image| ray.feature as usize >= image.positions.len());
     match points.iter().flatten().find(missing) {
         Some(ray) => refused(format!("none for feature {} of image {}", ray.feature, ray.image), "a position for each ray of the points"),
         None => Ok(()),

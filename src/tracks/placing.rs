@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct PlacingOptions {
+pub struct GeoreferencingOptions {
     /// Of east and of north of a recorded position.
     pub receiver_across_m: f64,
     /// Of its height.
@@ -19,13 +19,13 @@ pub struct PlacingOptions {
     pub surveyed_up_m: f64,
 }
 
-impl Default for PlacingOptions {
+impl Default for GeoreferencingOptions {
     fn default() -> Self {
         Self { receiver_across_m: 3.0, receiver_up_m: 6.0, surveyed_across_m: 0.02, surveyed_up_m: 0.03 }
     }
 }
 
-impl PlacingOptions {
+impl GeoreferencingOptions {
     /// Refuses values outside their ranges.
     pub(super) fn check(&self) -> Result<(), Error> {
         check("placing.receiver_across_m", self.receiver_across_m)?;
@@ -41,13 +41,13 @@ mod tests {
 
     #[test]
     fn every_option_of_placing_is_described_and_checked() {
-        let fields = serde_json::to_value(PlacingOptions::default()).unwrap();
+        let fields = serde_json::to_value(GeoreferencingOptions::default()).unwrap();
         for field in fields.as_object().unwrap().keys() {
             assert!(crate::BLOCK_PARAMETERS.iter().any(|p| p.key == format!("placing.{field}")), "{field}");
         }
-        PlacingOptions::default().check().unwrap();
+        GeoreferencingOptions::default().check().unwrap();
         for wrong in [0.0, -1.0, f64::NAN] {
-            let options = PlacingOptions { receiver_up_m: wrong, ..PlacingOptions::default() };
+            let options = GeoreferencingOptions { receiver_up_m: wrong, ..GeoreferencingOptions::default() };
             assert!(matches!(options.check(), Err(Error::InvalidOption { field: "placing.receiver_up_m", .. })), "{wrong}");
         }
     }

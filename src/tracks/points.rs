@@ -4,7 +4,7 @@ use crate::Error;
 
 /// A feature that shows a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PointRay {
+pub struct FeatureObservation {
     pub image: u32,
     /// Index of the feature in its image.
     pub feature: u32,
@@ -14,27 +14,27 @@ pub struct PointRay {
 
 /// The multi-ray points of a block, ordered by their first ray; the rays of a point are ordered by image.
 #[derive(Debug, Clone, PartialEq)]
-pub struct MultiRayPoints {
+pub struct TiePoints {
     /// The first ray of each point, and the number of all rays.
     starts: Vec<u32>,
-    rays: Vec<PointRay>,
+    rays: Vec<FeatureObservation>,
     confidence: Vec<f32>,
 }
 
-impl Default for MultiRayPoints {
+impl Default for TiePoints {
     fn default() -> Self {
         Self { starts: vec![0], rays: Vec::new(), confidence: Vec::new() }
     }
 }
 
-impl MultiRayPoints {
+impl TiePoints {
     pub(crate) fn with_capacity(points: usize, rays: usize) -> Self {
         let mut new = Self { rays: Vec::with_capacity(rays), confidence: Vec::with_capacity(points), ..Self::default() };
         new.starts.reserve(points);
         new
     }
 
-    pub(crate) fn push(&mut self, rays: impl Iterator<Item = PointRay>, confidence: f32) {
+    pub(crate) fn push(&mut self, rays: impl Iterator<Item = FeatureObservation>, confidence: f32) {
         self.rays.extend(rays);
         self.starts.push(self.rays.len() as u32);
         self.confidence.push(confidence);
@@ -72,7 +72,7 @@ impl MultiRayPoints {
     }
 
     /// The rays of a point; none for an index beyond the last point.
-    pub fn rays(&self, point: usize) -> &[PointRay] {
+    pub fn rays(&self, point: usize) -> &[FeatureObservation] {
         match (self.starts.get(point), self.starts.get(point + 1)) {
             (Some(first), Some(end)) => &self.rays[*first as usize..*end as usize],
             _ => &[],
@@ -85,7 +85,7 @@ impl MultiRayPoints {
     }
 
     /// The rays of all points, one after another.
-    pub fn iter(&self) -> impl Iterator<Item = &[PointRay]> {
+    pub fn iter(&self) -> impl Iterator<Item = &[FeatureObservation]> {
         (0..self.len()).map(|point| self.rays(point))
     }
 }

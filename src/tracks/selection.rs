@@ -2,7 +2,7 @@
 
 use super::places::{Cells, check};
 use super::shared::{PointsOfImages, count_shared};
-use super::{ImageFeatures, MultiRayPoints, PointRay, SelectOptions, SharedPoints};
+use super::{FeatureObservation, ImageFeatures, SelectOptions, SharedPoints, TiePoints};
 use crate::Error;
 
 /// The points that were chosen.
@@ -35,7 +35,7 @@ const MOST_CROWDED: u32 = 2;
 ///
 /// # Source
 /// That the points of a model belong to six places, nine an image: von Gruber 1924, Einfache und Doppelpunkteinschaltung im Raume.
-pub fn select_points(points: &MultiRayPoints, images: &[ImageFeatures<'_>], options: &SelectOptions) -> Result<SelectedPoints, Error> {
+pub fn select_points(points: &TiePoints, images: &[ImageFeatures<'_>], options: &SelectOptions) -> Result<SelectedPoints, Error> {
     options.check()?;
     check(points, images)?;
     let mut choice = Choice::new(points, images, options);
@@ -53,7 +53,7 @@ pub fn select_points(points: &MultiRayPoints, images: &[ImageFeatures<'_>], opti
 }
 
 /// All points, the best first.
-fn in_line(points: &MultiRayPoints) -> Vec<u32> {
+fn in_line(points: &TiePoints) -> Vec<u32> {
     let worth: Vec<f32> = (0..points.len())
         .map(|point| points.confidence(point) * points.rays(point).iter().map(|ray| ray.confidence).sum::<f32>())
         .collect();
@@ -63,7 +63,7 @@ fn in_line(points: &MultiRayPoints) -> Vec<u32> {
 }
 
 struct Choice<'a> {
-    points: &'a MultiRayPoints,
+    points: &'a TiePoints,
     chosen: Vec<bool>,
     cells: Cells<'a>,
     /// Chosen rays of each image.
@@ -72,7 +72,7 @@ struct Choice<'a> {
 }
 
 impl<'a> Choice<'a> {
-    fn new(points: &'a MultiRayPoints, images: &'a [ImageFeatures<'a>], options: &SelectOptions) -> Self {
+    fn new(points: &'a TiePoints, images: &'a [ImageFeatures<'a>], options: &SelectOptions) -> Self {
         let cells = Cells::new(images, options.per_image);
         Self { points, chosen: vec![false; points.len()], cells, counts: vec![0; images.len()], per_image: options.per_image as u32 }
     }
@@ -85,7 +85,7 @@ impl<'a> Choice<'a> {
         }
     }
 
-    fn wants(&self, ray: &PointRay) -> bool {
+    fn wants(&self, ray: &FeatureObservation) -> bool {
         self.counts[ray.image as usize] < self.per_image
     }
 

@@ -1,8 +1,8 @@
 //! What the user chooses of a whole block: its features, its pairs, its matches, its points.
 
 use super::{
-    BlockOptions, ChosenPair, PairRule, PlacingOptions, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs, near_pairs,
-    sequence_pairs,
+    BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
+    near_pairs, sequence_pairs,
 };
 use crate::parameters::check;
 use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
@@ -87,7 +87,7 @@ pub struct BlockSettings {
     pub nearest: NearestOptions,
     /// Its cameras are those of the block.
     pub geometry: TwoViewOptions,
-    pub placing: PlacingOptions,
+    pub placing: GeoreferencingOptions,
     pub block: BlockOptions,
     pub selection: SelectOptions,
     pub refinement: RefinementOptions,
@@ -102,7 +102,7 @@ impl Default for BlockSettings {
             pairs: PairChoice::default(),
             nearest: NearestOptions::default(),
             geometry: TwoViewOptions::default(),
-            placing: PlacingOptions::default(),
+            placing: GeoreferencingOptions::default(),
             block: BlockOptions::default(),
             selection: SelectOptions::default(),
             refinement: RefinementOptions::default(),

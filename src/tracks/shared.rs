@@ -1,6 +1,6 @@
 //! How many points each two images have in common.
 
-use super::{MultiRayPoints, PointRay};
+use super::{FeatureObservation, TiePoints};
 use serde::{Deserialize, Serialize};
 
 /// The points that two images have in common.
@@ -13,7 +13,7 @@ pub struct SharedPoints {
 }
 
 /// For each pair of images with points in common, how many: ordered by image. Rays of images from `images` on are passed over.
-pub fn shared_points(points: &MultiRayPoints, images: usize) -> Vec<SharedPoints> {
+pub fn shared_points(points: &TiePoints, images: usize) -> Vec<SharedPoints> {
     count_shared(&PointsOfImages::new(points, images), |point| points.rays(point as usize), images)
 }
 
@@ -24,9 +24,9 @@ pub(super) struct PointsOfImages {
 }
 
 impl PointsOfImages {
-    pub(super) fn new(points: &MultiRayPoints, images: usize) -> Self {
+    pub(super) fn new(points: &TiePoints, images: usize) -> Self {
         let mut starts = vec![0_u32; images + 1];
-        let known = |ray: &&PointRay| (ray.image as usize) < images;
+        let known = |ray: &&FeatureObservation| (ray.image as usize) < images;
         points.iter().flatten().filter(known).for_each(|ray| starts[ray.image as usize + 1] += 1);
         for image in 0..images {
             starts[image + 1] += starts[image];
@@ -47,7 +47,11 @@ impl PointsOfImages {
     }
 }
 
-pub(super) fn count_shared<'a>(of_images: &PointsOfImages, rays: impl Fn(u32) -> &'a [PointRay], images: usize) -> Vec<SharedPoints> {
+pub(super) fn count_shared<'a>(
+    of_images: &PointsOfImages,
+    rays: impl Fn(u32) -> &'a [FeatureObservation],
+    images: usize,
+) -> Vec<SharedPoints> {
     let mut counts = vec![0_u32; images];
     let mut partners = Vec::new();
     let mut found = Vec::new();
@@ -74,8 +78,8 @@ mod tests {
 
     #[test]
     fn each_point_counts_for_all_pairs_of_its_rays() {
-        let mut points = MultiRayPoints::with_capacity(2, 5);
-        let ray = |image| PointRay { image, feature: 0, confidence: 1.0 };
+        let mut points = TiePoints::with_capacity(2, 5);
+        let ray = |image| FeatureObservation { image, feature: 0, confidence: 1.0 };
         points.push([0, 2, 3].map(ray).into_iter(), 1.0);
         points.push([2, 3].map(ray).into_iter(), 1.0);
         let shared: Vec<_> = shared_points(&points, 4).iter().map(|s| (s.images, s.points)).collect();

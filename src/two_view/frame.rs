@@ -102,6 +102,11 @@ pub(super) fn rows(matrix: &Matrix3<f64>) -> [[f64; 3]; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| matrix[(i, j)]))
 }
 
+/// The matrix of these rows.
+pub(super) fn matrix(rows: &[[f64; 3]; 3]) -> Matrix3<f64> {
+    Matrix3::from_fn(|i, j| rows[i][j])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

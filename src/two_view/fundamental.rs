@@ -1,5 +1,6 @@
 //! Fundamental matrices: from eight and from seven points, and in the search for consensus.
 
+use super::least_direction::{by_rows, least_direction};
 use super::refine::{Kind, Lines, refined};
 use super::scale::{Conditions, NoiseLimits};
 use crate::math::{BLOCK, Candidate, MAX_DEGREE, Problem, null_space, real_roots};
@@ -40,7 +41,7 @@ pub(super) fn eight_point(rays: &[Ray]) -> Option<Matrix3<f64>> {
             }
         }
     }
-    let matrix = Matrix3::from_row_slice(&super::least_direction(sums)?);
+    let matrix = Matrix3::from_row_slice(&least_direction(sums)?);
     Some(RankTwo::nearest(&matrix)?.matrix())
 }
 
@@ -93,7 +94,7 @@ impl Kind<7> for Epipolar {
                 3..6 => diagonal(cos, sin) * turn(k - 3),
                 _ => diagonal(-sin, cos),
             };
-            super::by_rows(&(u * inner * v.transpose()))
+            by_rows(&(u * inner * v.transpose()))
         })
     }
 

@@ -1,6 +1,7 @@
 //! Homographies: from four and more points, and in the search for consensus.
 
-use super::refine::{Kind, refined};
+use super::least_direction::{by_rows, least_direction};
+use super::refine::{Kind, Lines, refined};
 use super::scale::{Conditions, NoiseLimits};
 use super::transfer::{dlt_rows, lines, square_transfer};
 use crate::math::{BLOCK, Candidate, Problem, null_space};
@@ -35,7 +36,7 @@ pub(super) fn direct_linear(rays: &[Ray]) -> Option<Matrix3<f64>> {
             }
         }
     }
-    super::least_direction(sums).map(|entries| Matrix3::from_row_slice(&entries)).filter(is_regular)
+    least_direction(sums).map(|entries| Matrix3::from_row_slice(&entries)).filter(is_regular)
 }
 
 fn is_regular(matrix: &Matrix3<f64>) -> bool {
@@ -50,7 +51,7 @@ impl Kind<8> for Plane {
     const CONDITIONS: Conditions = Conditions::Two;
 
     fn tangents(&self, matrix: &Matrix3<f64>) -> [[f64; 9]; 8] {
-        null_space::<1, 8>([super::by_rows(matrix)]).unwrap_or([[0.0; 9]; 8])
+        null_space::<1, 8>([by_rows(matrix)]).unwrap_or([[0.0; 9]; 8])
     }
 
     fn moved(&self, matrix: &Matrix3<f64>, step: &SVector<f64, 8>) -> Matrix3<f64> {
@@ -59,7 +60,7 @@ impl Kind<8> for Plane {
         moved / moved.norm()
     }
 
-    fn lines(&self, matrix: &Matrix3<f64>, ray: &Ray) -> Option<super::refine::Lines> {
+    fn lines(&self, matrix: &Matrix3<f64>, ray: &Ray) -> Option<Lines> {
         lines(matrix, ray)
     }
 

@@ -53,6 +53,13 @@ pub(super) enum Cameras {
     Known([(f64, [f64; 2]); 2]),
 }
 
+impl Cameras {
+    /// The principal points, where they are all that is known.
+    pub fn principal(&self) -> Option<[[f64; 2]; 2]> {
+        if let Self::Principal(principal) = self { Some(*principal) } else { None }
+    }
+}
+
 impl TwoViewOptions {
     /// Refuses values outside their ranges.
     pub(super) fn check(&self) -> Result<(), Error> {

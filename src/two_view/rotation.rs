@@ -2,6 +2,7 @@
 
 use super::frame::{Frame, View};
 use super::homography::REFINED_BY;
+use super::least_direction::by_rows;
 use super::refine::{Kind, Lines, refined};
 use super::scale::{Conditions, NoiseLimits};
 use super::transfer::{lines, square_transfer};
@@ -39,7 +40,7 @@ impl Kind<3> for Turn {
     const CONDITIONS: Conditions = Conditions::Two;
 
     fn tangents(&self, matrix: &Matrix3<f64>) -> [[f64; 9]; 3] {
-        std::array::from_fn(|k| super::by_rows(&(Vector3::ith(k, 1.0).cross_matrix() * matrix)))
+        std::array::from_fn(|k| by_rows(&(Vector3::ith(k, 1.0).cross_matrix() * matrix)))
     }
 
     fn moved(&self, matrix: &Matrix3<f64>, step: &SVector<f64, 3>) -> Matrix3<f64> {

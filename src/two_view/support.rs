@@ -5,6 +5,11 @@ use super::scale::{LEAST_REDUNDANCY, Noise};
 /// Standard errors within which an observation agrees with a homography: 1 in 3000 good ones lies beyond.
 const ON_PLANE: f64 = 4.0;
 
+/// Samples that tell whether nearly all of the points of a pose lie in a plane, or move as if the camera had turned.
+pub(super) const NEARLY_ALL_SAMPLES: usize = 25;
+/// A map of a plane, or a relative orientation, takes the place of a fundamental matrix where it agrees with two of three of its matches.
+pub(super) const NEARLY_ALL: [usize; 2] = [2, 3];
+
 /// What deviates from a simpler geometry before the general one is taken: distortion that is left, a plane that is not quite plane and a
 /// focal length that is not quite right make residuals of their own.
 #[derive(Debug, Clone, Copy)]

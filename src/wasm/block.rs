@@ -3,8 +3,8 @@
 use super::convert::{JsResult, object, pack, read_options, rows, thrown};
 use crate::tracks::check_features;
 use crate::{
-    BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, MultiRayPoints, PairChoice,
-    SelectOptions, choose_pairs as choose, local_from_geographic, multi_ray_points, select_points, shared_points,
+    BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, PairChoice, SelectOptions, TiePoints,
+    choose_pairs as choose, local_from_geographic, select_points, shared_points, tie_points,
 };
 use js_sys::{Float32Array, Float64Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -13,7 +13,7 @@ use wasm_bindgen::{JsCast, JsValue};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** Multi-ray points: the rays of point i are those from starts[i] to before starts[i + 1]. */
-export interface RayTable {
+export interface TiePointTable {
     starts: Uint32Array;
     /** Image and feature of each ray; stride 2. */
     rays: Uint32Array;
@@ -24,7 +24,7 @@ export interface RayTable {
 }
 
 /** Points that were chosen, with the rays and the filled von Gruber places of each image. */
-export interface SelectedRays { points: Uint32Array; rays_of_images: Uint32Array; places_of_images: Uint32Array }
+export interface SelectedTiePoints { points: Uint32Array; rays_of_images: Uint32Array; places_of_images: Uint32Array }
 "#;
 
 /// The rule that chooses the pairs of a block. `positions`: x, y, z in m of each image, NaN where it has none; stride 3.
@@ -84,7 +84,7 @@ pub struct BlockPoints {
     images: Vec<Positions>,
     counts: Vec<u32>,
     matches: BlockMatches,
-    pub(super) points: MultiRayPoints,
+    pub(super) points: TiePoints,
 }
 
 #[wasm_bindgen]
@@ -94,7 +94,7 @@ impl BlockPoints {
     pub fn new(counts: Vec<u32>) -> JsResult<BlockPoints> {
         let images = counts.iter().map(|_| Positions { width_px: 0, height_px: 0, positions: Vec::new() }).collect();
         let matches = BlockMatches::new(&counts).map_err(thrown)?;
-        Ok(Self { images, counts, matches, points: MultiRayPoints::default() })
+        Ok(Self { images, counts, matches, points: TiePoints::default() })
     }
 
     /// Takes the size of an image in px and the positions x, y of its features in px (stride 2).
@@ -125,7 +125,7 @@ impl BlockPoints {
     /// Joins the matches to multi-ray points, in place of those made before.
     #[wasm_bindgen(unchecked_return_type = "JoinCounts")]
     pub fn join(&mut self, #[wasm_bindgen(unchecked_param_type = "Given<BlockOptions>")] options: &JsValue) -> JsResult<JsValue> {
-        let (points, counts) = multi_ray_points(&self.matches, &read_options::<BlockOptions>("block", options)?).map_err(thrown)?;
+        let (points, counts) = tie_points(&self.matches, &read_options::<BlockOptions>("block", options)?).map_err(thrown)?;
         self.points = points;
         Ok(pack(&counts))
     }
@@ -143,7 +143,7 @@ impl BlockPoints {
     }
 
     /// All points.
-    #[wasm_bindgen(unchecked_return_type = "RayTable")]
+    #[wasm_bindgen(unchecked_return_type = "TiePointTable")]
     pub fn table(&self) -> JsValue {
         let mut starts = vec![0_u32];
         starts.extend(self.points.iter().scan(0, |end, rays| {
@@ -177,7 +177,7 @@ impl BlockPoints {
     }
 
     /// Chooses few points, well distributed.
-    #[wasm_bindgen(unchecked_return_type = "SelectedRays")]
+    #[wasm_bindgen(unchecked_return_type = "SelectedTiePoints")]
     pub fn select(&self, #[wasm_bindgen(unchecked_param_type = "Given<SelectOptions>")] options: &JsValue) -> JsResult<JsValue> {
         let options: SelectOptions = read_options("selection", options)?;
         let chosen = select_points(&self.points, &self.features(), &options).map_err(thrown)?;

@@ -3,7 +3,7 @@
 use super::convert::{JsResult, emitting, object, pack, read, thrown};
 use crate::{
     BlockModel, CameraRule, Connection, ConnectionGraph, ExifImage, ExportFormat, export_block as write_block,
-    parse_camera_rules as read_rules, parse_image_marks as read_marks, parse_surveyed_points as read_points,
+    parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -33,14 +33,14 @@ pub fn camera_rules_of(
 }
 
 /// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
-#[wasm_bindgen(unchecked_return_type = "SurveyedPoint[]")]
-pub fn parse_surveyed_points(text: &str) -> JsResult<JsValue> {
+#[wasm_bindgen(unchecked_return_type = "GroundControlRow[]")]
+pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
     read_points(text).map(|points| pack(&points)).map_err(thrown)
 }
 
 /// Reads where images show surveyed points: lines of image, point, x, y in px.
-#[wasm_bindgen(unchecked_return_type = "ImageMark[]")]
-pub fn parse_image_marks(text: &str) -> JsResult<JsValue> {
+#[wasm_bindgen(unchecked_return_type = "ImageMeasurementRow[]")]
+pub fn parse_image_measurements(text: &str) -> JsResult<JsValue> {
     read_marks(text).map(|marks| pack(&marks)).map_err(thrown)
 }
 

@@ -2,7 +2,9 @@
 
 use super::convert::{JsResult, numbers, object, pack, read_options, rows, thrown};
 use super::photo::Photo;
-use crate::{Error, PointRefiner, RayOutcome, RayPlace, RayWindows, RefinementOptions, WindowedRay, ray_windows};
+use crate::{
+    Error, ObservationWindows, PointRefiner, RefinementOptions, RefinementOutcome, WindowCentre, WindowedObservation, observation_windows,
+};
 use js_sys::{Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -10,7 +12,7 @@ use wasm_bindgen::{JsCast, JsValue};
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** Windows of an image around rays. */
-export interface RayWindowTable {
+export interface ObservationWindowTable {
     /** Of each window px. */
     side: number;
     /** Of each window the index of its ray, halvings of the image, column and row of its first pixel there; stride 4. */
@@ -23,16 +25,16 @@ export interface RayWindowTable {
 #[wasm_bindgen]
 impl Photo {
     /// Cuts windows around rays: x, y and scale in px; stride 3.
-    #[wasm_bindgen(unchecked_return_type = "RayWindowTable")]
-    pub fn ray_windows(
+    #[wasm_bindgen(unchecked_return_type = "ObservationWindowTable")]
+    pub fn observation_windows(
         &self,
         rays: &[f64],
         #[wasm_bindgen(unchecked_param_type = "Given<RefinementOptions>")] options: &JsValue,
     ) -> JsResult<JsValue> {
         let options: RefinementOptions = read_options("refinement", options)?;
-        let places: Vec<RayPlace> =
-            rows::<3>("rays", rays)?.iter().map(|[x, y, scale_px]| RayPlace { position: [*x, *y], scale_px: *scale_px }).collect();
-        let cut = ray_windows(self.view(), &places, &options).map_err(thrown)?;
+        let places: Vec<WindowCentre> =
+            rows::<3>("rays", rays)?.iter().map(|[x, y, scale_px]| WindowCentre { position: [*x, *y], scale_px: *scale_px }).collect();
+        let cut = observation_windows(self.view(), &places, &options).map_err(thrown)?;
         Ok(object([
             ("side", (cut.side as f64).into()),
             ("places", Uint32Array::from(cut.places.as_flattened()).unchecked_into()),
@@ -42,9 +44,9 @@ impl Photo {
 }
 
 /// Refines the rays of points by their windows. The rays of point i are those from `starts[i]` to before `starts[i + 1]`, each with x, y and
-/// scale in px and direction in rad (stride 4); `places` and `grey` as `ray_windows` gives them, their rays counted from 0 over all points.
+/// scale in px and direction in rad (stride 4); `places` and `grey` as `observation_windows` gives them, their rays counted from 0 over all points.
 ///
-/// Of each ray the place of its outcome among `ray_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
+/// Of each ray the place of its outcome among `refinement_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
 /// refined); stride 5.
 #[wasm_bindgen]
 pub fn refine_points(
@@ -64,12 +66,12 @@ pub fn refine_points(
             allowed: "four numbers each".into(),
         }));
     }
-    let windows = RayWindows::new(places.to_vec(), grey, &options).map_err(thrown)?;
+    let windows = ObservationWindows::new(places.to_vec(), grey, &options).map_err(thrown)?;
     let windowed = given.iter().enumerate().map(|(index, [x, y, scale_px, direction])| {
-        let place = RayPlace { position: [*x, *y], scale_px: *scale_px };
-        Ok(WindowedRay { place, orientation_rad: *direction, windows: windows.of_ray(index as u32)? })
+        let place = WindowCentre { position: [*x, *y], scale_px: *scale_px };
+        Ok(WindowedObservation { place, orientation_rad: *direction, windows: windows.of_ray(index as u32)? })
     });
-    let windowed: Vec<WindowedRay<'_>> = windowed.collect::<Result<_, Error>>().map_err(thrown)?;
+    let windowed: Vec<WindowedObservation<'_>> = windowed.collect::<Result<_, Error>>().map_err(thrown)?;
     let mut refiner = PointRefiner::new(&options).map_err(thrown)?;
     let mut refined = Vec::with_capacity(5 * given.len());
     for ends in starts.windows(2) {
@@ -78,7 +80,7 @@ pub fn refine_points(
             return Err(thrown(Error::InvalidInput { what: "rays of a point", got: format!("{} to {}", ends[0], ends[1]), allowed }));
         };
         for ray in refiner.refine(own).map_err(thrown)?.rays {
-            let code = RayOutcome::ALL.iter().position(|outcome| *outcome == ray.outcome).unwrap_or_default();
+            let code = RefinementOutcome::ALL.iter().position(|outcome| *outcome == ray.outcome).unwrap_or_default();
             let [x, y] = ray.position;
             refined.extend([code as f64, x, y, ray.standard_error_px.unwrap_or(f64::NAN), ray.correlation.unwrap_or(f64::NAN)]);
         }
@@ -87,7 +89,7 @@ pub fn refine_points(
 }
 
 /// What can become of a ray that is refined, in the order of its codes.
-#[wasm_bindgen(unchecked_return_type = "RayOutcome[]")]
-pub fn ray_outcomes() -> JsValue {
-    pack(&RayOutcome::ALL)
+#[wasm_bindgen(unchecked_return_type = "RefinementOutcome[]")]
+pub fn refinement_outcomes() -> JsValue {
+    pack(&RefinementOutcome::ALL)
 }

@@ -4,7 +4,6 @@
 
 mod about;
 mod block;
-mod block_assembly;
 mod block_files;
 mod block_refinement;
 mod block_scene;
@@ -19,6 +18,7 @@ mod geometry;
 mod matching;
 mod orientation;
 mod photo;
+mod reconstruction;
 mod report;
 mod simulate;
 mod tables;

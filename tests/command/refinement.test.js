@@ -5,7 +5,7 @@ import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'no
 import { join } from 'node:path';
 import { test } from 'node:test';
 import { withOutcomes } from '../../pkg/block/refinement-table.js';
-import { ray_outcomes, read_project } from '../../pkg/node.js';
+import { refinement_outcomes, read_project } from '../../pkg/node.js';
 import { contents, killed, photographed, records } from './blocks.js';
 import { folder, json, tiepoint } from './command.js';
 
@@ -42,7 +42,7 @@ test('each ray has its outcome, and those that were refined their precision', ()
   const rays = rayTable(WHOLE);
   assert.equal(rays.length, read_project(readFileSync(join(WHOLE, 'project.tiepoint'))).block.points.reduce((sum, point) => sum + point.rays.length, 0));
   for (const ray of rays) {
-    assert.ok(ray_outcomes().includes(/** @type {any} */ (ray.refinement)), JSON.stringify(ray));
+    assert.ok(refinement_outcomes().includes(/** @type {any} */ (ray.refinement)), JSON.stringify(ray));
     const known = ray.refinement === 'refined';
     assert.equal(Number(ray.standard_error_px) > 0 && Number(ray.standard_error_px) < 1 && Number(ray.correlation) >= 0.8, known, JSON.stringify(ray));
   }
@@ -52,7 +52,7 @@ test('each ray has its outcome, and those that were refined their precision', ()
 });
 
 test('two features at one place of an image keep the outcomes of their own points', () => {
-  const names = ray_outcomes();
+  const names = refinement_outcomes();
   const outcomes = ['reference', 'refined', 'reference', names.find((name) => name !== 'reference' && name !== 'refined') ?? ''];
   const refinement = {
     points: 2, counts: /** @type {any} */ ({}), starts: Uint32Array.of(0, 2, 4), images: Uint32Array.of(0, 1, 0, 1), positions: Float32Array.of(1, 2, 30, 40, 5, 6, 30, 40),

@@ -1,24 +1,24 @@
-//! Simulated blocks with what is known of them, for tests of their assembly.
+//! Simulated blocks with what is known of them, for tests of their reconstruction.
 
 use tiepoint::{
-    Assembly, AssemblyCamera, AssemblyImage, AssemblyOptions, BlockDescription, BlockFlight, BlockOptions, MultiRayPoints, SelectOptions,
-    Similarity, SimulatedBlock, assemble_block, multi_ray_points, simulate_block,
+    BlockDescription, BlockFlight, BlockOptions, KnownCamera, KnownImage, Reconstruction, ReconstructionOptions, SelectOptions, Similarity,
+    SimulatedBlock, TiePoints, reconstruct_block, simulate_block, tie_points,
 };
 
 pub struct Scene {
     pub block: SimulatedBlock,
-    pub points: MultiRayPoints,
+    pub points: TiePoints,
     pub description: BlockDescription,
 }
 
 /// A block whose focal lengths are known up to a factor.
 pub fn scene(flight: &BlockFlight, focal_factor: f64) -> Scene {
     let block = simulate_block(flight).unwrap();
-    let (points, _) = multi_ray_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
+    let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
     let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap();
     let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).unwrap().focal_px * focal_factor;
-    let camera = |camera: usize| AssemblyCamera::of_size(block.width_px, block.height_px, Some(focal(camera)));
-    let image = |(index, e): (usize, &tiepoint::Exposure)| AssemblyImage {
+    let camera = |camera: usize| KnownCamera::of_size(block.width_px, block.height_px, Some(focal(camera)));
+    let image = |(index, e): (usize, &tiepoint::Exposure)| KnownImage {
         name: format!("{index:04}.jpg"),
         camera: e.camera as usize,
         position: None,
@@ -32,13 +32,13 @@ pub fn scene(flight: &BlockFlight, focal_factor: f64) -> Scene {
 }
 
 impl Scene {
-    pub fn assemble(&self, options: &AssemblyOptions) -> Assembly {
-        assemble_block(&self.description, &self.points, &self.block.image_features(), options).unwrap()
+    pub fn reconstruct(&self, options: &ReconstructionOptions) -> Reconstruction {
+        reconstruct_block(&self.description, &self.points, &self.block.image_features(), options).unwrap()
     }
 
     /// Root mean square error of the positions in m after a similarity, and of the rotations in degrees.
-    pub fn errors(&self, assembly: &Assembly, model: usize) -> (f64, f64) {
-        let model = &assembly.models[model];
+    pub fn errors(&self, reconstruction: &Reconstruction, model: usize) -> (f64, f64) {
+        let model = &reconstruction.models[model];
         let images = || model.images.iter().zip(&model.adjusted.block.images);
         let pairs: Vec<_> = images().map(|(k, image)| (image.position, self.block.exposures[*k].centre)).collect();
         let onto = Similarity::between(&pairs).unwrap();
@@ -55,9 +55,9 @@ impl Scene {
         ((square / n).sqrt(), (turns / n).sqrt())
     }
 
-    pub fn report(&self, what: &str, assembly: &Assembly) {
-        for (k, model) in assembly.models.iter().enumerate() {
-            let (position, angle) = self.errors(assembly, k);
+    pub fn report(&self, what: &str, reconstruction: &Reconstruction) {
+        for (k, model) in reconstruction.models.iter().enumerate() {
+            let (position, angle) = self.errors(reconstruction, k);
             println!(
                 "{what}, model {k}: {} of {} images, {} points, {} rays, {} left out, RMSE {:.3} px, sigma0 {:?}, positions {position:.3} m, angles {angle:.4} deg, {:?}",
                 model.images.len(),
@@ -70,10 +70,10 @@ impl Scene {
                 model.weaknesses,
             );
         }
-        assembly.unoriented.iter().for_each(|image| println!("{what}: {}", image.text));
+        reconstruction.unoriented.iter().for_each(|image| println!("{what}: {}", image.text));
     }
 }
 
-pub fn selected() -> AssemblyOptions {
-    AssemblyOptions { selection: Some(SelectOptions::default()), ..AssemblyOptions::default() }
+pub fn selected() -> ReconstructionOptions {
+    ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() }
 }

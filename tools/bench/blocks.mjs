@@ -143,5 +143,5 @@ async function examples(seeds) {
   console.log('Simulated blocks beside their truth (native, one thread)');
   await example('block_truth', seeds);
   console.log('Large simulated blocks (native, one thread): joining and orientation');
-  await example('assembly_scale', '1000', '5000');
+  await example('reconstruction_scale', '1000', '5000');
 }

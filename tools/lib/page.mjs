@@ -23,7 +23,7 @@ export async function buildPage(out) {
 
 /** The whole page as one HTML text.  @returns {Promise<string>} */
 async function singleFile() {
-  const worker = onlyScript(await bundle({ input: join(WWW, 'engine', 'worker.ts'), output: { format: 'iife' } }));
+  const worker = onlyScript(await bundle({ input: join(WWW, 'worker.ts'), output: { format: 'iife' } }));
   const page = await bundle({ input: join(WWW, 'index.html') });
   const html = embedImages(text(page.find((file) => file.fileName.endsWith('.html'))), page);
   const style = page.filter((file) => file.fileName.endsWith('.css')).map(text).join('\n').replace(/\/\*\$vite\$:\d+\*\//g, '').trim();
@@ -40,7 +40,7 @@ async function bundle(options) {
     root: WWW,
     base: './',
     logLevel: 'warn',
-    resolve: { alias: [{ find: /^\.\/platform$/, replacement: join(WWW, 'engine', 'platform.single.ts') }] },
+    resolve: { alias: [{ find: /^\.\/platform$/, replacement: join(WWW, 'shared', 'engine', 'platform.single.ts') }] },
     build: {
       write: false, target: 'es2022', modulePreload: false, cssCodeSplit: false, reportCompressedSize: false,
       assetsInlineLimit: Number.MAX_SAFE_INTEGER, rollupOptions: { ...options, output: { ...options.output, codeSplitting: false } },

@@ -38,6 +38,6 @@ export function run(command, args, { env = {}, cwd = ROOT, quiet = false } = {})
 export async function must(command, args, options = {}) {
   const { code, output } = await run(command, args, options);
   if (code === 0) return output;
-  const tail = options.quiet ? `\n${output.trimEnd().split('\n').slice(-30).join('\n')}` : '';
+  const tail = options.quiet ? `\n${output.trimEnd().split('\n').slice(-100).join('\n')}` : '';
   throw new Error(`${command} ${args.join(' ')} ended with ${code}${tail}`);
 }

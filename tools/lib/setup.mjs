@@ -1,19 +1,24 @@
 /** What a fresh machine lacks besides Rust: npm packages and Chromium. */
 
 import { existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { join, relative } from 'node:path';
 import { ROOT } from './paths.mjs';
 import { must, run } from './process.mjs';
 
-/** Installs the packages of package-lock.json unless exactly these are there. */
-export async function ensurePackages() {
-  const lock = readFileSync(join(ROOT, 'package-lock.json'), 'utf8');
-  const stamp = join(ROOT, 'node_modules', '.installed-lock.json');
+/**
+ * Installs the packages of a folder's package-lock.json unless exactly these are there.
+ * @param {string} [folder] the project's root unless given
+ */
+export async function ensurePackages(folder = ROOT) {
+  const lock = readFileSync(join(folder, 'package-lock.json'), 'utf8');
+  const stamp = join(folder, 'node_modules', '.installed-lock.json');
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === lock) return;
-  console.log('installing the npm packages of package-lock.json');
-  await must(process.platform === 'win32' ? 'npm.cmd' : 'npm', ['ci', '--no-audit', '--no-fund'], { quiet: true });
+  console.log(`installing the npm packages of ${relative(ROOT, join(folder, 'package-lock.json'))}`);
+  await must(NPM, ['ci', '--no-audit', '--no-fund'], { cwd: folder, quiet: true });
   writeFileSync(stamp, lock);
 }
+
+export const NPM = process.platform === 'win32' ? 'npm.cmd' : 'npm';
 
 const PLACES = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome', '/snap/bin/chromium',
   '/Applications/Chromium.app/Contents/MacOS/Chromium', '/Applications/Google Chrome.app/Contents/MacOS/Google Chrome'];

@@ -1,4 +1,4 @@
-/** The steps of the test command: each is timed, counted, and told of at the end. */
+/** The steps of the test command, one after the other or side by side: each is timed, counted, and listed at the end. */
 
 /**
  * @typedef {object} Outcome
@@ -49,7 +49,9 @@ export class Steps {
       console.error(message);
       outcome = { failed: 1, note: message.split('\n')[0] ?? '' };
     }
-    this.#rows.push({ name, seconds: (performance.now() - start) / 1000, ...outcome });
+    const seconds = (performance.now() - start) / 1000;
+    console.log(`--- ${name}: ${outcome.failed ? 'failed' : 'done'} in ${seconds.toFixed(1)} s`);
+    this.#rows.push({ name, seconds, ...outcome });
   }
 
   /** Prints the table and the totals.  @returns {number} how many failed */

@@ -13,14 +13,17 @@ import { bindgenVersion, cargo, WASM_TARGET } from './rust.mjs';
 /** What wasm-opt may assume of the engine; every browser that has SIMD has the rest. */
 const FEATURES = ['simd', 'bulk-memory', 'nontrapping-float-to-int', 'sign-ext', 'mutable-globals', 'multivalue', 'reference-types'];
 
+const FAST = { CARGO_PROFILE_RELEASE_LTO: 'off', CARGO_PROFILE_RELEASE_CODEGEN_UNITS: '16', CARGO_PROFILE_RELEASE_OPT_LEVEL: '2', CARGO_PROFILE_RELEASE_INCREMENTAL: 'true' };
+
 /**
  * @param {import('./rust.mjs').Toolchain} toolchain @param {import('./rust.mjs').BindgenPrograms} programs
  * @param {string} out folder that receives the module, its JavaScript, its types and BUILD.json
+ * @param {boolean} [fast] for the inner loop: neither linked as a whole nor optimised, so that the same numbers come slower and the bytes are others
  */
-export async function buildWasm(toolchain, programs, out) {
+export async function buildWasm(toolchain, programs, out, fast = false) {
   await must(...cargo(toolchain, ['fetch', '--locked', '--target', WASM_TARGET]), { quiet: true });
   const build = ['build', '--locked', '--release', '--lib', '--target', WASM_TARGET, '--target-dir', TARGET];
-  await must(...cargo(toolchain, build), { env: { CARGO_ENCODED_RUSTFLAGS: rustFlags(toolchain).join('\x1f') } });
+  await must(...cargo(toolchain, build), { env: { CARGO_ENCODED_RUSTFLAGS: rustFlags(toolchain).join('\x1f'), ...(fast && FAST) } });
 
   rmSync(out, { recursive: true, force: true });
   mkdirSync(out, { recursive: true });
@@ -28,7 +31,7 @@ export async function buildWasm(toolchain, programs, out) {
   // The callers say where the module lies, so that no bundler guesses a second copy of it.
   const bindgen = ['--target', 'web', '--omit-default-module-path', '--remove-name-section', '--remove-producers-section'];
   await must(programs.bindgen, [...bindgen, '--out-dir', out, '--out-name', 'tiepoint', compiled], { quiet: true });
-  await optimise(join(out, 'tiepoint_bg.wasm'));
+  if (!fast) await optimise(join(out, 'tiepoint_bg.wasm'));
   const record = { rustc: toolchain.rustc, wasm_bindgen: bindgenVersion(), binaryen: pinned('binaryen') };
   writeFileSync(join(out, 'BUILD.json'), `${JSON.stringify(record, null, 2)}\n`);
 }

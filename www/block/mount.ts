@@ -1,39 +1,36 @@
 /** The block's part of the page: makes its parts and wires them together. */
-import '../style/block.css';
-import type { Engine } from '../engine/engine';
-import { button, byId, fill, h } from '../panel/dom';
-import { mountTabs, showTab } from '../panel/tabs';
-import { Holder } from '../state/store';
-import type { Store } from '../state/store';
-import { blockCatalogue } from './catalogue';
-import { mountBlockDrop } from './drop';
-import { BlockEngine } from './engine';
-import type { BlockStore } from './engine';
-import { mountExports } from './exports';
-import { BlockFiles } from './files';
-import { mountFlight } from './flight';
-import { mountBack, mountMode } from './mode';
-import { openPair } from './pair';
-import { mountProgress } from './progress';
-import { reduceBlock } from './reducer';
-import { mountResults } from './results';
-import { mountSettings } from './settings';
-import { mountStage } from './stage';
-import { BLOCK_INITIAL, isBusy } from './state';
-import { mountBlockStatus } from './status';
-import { mountImages, mountPoints } from './tables';
+import './style/block.css';
+import { button, byId, fill, h } from '../shared/panel/dom';
+import { mountTabs, showTab } from '../shared/panel/tabs';
+import { Holder } from '../shared/state/store';
+import { mountBlockDrop } from './files/drop';
+import { BlockEngine } from './engine/engine';
+import type { BlockStore } from './engine/engine';
+import { mountExports } from './panel/exports';
+import { BlockFiles } from './files/files';
+import { mountFlight } from './panel/flight';
+import { mountBack, mountMode } from './panel/mode';
+import { mountProgress } from './panel/progress';
+import { reduceBlock } from './state/reducer';
+import { mountResults } from './panel/results';
+import { mountSettings } from './panel/settings';
+import { mountStage } from './panel/stage';
+import { BLOCK_INITIAL, isBusy } from './state/state';
+import { mountBlockStatus } from './panel/status';
+import { mountImages, mountPoints } from './panel/tables';
 
-export function mountBlock(pair: Store, pairEngine: Engine): void {
+/** `openPair` shows a pair of the block by itself. */
+export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void): BlockStore {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const files = new BlockFiles(store, engine);
   const looking = {
     choose: (choice: typeof store.state.choice) => { store.dispatch({ type: 'choose', choice }); },
-    open: (images: [number, number]) => { void openPair(store, pair, pairEngine, images); },
+    open: (images: [number, number]) => { openPair(store, images); },
   };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
-  const status = mountBlockStatus(store, pair, engine);
+  const status = mountBlockStatus(store, engine);
   const settings = tabbed('Settings', [['block-settings', 'Settings'], ['block-flight', 'Simulate']]);
   const results = tabbed('Results', [['block-results', 'Results'], ['block-images', 'Images'], ['block-points', 'Points']]);
   const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
@@ -62,9 +59,7 @@ export function mountBlock(pair: Store, pairEngine: Engine): void {
   for (const list of main.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
   mountBlockDrop(store, files);
   store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
-  pair.watch((s) => [s.catalogue] as const, ([catalogue]) => {
-    if (catalogue !== null) store.dispatch({ type: 'ready', catalogue: blockCatalogue(catalogue) });
-  });
+  return store;
 }
 
 /** A column of tabs with their panels. */

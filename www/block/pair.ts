@@ -1,12 +1,12 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import { photo_camera } from '../../pkg/wasm/tiepoint.js';
-import type { Engine } from '../engine/engine';
-import type { Camera } from '../engine/wasm';
-import { SIDES } from '../state/state';
-import type { GivenImage, Side } from '../state/state';
-import type { Store } from '../state/store';
-import type { BlockFile } from './calls';
-import type { BlockStore } from './engine';
+import type { Engine } from '../pair/engine/engine';
+import type { Camera } from '../shared/crate';
+import { SIDES } from '../pair/state/state';
+import type { GivenImage, Side } from '../pair/state/state';
+import type { Store } from '../pair/state/store';
+import type { BlockFile } from './state/state';
+import type { BlockStore } from './engine/engine';
 
 /** The pair's own images count up from 1: those of blocks count down. */
 let nextId = -1;

@@ -1,7 +1,7 @@
 //! The project file of version 1: a block without what its run knew beside it.
 
 use crate::{
-    Assembly, BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Remark, RunImage, SelectOptions,
+    Reconstruction, BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Remark, RunImage, SelectOptions,
 };
 use serde::Deserialize;
 
@@ -55,7 +55,7 @@ impl From<Project> for BlockRun {
             connections,
             points: None,
             refinement: None,
-            reconstruction: Ok(Assembly { origin: model.origin, ..Assembly::default() }),
+            reconstruction: Ok(Reconstruction { origin: model.origin, ..Reconstruction::default() }),
             model,
         }
     }

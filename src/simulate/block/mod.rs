@@ -1,6 +1,6 @@
 //! A simulated block: exposures over made ground, the features they see and matches of which it is known which are right, or photos.
 //!
-//! It is for what finds matches, joins them and assembles a block: it gives what stands before an orientation, wrong matches and features of
+//! It is for what finds matches, joins them and reconstructs a block: it gives what stands before an orientation, wrong matches and features of
 //! no common point among it, and its cameras have no distortion. What a bundle adjustment takes is simulated in `network`.
 //!
 //! Data flow: [`BlockFlight`] → `exposures` (where each photo is taken, and how it is turned) → `features` (which ground each sees) →

@@ -2,7 +2,7 @@
 
 use super::flight::{NetworkFlight, NetworkKind};
 use crate::simulate::random::{Random, Stream};
-use crate::{Block, BlockImage, BlockPoint, Ray};
+use crate::{Block, BlockImage, BlockObservation, BlockPoint};
 
 impl NetworkFlight {
     /// Ground points over the block and what its margins show, as many for each image's area as asked.
@@ -44,7 +44,7 @@ pub(super) fn observe(flight: &NetworkFlight, truth: &mut Block) -> Vec<usize> {
                 gross.push(truth.rays.len());
                 error = nalgebra::Vector2::new(random.between(-1.0, 1.0), random.between(-1.0, 1.0)) * flight.gross_px;
             }
-            truth.rays.push(Ray { image, point: kept.len(), x_px: at[0] + error.x, y_px: at[1] + error.y, weight: 1.0 });
+            truth.rays.push(BlockObservation { image, point: kept.len(), x_px: at[0] + error.x, y_px: at[1] + error.y, weight: 1.0 });
         }
         kept.push(point);
     }

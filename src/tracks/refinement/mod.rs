@@ -1,6 +1,6 @@
 //! Rays of chosen points, matched by least squares to a reference ray of their point.
 //!
-//! Data flow: an image → [`ray_windows`] → windows of its rays → [`PointRefiner`] → [`RefinedPoint`].
+//! Data flow: an image → [`observation_windows`] → windows of its rays → [`PointRefiner`] → [`RefinedPoint`].
 
 mod options;
 mod outcome;
@@ -9,6 +9,6 @@ mod reference;
 mod windows;
 
 pub use options::{RefinementMethod, RefinementOptions};
-pub use outcome::{RayOutcome, RefinedPoint, RefinedRay};
-pub use point::{PointRefiner, WindowedRay};
-pub use windows::{RayPlace, RayWindow, RayWindows, ray_windows};
+pub use outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
+pub use point::{PointRefiner, WindowedObservation};
+pub use windows::{ObservationWindow, ObservationWindows, WindowCentre, observation_windows};

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum RayOutcome {
+pub enum RefinementOutcome {
     /// The other rays of its point were matched to it; it keeps its place.
     Reference,
     /// Moved to where its window fits that of the reference.
@@ -26,7 +26,7 @@ pub enum RayOutcome {
     Inconsistent,
 }
 
-impl RayOutcome {
+impl RefinementOutcome {
     /// All outcomes; the place of one here is its code.
     pub const ALL: [Self; 8] = [
         Self::Reference,
@@ -40,7 +40,7 @@ impl RayOutcome {
     ];
 }
 
-impl From<Refusal> for RayOutcome {
+impl From<Refusal> for RefinementOutcome {
     fn from(refusal: Refusal) -> Self {
         match refusal {
             Refusal::NotConverged => Self::NotConverged,
@@ -54,8 +54,8 @@ impl From<Refusal> for RayOutcome {
 
 /// A ray after the refinement.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RefinedRay {
-    pub outcome: RayOutcome,
+pub struct ObservationRefinement {
+    pub outcome: RefinementOutcome,
     /// Where the ray is now, in px: moved only where it was refined.
     pub position: [f64; 2],
     /// Standard error of the place relative to the reference, in px in the worst direction; where it was refined.
@@ -70,5 +70,5 @@ pub struct RefinedPoint {
     /// Index of the ray to which the others were matched.
     pub reference: usize,
     /// In the order in which they were given.
-    pub rays: Vec<RefinedRay>,
+    pub rays: Vec<ObservationRefinement>,
 }

@@ -1,9 +1,9 @@
 //! One point: its reference ray, and the other rays matched to it.
 
 use super::RefinementOptions;
-use super::outcome::{RayOutcome, RefinedPoint, RefinedRay};
+use super::outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
 use super::reference::references;
-use super::windows::{RayPlace, RayWindow};
+use super::windows::{ObservationWindow, WindowCentre};
 use crate::Error;
 use crate::matching::{LeastSquares, LeastSquaresOptions, WindowFit};
 
@@ -14,16 +14,16 @@ const RETURN_PX: f64 = 0.3;
 
 /// A ray with what it shows.
 #[derive(Clone)]
-pub struct WindowedRay<'a> {
-    pub place: RayPlace,
+pub struct WindowedObservation<'a> {
+    pub place: WindowCentre,
     /// Dominant direction in rad from x towards y.
     pub orientation_rad: f64,
-    /// As [`ray_windows`](super::ray_windows) cuts them; none at a level that is too small for one.
-    pub windows: Vec<RayWindow<'a>>,
+    /// As [`observation_windows`](super::observation_windows) cuts them; none at a level that is too small for one.
+    pub windows: Vec<ObservationWindow<'a>>,
 }
 
-impl<'a> WindowedRay<'a> {
-    pub(super) fn window(&self, halvings: u32) -> Option<&RayWindow<'a>> {
+impl<'a> WindowedObservation<'a> {
+    pub(super) fn window(&self, halvings: u32) -> Option<&ObservationWindow<'a>> {
         self.windows.iter().find(|window| window.halvings == halvings)
     }
 
@@ -77,15 +77,15 @@ impl PointRefiner {
     ///
     /// # Source
     /// Grün 1985, Adaptive least squares correlation, South African Journal of Photogrammetry, Remote Sensing and Cartography 14 (3).
-    pub fn refine(&mut self, rays: &[WindowedRay<'_>]) -> Result<RefinedPoint, Error> {
+    pub fn refine(&mut self, rays: &[WindowedObservation<'_>]) -> Result<RefinedPoint, Error> {
         if rays.len() < 2 {
             return Err(Error::TooFew { what: "rays of a point", got: rays.len(), needed: 2 });
         }
-        rays.iter().try_for_each(WindowedRay::check)?;
+        rays.iter().try_for_each(WindowedObservation::check)?;
         let mut best: Option<(usize, RefinedPoint)> = None;
         for reference in references(rays, self.options.window).into_iter().take(MOST_REFERENCES) {
             let point = self.refine_to(reference, rays);
-            let refined = point.rays.iter().filter(|ray| ray.outcome == RayOutcome::Refined).count();
+            let refined = point.rays.iter().filter(|ray| ray.outcome == RefinementOutcome::Refined).count();
             if best.as_ref().is_none_or(|(most, _)| refined > *most) {
                 best = Some((refined, point));
             }
@@ -96,15 +96,15 @@ impl PointRefiner {
         Ok(best.map(|(_, point)| point).expect("a point has rays"))
     }
 
-    fn refine_to(&mut self, reference: usize, rays: &[WindowedRay<'_>]) -> RefinedPoint {
-        let refined = |(index, ray): (usize, &WindowedRay<'_>)| {
-            let at = |outcome| RefinedRay { outcome, position: ray.place.position, standard_error_px: None, correlation: None };
+    fn refine_to(&mut self, reference: usize, rays: &[WindowedObservation<'_>]) -> RefinedPoint {
+        let refined = |(index, ray): (usize, &WindowedObservation<'_>)| {
+            let at = |outcome| ObservationRefinement { outcome, position: ray.place.position, standard_error_px: None, correlation: None };
             if index == reference {
-                return at(RayOutcome::Reference);
+                return at(RefinementOutcome::Reference);
             }
             match self.matched(&rays[reference], ray) {
-                Ok(found) => RefinedRay {
-                    outcome: RayOutcome::Refined,
+                Ok(found) => ObservationRefinement {
+                    outcome: RefinementOutcome::Refined,
                     position: found.position,
                     standard_error_px: Some(found.standard_error_px),
                     correlation: Some(found.correlation),
@@ -115,9 +115,9 @@ impl PointRefiner {
         RefinedPoint { reference, rays: rays.iter().enumerate().map(refined).collect() }
     }
 
-    fn matched(&mut self, reference: &WindowedRay<'_>, ray: &WindowedRay<'_>) -> Result<Found, RayOutcome> {
+    fn matched(&mut self, reference: &WindowedObservation<'_>, ray: &WindowedObservation<'_>) -> Result<Found, RefinementOutcome> {
         let (mut start, mut affine) = (ray.place.position, similarity(reference, ray));
-        let mut best: Result<Found, RayOutcome> = Err(RayOutcome::LeftImage);
+        let mut best: Result<Found, RefinementOutcome> = Err(RefinementOutcome::LeftImage);
         for halvings in (0..=reference.place.most_halvings()).rev() {
             match self.matched_at(halvings, reference, ray, (start, affine)) {
                 Ok(found) => {
@@ -127,7 +127,7 @@ impl PointRefiner {
                     }
                 }
                 // A smaller window may still lie inside.
-                Err(RayOutcome::LeftImage) => {}
+                Err(RefinementOutcome::LeftImage) => {}
                 Err(outcome) => {
                     best = best.or(Err(outcome));
                     break;
@@ -135,21 +135,21 @@ impl PointRefiner {
             }
         }
         let found = best?;
-        if self.leads_back(reference, ray, &found) { Ok(found) } else { Err(RayOutcome::Inconsistent) }
+        if self.leads_back(reference, ray, &found) { Ok(found) } else { Err(RefinementOutcome::Inconsistent) }
     }
 
     /// Matches at one level of the reference, in the level of the ray that has it about as large.
     fn matched_at(
         &mut self,
         halvings: u32,
-        reference: &WindowedRay<'_>,
-        ray: &WindowedRay<'_>,
+        reference: &WindowedObservation<'_>,
+        ray: &WindowedObservation<'_>,
         (start, affine): ([f64; 2], Affine),
-    ) -> Result<Found, RayOutcome> {
+    ) -> Result<Found, RefinementOutcome> {
         // Where the ray has no level as coarse, the next finer one serves: it shows the reference up to twice as large.
         let coarsest = ray.windows.last().map_or(0, |window| window.halvings);
         let own = level_of(halvings, &affine).min(coarsest);
-        let (Some(left), Some(right)) = (reference.window(halvings), ray.window(own)) else { return Err(RayOutcome::LeftImage) };
+        let (Some(left), Some(right)) = (reference.window(halvings), ray.window(own)) else { return Err(RefinementOutcome::LeftImage) };
         let px = f64::from(1u32 << own);
         let ratio = f64::from(1u32 << halvings) / px;
         let farthest = self.options.farthest * ray.place.scale_px;
@@ -169,13 +169,13 @@ impl PointRefiner {
         };
         let moved = [0, 1].map(|axis| found.position[axis] - ray.place.position[axis]);
         if moved[0] * moved[0] + moved[1] * moved[1] > farthest * farthest {
-            return Err(RayOutcome::MovedTooFar);
+            return Err(RefinementOutcome::MovedTooFar);
         }
         Ok(found)
     }
 
     /// Whether the window that was found leads back to the reference.
-    fn leads_back(&mut self, reference: &WindowedRay<'_>, ray: &WindowedRay<'_>, found: &Found) -> bool {
+    fn leads_back(&mut self, reference: &WindowedObservation<'_>, ray: &WindowedObservation<'_>, found: &Found) -> bool {
         let [halvings, own] = found.halvings;
         let (Some(left), Some(right)) = (reference.window(halvings), ray.window(own)) else { return false };
         let ratio = f64::from(1u32 << halvings) / f64::from(1u32 << own);
@@ -201,7 +201,7 @@ fn level_of(halvings: u32, affine: &Affine) -> u32 {
 }
 
 /// From px about the reference to px about the ray, by the scales and directions of the two features.
-fn similarity(reference: &WindowedRay<'_>, ray: &WindowedRay<'_>) -> Affine {
+fn similarity(reference: &WindowedObservation<'_>, ray: &WindowedObservation<'_>) -> Affine {
     let zoom = ray.place.scale_px / reference.place.scale_px;
     let turn = ray.orientation_rad - reference.orientation_rad;
     let (sin, cos) = (zoom * libm::sin(turn), zoom * libm::cos(turn));
@@ -229,7 +229,7 @@ fn standard_error(fit: &WindowFit) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{RayWindows, ray_windows};
+    use super::super::{ObservationWindows, observation_windows};
     use super::*;
     use crate::GreyImage;
     use crate::matching::texture::Texture;
@@ -242,7 +242,7 @@ mod tests {
     /// An image of the texture deformed about the middle and shifted, and the ray that shows the place of [`SHOWN`], found off by `error`.
     struct Shot {
         image: GreyImage,
-        place: RayPlace,
+        place: WindowCentre,
         orientation_rad: f64,
         truth: [f64; 2],
         matrix: Affine,
@@ -263,16 +263,16 @@ mod tests {
         let moved = turned(&matrix, SHOWN.map(|v| v - MIDDLE));
         let truth = [0, 1].map(|axis| MIDDLE + shift[axis] + moved[axis]);
         let zoom = determinant(&matrix).sqrt();
-        let place = RayPlace { position: [0, 1].map(|axis| truth[axis] + error[axis]), scale_px: scale_px * zoom };
+        let place = WindowCentre { position: [0, 1].map(|axis| truth[axis] + error[axis]), scale_px: scale_px * zoom };
         Shot { image, place, orientation_rad: libm::atan2(matrix[1][0] - matrix[0][1], matrix[0][0] + matrix[1][1]), truth, matrix }
     }
 
-    fn windows(shots: &[Shot]) -> Vec<RayWindows> {
-        shots.iter().map(|shot| ray_windows(shot.image.view(), &[shot.place], &RefinementOptions::default()).unwrap()).collect()
+    fn windows(shots: &[Shot]) -> Vec<ObservationWindows> {
+        shots.iter().map(|shot| observation_windows(shot.image.view(), &[shot.place], &RefinementOptions::default()).unwrap()).collect()
     }
 
-    fn rays<'a>(shots: &[Shot], windows: &'a [RayWindows]) -> Vec<WindowedRay<'a>> {
-        let ray = |(shot, own): (&Shot, &'a RayWindows)| WindowedRay {
+    fn rays<'a>(shots: &[Shot], windows: &'a [ObservationWindows]) -> Vec<WindowedObservation<'a>> {
+        let ray = |(shot, own): (&Shot, &'a ObservationWindows)| WindowedObservation {
             place: shot.place,
             orientation_rad: shot.orientation_rad,
             windows: own.of_ray(0).unwrap(),
@@ -310,7 +310,7 @@ mod tests {
             let on_ground = turned(&inverse(&shots[point.reference].matrix).unwrap(), reference);
             for k in (0..4).filter(|k| *k != point.reference) {
                 let ray = &point.rays[k];
-                assert_eq!(ray.outcome, RayOutcome::Refined, "{scale_px} {k}");
+                assert_eq!(ray.outcome, RefinementOutcome::Refined, "{scale_px} {k}");
                 let (own, expected) = (error(k), turned(&shots[k].matrix, on_ground));
                 let off = [0, 1].map(|axis| (own[axis] - expected[axis]).abs());
                 assert!(off[0] < 0.02 && off[1] < 0.02, "scale {scale_px}, ray {k}: {off:?}");
@@ -330,11 +330,16 @@ mod tests {
         ];
         let point = refined(&shots);
         assert_eq!(point.rays[1].position, shots[1].place.position);
-        let refusals = [RayOutcome::NotConverged, RayOutcome::MovedTooFar, RayOutcome::LowCorrelation, RayOutcome::Inconsistent];
+        let refusals = [
+            RefinementOutcome::NotConverged,
+            RefinementOutcome::MovedTooFar,
+            RefinementOutcome::LowCorrelation,
+            RefinementOutcome::Inconsistent,
+        ];
         assert!(refusals.contains(&point.rays[1].outcome) && point.rays[1].correlation.is_none(), "{:?}", point.rays[1]);
         // Whichever of the other two is the reference, the other one is matched to it.
         let outcomes = [point.rays[0].outcome, point.rays[2].outcome];
-        assert!(outcomes.contains(&RayOutcome::Reference) && outcomes.contains(&RayOutcome::Refined), "{outcomes:?}");
+        assert!(outcomes.contains(&RefinementOutcome::Reference) && outcomes.contains(&RefinementOutcome::Refined), "{outcomes:?}");
     }
 
     #[test]
@@ -343,15 +348,15 @@ mod tests {
         let far = [shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1), shot(&texture, UNIT, [0.0; 2], [2.2, 0.0], 2.0, 2)];
         let point = refined(&far);
         let moved = &point.rays[1 - point.reference];
-        assert!(matches!(moved.outcome, RayOutcome::MovedTooFar | RayOutcome::Inconsistent), "{moved:?}");
+        assert!(matches!(moved.outcome, RefinementOutcome::MovedTooFar | RefinementOutcome::Inconsistent), "{moved:?}");
         let border = [shot(&texture, UNIT, [0.0; 2], [0.0; 2], 2.0, 1), shot(&texture, UNIT, [95.0, 0.0], [0.0; 2], 2.0, 2)];
         let point = refined(&border);
-        assert_eq!(point.rays[1 - point.reference].outcome, RayOutcome::LeftImage);
+        assert_eq!(point.rays[1 - point.reference].outcome, RefinementOutcome::LeftImage);
         let flat = GreyImage::from_fn(SIZE, SIZE, |_, _| 90).unwrap();
         let even =
             |shot: &Shot| Shot { image: flat.clone(), place: shot.place, orientation_rad: 0.0, truth: shot.truth, matrix: shot.matrix };
         let point = refined(&[even(&border[0]), even(&border[0])]);
-        assert_eq!(point.rays[1].outcome, RayOutcome::NoTexture);
+        assert_eq!(point.rays[1].outcome, RefinementOutcome::NoTexture);
     }
 
     #[test]
@@ -363,7 +368,7 @@ mod tests {
         let mut refiner = PointRefiner::new(&RefinementOptions::default()).unwrap();
         assert_eq!(refiner.refine(&[]).unwrap_err().code(), "too-few");
         assert_eq!(refiner.refine(&good[..1]).unwrap_err().code(), "too-few");
-        let changed = |change: &dyn Fn(&mut WindowedRay<'_>)| {
+        let changed = |change: &dyn Fn(&mut WindowedObservation<'_>)| {
             let mut wrong = good.clone();
             change(&mut wrong[1]);
             PointRefiner::new(&RefinementOptions::default()).unwrap().refine(&wrong).unwrap_err().code()
@@ -383,7 +388,7 @@ mod tests {
                 [shot(&texture, UNIT, [0.0; 2], [0.0; 2], scale, 1), shot(&texture, turn(0.4, 1.1), [1.2, 0.3], [0.4, 0.1], scale, 2)]
             })
             .into();
-        let cut: Vec<Vec<RayWindows>> = points.iter().map(|shots| windows(shots)).collect();
+        let cut: Vec<Vec<ObservationWindows>> = points.iter().map(|shots| windows(shots)).collect();
         let mut one = PointRefiner::new(&RefinementOptions::default()).unwrap();
         let forward: Vec<RefinedPoint> = (0..2).map(|k| one.refine(&rays(&points[k], &cut[k])).unwrap()).collect();
         let mut other = PointRefiner::new(&RefinementOptions::default()).unwrap();

@@ -1,6 +1,6 @@
 //! Which ray of a point the others are matched to.
 
-use super::point::WindowedRay;
+use super::point::WindowedObservation;
 use crate::math::median;
 use std::cmp::Reverse;
 
@@ -9,7 +9,7 @@ const STEP_OCTAVES: f64 = 0.25;
 
 /// The rays in the order in which they are tried: those of middling scale first, so that the others are little enlarged or reduced; of these
 /// the one with the highest contrast.
-pub(super) fn references(rays: &[WindowedRay<'_>], window: usize) -> Vec<usize> {
+pub(super) fn references(rays: &[WindowedObservation<'_>], window: usize) -> Vec<usize> {
     let octaves: Vec<f64> = rays.iter().map(|ray| libm::log2(ray.place.scale_px)).collect();
     let middle = median(&mut octaves.clone()).unwrap_or(0.0);
     let rank = |index: &usize| {
@@ -22,7 +22,7 @@ pub(super) fn references(rays: &[WindowedRay<'_>], window: usize) -> Vec<usize> 
 }
 
 /// n²·variance of the n grey values that are matched in the image itself; 0 where they leave it.
-fn contrast(ray: &WindowedRay<'_>, window: usize) -> u64 {
+fn contrast(ray: &WindowedObservation<'_>, window: usize) -> u64 {
     let Some(own) = ray.window(0) else { return 0 };
     let place = own.place(ray.place.position).map(|v| v as usize);
     let reach = window / 2;

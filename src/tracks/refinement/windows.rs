@@ -15,13 +15,13 @@ const MARGIN: usize = 12;
 
 /// A place at which windows are cut.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RayPlace {
+pub struct WindowCentre {
     /// Column and row in px, the centre of the top-left pixel at (0.5, 0.5).
     pub position: [f64; 2],
     pub scale_px: f64,
 }
 
-impl RayPlace {
+impl WindowCentre {
     /// Refuses what is no place.
     pub(super) fn check(&self) -> Result<(), Error> {
         if self.position.iter().all(|v| v.is_finite()) && self.scale_px.is_finite() && self.scale_px > 0.0 {
@@ -44,14 +44,14 @@ impl RayPlace {
 
 /// A window of an image, or of the image halved a number of times.
 #[derive(Clone, Copy)]
-pub struct RayWindow<'a> {
+pub struct ObservationWindow<'a> {
     pub halvings: u32,
     /// Column and row of its first pixel in the halved image.
     pub first: [u32; 2],
     pub grey: GreyView<'a>,
 }
 
-impl RayWindow<'_> {
+impl ObservationWindow<'_> {
     /// Where a position of the image lies in the window, px.
     pub(super) fn place(&self, position: [f64; 2]) -> [f64; 2] {
         let scale = f64::from(1u32 << self.halvings);
@@ -67,7 +67,7 @@ impl RayWindow<'_> {
 
 /// The windows of an image's rays, flat.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct RayWindows {
+pub struct ObservationWindows {
     /// Side of each window in px.
     pub side: usize,
     /// Of each window: index of its ray, halvings, column and row of its first pixel in the halved image.
@@ -86,7 +86,7 @@ pub(super) fn cut_side(options: &RefinementOptions) -> usize {
 ///
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for places that are not inside the image or no numbers.
-pub fn ray_windows(image: GreyView<'_>, rays: &[RayPlace], options: &RefinementOptions) -> Result<RayWindows, Error> {
+pub fn observation_windows(image: GreyView<'_>, rays: &[WindowCentre], options: &RefinementOptions) -> Result<ObservationWindows, Error> {
     options.check()?;
     for ray in rays {
         ray.check()?;
@@ -96,12 +96,12 @@ pub fn ray_windows(image: GreyView<'_>, rays: &[RayPlace], options: &RefinementO
             return Err(Error::InvalidInput { what: "ray", got: format!("position {:?}", ray.position), allowed });
         }
     }
-    let most = rays.iter().map(RayPlace::most_halvings).max().unwrap_or(0);
+    let most = rays.iter().map(WindowCentre::most_halvings).max().unwrap_or(0);
     let mut halved: Vec<GreyImage> = Vec::new();
     for level in 0..most as usize {
         halved.push(halve(if level == 0 { image } else { halved[level - 1].view() }));
     }
-    let mut cut = RayWindows { side: cut_side(options), ..RayWindows::default() };
+    let mut cut = ObservationWindows { side: cut_side(options), ..ObservationWindows::default() };
     for (index, ray) in rays.iter().enumerate() {
         for halvings in 0..=ray.most_halvings() {
             let level = if halvings == 0 { image } else { halved[halvings as usize - 1].view() };
@@ -111,7 +111,7 @@ pub fn ray_windows(image: GreyView<'_>, rays: &[RayPlace], options: &RefinementO
     Ok(cut)
 }
 
-impl RayWindows {
+impl ObservationWindows {
     /// Windows that were cut by the same options, perhaps of several images.
     ///
     /// # Errors
@@ -154,13 +154,13 @@ impl RayWindows {
     ///
     /// # Errors
     /// [`Error::InvalidInput`] where there are more or fewer grey values than windows.
-    pub fn of_ray(&self, ray: u32) -> Result<Vec<RayWindow<'_>>, Error> {
+    pub fn of_ray(&self, ray: u32) -> Result<Vec<ObservationWindow<'_>>, Error> {
         let from = self.places.partition_point(|place| place[0] < ray);
         let own = self.places[from..].iter().take_while(|place| place[0] == ray).enumerate();
         own.map(|(k, [_, halvings, col, row])| {
             let area = self.side * self.side;
             let grey = self.grey.get((from + k) * area..(from + k + 1) * area).unwrap_or_default();
-            Ok(RayWindow { halvings: *halvings, first: [*col, *row], grey: GreyView::new(self.side, self.side, grey)? })
+            Ok(ObservationWindow { halvings: *halvings, first: [*col, *row], grey: GreyView::new(self.side, self.side, grey)? })
         })
         .collect()
     }
@@ -174,8 +174,8 @@ mod tests {
         GreyImage::from_fn(300, 200, |col, row| (col * 7 + row * 13) as u8).unwrap()
     }
 
-    fn at(x: f64, y: f64, scale_px: f64) -> RayPlace {
-        RayPlace { position: [x, y], scale_px }
+    fn at(x: f64, y: f64, scale_px: f64) -> WindowCentre {
+        WindowCentre { position: [x, y], scale_px }
     }
 
     #[test]
@@ -183,7 +183,7 @@ mod tests {
         let image = image();
         let options = RefinementOptions::default();
         let rays = [at(150.3, 100.7, 2.0), at(3.0, 199.0, 3.4), at(160.0, 90.0, 40.0)];
-        let cut = ray_windows(image.view(), &rays, &options).unwrap();
+        let cut = observation_windows(image.view(), &rays, &options).unwrap();
         assert_eq!((cut.side, cut.grey.len()), (57, cut.places.len() * 57 * 57));
         // The image halved twice has 50 rows: too few for a window.
         let levels: Vec<[u32; 2]> = cut.places.iter().map(|place| [place[0], place[1]]).collect();
@@ -209,23 +209,24 @@ mod tests {
             at(5.0, f64::INFINITY, 2.0),
             at(301.0, 5.0, 2.0),
         ] {
-            let error = ray_windows(image.view(), &[ray], &RefinementOptions::default()).unwrap_err();
+            let error = observation_windows(image.view(), &[ray], &RefinementOptions::default()).unwrap_err();
             assert_eq!(error.code(), "invalid-input", "{ray:?}");
         }
-        assert!(ray_windows(image.view(), &[], &RefinementOptions::default()).unwrap().places.is_empty());
+        assert!(observation_windows(image.view(), &[], &RefinementOptions::default()).unwrap().places.is_empty());
         let even = RefinementOptions { window: 20, ..RefinementOptions::default() };
-        assert!(matches!(ray_windows(image.view(), &[], &even), Err(Error::InvalidOption { field: "refinement.window", .. })));
+        assert!(matches!(observation_windows(image.view(), &[], &even), Err(Error::InvalidOption { field: "refinement.window", .. })));
     }
 
     #[test]
     fn windows_that_do_not_fit_together_are_refused() {
         let options = RefinementOptions::default();
-        let refused = |places: &[[u32; 4]], grey: usize| RayWindows::new(places.to_vec(), vec![0; grey], &options).unwrap_err().to_string();
+        let refused =
+            |places: &[[u32; 4]], grey: usize| ObservationWindows::new(places.to_vec(), vec![0; grey], &options).unwrap_err().to_string();
         let area = 57 * 57;
         assert!(refused(&[[0, 0, 0, 0]], area - 1).contains("57 x 57"));
         assert!(refused(&[[1, 0, 0, 0], [0, 0, 0, 0]], 2 * area).contains("ordered"));
         assert!(refused(&[[0, 1, 0, 0], [0, 1, 0, 0]], 2 * area).contains("ordered"));
         assert!(refused(&[[0, 40, 0, 0]], area).contains("halvings"));
-        assert!(RayWindows::new(vec![[0, 0, 0, 0], [0, 1, 0, 0], [3, 0, 5, 5]], vec![0; 3 * area], &options).is_ok());
+        assert!(ObservationWindows::new(vec![[0, 0, 0, 0], [0, 1, 0, 0], [3, 0, 5, 5]], vec![0; 3 * area], &options).is_ok());
     }
 }

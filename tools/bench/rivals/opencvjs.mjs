@@ -1,11 +1,14 @@
 /** OpenCV.js from npm on the pairs: ORB with as many points (it has no SIFT), the ratio and the mutual check; of geometry it has homographies alone. */
 
 import { createRequire } from 'node:module';
+import { fileURLToPath } from 'node:url';
 import { feature_defaults } from '../../../pkg/node.js';
+import { ensurePackages } from '../../lib/setup.mjs';
 import { photoOf } from '../data.mjs';
 
 /** The module, ready, in a box: it is a thenable that gives itself, on which `await` never ends.  @returns {Promise<{ cv: any }>} */
 async function library() {
+  await ensurePackages(fileURLToPath(new URL('.', import.meta.url)));
   const cv = createRequire(import.meta.url)('@techstark/opencv-js');
   if (!cv.Mat) await new Promise((resolve) => { cv.onRuntimeInitialized = () => resolve(null); });
   return { cv };

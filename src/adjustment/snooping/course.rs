@@ -1,0 +1,111 @@
+//! What changes from round to round of an adjustment.
+
+use crate::Error;
+use crate::adjustment::block::Block;
+use crate::adjustment::check::check_network;
+use crate::adjustment::collinearity::CAMERA_PARAMETERS;
+use crate::adjustment::datum::{Weighted, moved_to_observed, observed};
+use crate::adjustment::network::Network;
+use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
+use crate::adjustment::precision::Orientations;
+use crate::adjustment::result::{FixedParameter, ObservationVerdict};
+use crate::adjustment::solution::Factored;
+use crate::adjustment::sparse::Pattern;
+use crate::adjustment::state::{State, free_of};
+use std::rc::Rc;
+
+/// What changes from round to round.
+pub(super) struct Course<'a> {
+    pub block: &'a Block,
+    pub options: &'a AdjustmentOptions,
+    pub verdicts: Vec<ObservationVerdict>,
+    pub free: Vec<[bool; CAMERA_PARAMETERS]>,
+    pub fixed: Vec<Vec<FixedParameter>>,
+    /// Whether the GPS position of each image takes part.
+    pub placed: Vec<bool>,
+    /// Those that agreed at the start, and whether all these are kept: too many were refused since.
+    pub agreed: Vec<bool>,
+    pub keeps_agreed: bool,
+    /// Whether rejected rays were taken back after the first rounds.
+    pub is_reconsidered: bool,
+    pub start: State,
+    /// How many rays were accepted at the start.
+    pub rays_at_start: usize,
+    pub state: State,
+    /// Standard error of a coordinate as the last round saw it; 0 at first.
+    pub sigma: f64,
+    pub iterations: usize,
+    /// What of earlier rounds serves as long as the rays are nearly the same: the pattern of the equations, a factor, the cofactors of
+    /// orientations. The cofactors are those of one loss.
+    pub pattern: Option<Rc<Pattern>>,
+    pub nearby: Option<Factored>,
+    pub orientations: Option<(Loss, Orientations)>,
+}
+
+impl<'a> Course<'a> {
+    /// Before the first round: what its place alone tells of each ray, and the start in the datum.
+    pub fn new(block: &'a Block, options: &'a AdjustmentOptions) -> Result<Self, Error> {
+        let start = State::of(block);
+        let mut course = Self {
+            block,
+            options,
+            verdicts: Vec::new(),
+            free: block.cameras.iter().map(free_of).collect(),
+            fixed: vec![Vec::new(); block.cameras.len()],
+            placed: vec![true; block.images.len()],
+            agreed: vec![true; block.images.len()],
+            keeps_agreed: false,
+            is_reconsidered: false,
+            state: start.clone(),
+            start,
+            rays_at_start: 0,
+            sigma: 0.0,
+            iterations: 0,
+            pattern: None,
+            nearby: None,
+            orientations: None,
+        };
+        course.verdicts = (0..block.rays.len()).map(|ray| course.in_front(ray)).collect();
+        course.lose_points();
+        course.rays_at_start = course.accepted();
+        if options.datum != Datum::Free {
+            let network = course.network()?;
+            (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
+            course.agreed = course.placed.clone();
+        }
+        Ok(course)
+    }
+
+    /// Number of accepted rays.
+    pub fn accepted(&self) -> usize {
+        self.verdicts.iter().filter(|verdict| **verdict == ObservationVerdict::Accepted).count()
+    }
+
+    pub fn network(&mut self) -> Result<Network, Error> {
+        let accepted: Vec<bool> = self.verdicts.iter().map(|v| *v == ObservationVerdict::Accepted).collect();
+        let network = Network::new(self.block, &accepted, self.pattern.as_ref());
+        if !self.pattern.as_ref().is_some_and(|pattern| Rc::ptr_eq(pattern, &network.pattern)) {
+            self.pattern = Some(network.pattern.clone());
+            self.forget();
+        }
+        check_network(&network, self.options.datum)?;
+        Ok(network)
+    }
+
+    /// Forgets what equations of another pattern or of other cameras left.
+    pub fn forget(&mut self) {
+        (self.nearby, self.orientations) = (None, None);
+    }
+
+    /// The standard error of a ray that weights observed positions.
+    pub fn weighted_by(&self) -> f64 {
+        self.options.sigma0_px.unwrap_or(if self.sigma > 0.0 { self.sigma } else { 1.0 })
+    }
+
+    /// The observed positions of images and points that take part.
+    pub fn observed(&self, weighted_by: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
+        let (mut gps, control) = observed(self.block, self.options.datum, weighted_by);
+        gps.iter_mut().zip(&self.placed).filter(|(_, placed)| !**placed).for_each(|(prior, _)| *prior = None);
+        (gps, control)
+    }
+}

@@ -1,0 +1,12 @@
+//! Adjusts until the set of accepted rays and of estimated camera parameters does not change any more: robust first, then by least squares.
+//!
+//! `course` is what changes from round to round. `rays` and `positions` reject observations, `parameters` fixes what of the cameras is not
+//! determined; `rounds` puts these checks in their order.
+
+mod course;
+mod parameters;
+mod positions;
+mod rays;
+mod rounds;
+
+pub(super) use rounds::{Settled, settle};

@@ -1,0 +1,119 @@
+//! Which rays take part: gross errors are rejected, and so is what its place alone excludes.
+
+use super::course::Course;
+use crate::adjustment::adjustment::{Adjusted, LEAST_SIGMA_PX};
+use crate::adjustment::collinearity::in_photo;
+use crate::adjustment::loss::Robust;
+use crate::adjustment::options::Loss;
+use crate::adjustment::reduced::Problem;
+use crate::adjustment::reliability::Judged;
+use crate::adjustment::result::ObservationVerdict;
+use crate::adjustment::scale::sigma_by_median;
+use crate::adjustment::statistics::judge_by;
+
+/// Rounds of least squares in which what was rejected may come back; rays may once more at most, so that the rounds end.
+pub(super) const FREE_ROUNDS: usize = 2;
+
+/// Cofactors of an earlier round serve as long as they tell the same σ₀ but for this share.
+const ALIKE_SIGMA: f64 = 0.03;
+
+/// Below this redundancy the median alone is no estimate.
+const FEW: i64 = 20;
+
+impl Course<'_> {
+    /// The verdict on a ray by the place of its point alone.
+    pub fn in_front(&self, ray: usize) -> ObservationVerdict {
+        let ray = &self.block.rays[ray];
+        let [_, _, w] = in_photo(&self.state.images[ray.image], &self.state.points[ray.point]);
+        if w < 0.0 { ObservationVerdict::Accepted } else { ObservationVerdict::Behind }
+    }
+
+    /// Rejects rays to points behind their images and of points that their rays do not determine; whether there were any.
+    pub fn drop_impossible(&mut self, problem: &Problem<'_>, robust: Robust) -> bool {
+        let before = self.verdicts.clone();
+        for ray in 0..before.len() {
+            if before[ray] == ObservationVerdict::Accepted {
+                self.verdicts[ray] = self.in_front(ray);
+            }
+        }
+        for point in problem.undetermined_points(&self.state, robust) {
+            for sight in problem.network.of_point(point) {
+                self.verdicts[sight.ray as usize] = ObservationVerdict::LostPoint;
+            }
+        }
+        self.lose_points();
+        self.verdicts != before
+    }
+
+    /// Points with fewer than two accepted rays take no part; a surveyed position that the datum uses counts as one.
+    pub fn lose_points(&mut self) {
+        let mut rays = vec![0_usize; self.block.points.len()];
+        let accepted = |verdict: &ObservationVerdict| *verdict == ObservationVerdict::Accepted;
+        for (ray, _) in self.block.rays.iter().zip(&self.verdicts).filter(|(_, v)| accepted(v)) {
+            rays[ray.point] += 1;
+        }
+        for control in self.block.control.iter().filter(|_| self.options.datum.uses_control()) {
+            rays[control.point] += 1;
+        }
+        for (ray, verdict) in self.block.rays.iter().zip(&mut self.verdicts) {
+            if accepted(verdict) && rays[ray.point] < 2 {
+                *verdict = ObservationVerdict::LostPoint;
+            }
+        }
+    }
+
+    /// Snoops by the cofactors that an earlier round left, as long as the loss is the same; whether that settles what to do next. What they
+    /// find nothing wrong with is judged by its own cofactors.
+    pub fn snoop_by_earlier(&mut self, problem: &Problem<'_>, adjusted: &Adjusted, loss: Loss, calm_rounds: usize) -> bool {
+        let Some((of_loss, orientations)) = self.orientations.as_ref().filter(|(of_loss, _)| *of_loss == loss) else { return false };
+        let is_robust = *of_loss != Loss::Squares;
+        let judged = judge_by(orientations, problem, adjusted, self.block, &self.verdicts);
+        let sigma = self.scale(&judged.rays, adjusted, problem.redundancy());
+        // Where something is hardly determined, small steps make large cofactors others: then they no longer serve.
+        if (sigma - self.sigma).abs() > ALIKE_SIGMA * self.sigma {
+            return false;
+        }
+        self.sigma = sigma;
+        self.snoop(&judged.rays, loss, calm_rounds) || is_robust
+    }
+
+    /// The standard error of a ray by which rays are judged.
+    pub fn scale(&self, rays: &[Option<[Judged; 2]>], adjusted: &Adjusted, redundancy: i64) -> f64 {
+        let by_median = sigma_by_median(rays, &self.verdicts, self.rays_at_start, self.options.limit());
+        // A median of a few residuals may be far too small by chance, more easily than their σ.
+        if redundancy < FEW { by_median.max(adjusted.sigma) } else { by_median }
+    }
+
+    /// Rejects the worst ray of each point that exceeds the limit, and takes back what no longer does: in the first rounds, and once more when
+    /// nothing is left to reject, for what fell by errors that were found after it. Whether anything changed.
+    pub fn snoop(&mut self, rays: &[Option<[Judged; 2]>], loss: Loss, calm_rounds: usize) -> bool {
+        let limit = self.options.limit() * self.sigma.max(self.options.sigma0_px.unwrap_or(0.0)).max(LEAST_SIGMA_PX);
+        let sizes = rays.iter().map(|judged| judged.map(|[x, y]| x.standardised.abs().max(y.standardised.abs())));
+        let before = self.verdicts.clone();
+        let mut worst: Vec<Option<(usize, f64)>> = vec![None; self.block.points.len()];
+        let mut fitting = Vec::new();
+        for (ray, size) in sizes.enumerate() {
+            let Some(size) = size else { continue };
+            match before[ray] {
+                ObservationVerdict::Accepted if size > limit => {
+                    let worst = &mut worst[self.block.rays[ray].point];
+                    if worst.is_none_or(|(_, other)| size > other) {
+                        *worst = Some((ray, size));
+                    }
+                }
+                ObservationVerdict::GrossError if size <= limit => fitting.push(ray),
+                _ => {}
+            }
+        }
+        let is_last = !self.is_reconsidered && calm_rounds >= FREE_ROUNDS && worst.iter().all(Option::is_none);
+        if loss == Loss::Squares && (calm_rounds < FREE_ROUNDS || is_last) {
+            self.is_reconsidered |= is_last && !fitting.is_empty();
+            for ray in fitting {
+                self.verdicts[ray] = self.in_front(ray);
+            }
+        }
+        worst.iter().flatten().for_each(|(ray, _)| self.verdicts[*ray] = ObservationVerdict::GrossError);
+        self.lose_points();
+        self.verdicts != before
+    }
+}

@@ -1,0 +1,231 @@
+//! The rounds of an adjustment: adjust, check, and again until no check changes anything.
+
+use super::course::Course;
+use crate::Error;
+use crate::adjustment::adjustment::{Adjusted, Demand, WHAT};
+use crate::adjustment::block::Block;
+use crate::adjustment::datum::{held_images, moved_onto};
+use crate::adjustment::network::Columns;
+use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
+use crate::adjustment::reduced::Problem;
+use crate::adjustment::result::{FixedParameter, ObservationVerdict};
+use crate::adjustment::statistics::{Statistics, statistics};
+
+/// Rounds with the robust loss, and in all but for those that fix camera parameters.
+const ROBUST_ROUNDS: usize = 10;
+const MAX_ROUNDS: usize = 40;
+/// Where a robust round rejects no more than this share of the rays, least squares can go on.
+const FEW_GROSS_ERRORS: f64 = 0.01;
+
+/// Steps of robust rounds need not be as small, in standard errors, as those of the last.
+const ROBUST_TOLERANCE: f64 = 1e-2;
+const TOLERANCE: f64 = 1e-4;
+
+/// A σ₀ that weights observed positions has settled when it changes by less than this share.
+const SETTLED_SIGMA: f64 = 0.02;
+
+/// What may go on changing.
+const RAYS: &str = "the rejection of gross errors";
+const POSITIONS: &str = "the rejection of GPS positions";
+const WEIGHTS: &str = "the weight of the observed positions";
+
+/// A settled adjustment.
+pub(in crate::adjustment) struct Settled {
+    pub adjusted: Adjusted,
+    pub statistics: Option<Statistics>,
+    pub verdicts: Vec<ObservationVerdict>,
+    pub columns: Columns,
+    pub fixed: Vec<Vec<FixedParameter>>,
+    pub redundancy: usize,
+    /// Whether the GPS position of each image took part, where it has one.
+    pub placed: Vec<bool>,
+    /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
+    pub weighted_by: f64,
+    pub iterations: usize,
+    pub rounds: usize,
+}
+
+/// Adjusts a block until nothing changes any more.
+///
+/// # Errors
+/// Those of [`adjust_block`](crate::adjust_block), but for what its input alone tells.
+pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) -> Result<Settled, Error> {
+    let mut course = Course::new(block, options)?;
+    course.fix_undetermined()?;
+    let mut is_robust = options.loss != Loss::Squares;
+    let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
+    let mut last = "";
+    while rounds - fixing < MAX_ROUNDS {
+        rounds += 1;
+        let outcome = course.round(if is_robust { options.loss } else { Loss::Squares }, calm_rounds)?;
+        calm_rounds += usize::from(!is_robust);
+        match outcome {
+            Outcome::Fixed => fixing += 1,
+            Outcome::Changed { rejected, what } => {
+                last = what;
+                let few = rejected as f64 <= FEW_GROSS_ERRORS * block.rays.len() as f64;
+                is_robust &= !(options.snooping && (few || rounds - fixing >= ROBUST_ROUNDS));
+            }
+            Outcome::Settled(settled) => return Ok(Settled { rounds, ..*settled }),
+        }
+    }
+    let reason = format!("{last} did not settle in {MAX_ROUNDS} rounds");
+    Err(Error::NotConverged { what: WHAT, iterations: course.iterations, reason })
+}
+
+/// How a round ends.
+enum Outcome {
+    /// Rays, observed positions or weights are others now; so many rays were rejected.
+    Changed {
+        rejected: usize,
+        what: &'static str,
+    },
+    /// Camera parameters were fixed, and nothing else changed.
+    Fixed,
+    Settled(Box<Settled>),
+}
+
+/// An adjustment of the accepted rays, and what its checks ask of it.
+struct Round<'a> {
+    problem: Problem<'a>,
+    adjusted: Adjusted,
+    loss: Loss,
+    /// Rounds of least squares before this one.
+    calm_rounds: usize,
+    /// Standard errors of a coordinate: as the round before saw it, and as it weighted observed positions.
+    sigma_before: f64,
+    weighted_by: f64,
+    statistics: Option<Statistics>,
+}
+
+/// A check of a round: it ends the round where it changes what is adjusted next, and says how; `None` leaves the round to the next check.
+type Check<'a> = fn(&mut Course<'a>, &mut Round<'_>) -> Result<Option<Outcome>, Error>;
+
+impl<'a> Course<'a> {
+    /// The checks of a round in their order. Each row stands on those above it having changed nothing:
+    ///
+    /// | check | where | changes | the round ends as |
+    /// |---|---|---|---|
+    /// | `creeping` | steps did not vanish | fixes camera parameters | `Fixed` |
+    /// | `impossible` | points lie behind images or are not determined | rejects rays | `Changed` |
+    /// | `by_earlier_cofactors` | an earlier round of this loss left cofactors | rejects rays | `Changed` |
+    /// | `by_own_cofactors` | always | rejects and takes back rays and positions, weighs positions anew, ends the robust loss | `Changed` |
+    /// | `undetermined` | camera parameters are worse than the limit | fixes them | `Fixed` |
+    ///
+    /// Below the last row the adjustment is settled.
+    const CHECKS: [Check<'a>; 5] =
+        [Self::creeping, Self::impossible, Self::by_earlier_cofactors, Self::by_own_cofactors, Self::undetermined];
+
+    /// Adjusts the accepted rays and makes the checks.
+    fn round(&mut self, loss: Loss, calm_rounds: usize) -> Result<Outcome, Error> {
+        let network = self.network()?;
+        let columns = Columns::new(&self.free);
+        let weighted_by = self.weighted_by();
+        let (gps, control) = self.observed(weighted_by);
+        let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
+        let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
+        let adjusted = self.adjusted(&problem, loss)?;
+        let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
+        for check in Self::CHECKS {
+            if let Some(outcome) = check(self, &mut round)? {
+                return Ok(outcome);
+            }
+        }
+        Ok(Outcome::Settled(Box::new(Settled {
+            redundancy: round.problem.redundancy() as usize,
+            adjusted: round.adjusted,
+            statistics: round.statistics.filter(|_| self.options.statistics),
+            verdicts: self.verdicts.clone(),
+            columns: columns.clone(),
+            fixed: self.fixed.clone(),
+            placed: self.placed.clone(),
+            weighted_by,
+            iterations: self.iterations,
+            rounds: 0,
+        })))
+    }
+
+    /// One adjustment from the present state, which becomes the adjusted one.
+    fn adjusted(&mut self, problem: &Problem<'_>, loss: Loss) -> Result<Adjusted, Error> {
+        let redundancy = problem.redundancy();
+        if redundancy < 0 {
+            let needed = problem.unknowns();
+            return Err(Error::TooFew { what: "observed coordinates", got: (needed as i64 + redundancy) as usize, needed });
+        }
+        let demand = Demand {
+            loss,
+            sigma: self.options.sigma0_px.unwrap_or(0.0),
+            max_iterations: self.options.max_iterations,
+            warm: self.iterations > 0,
+            // Parameters that are hardly determined creep; which they are, what was reached tells.
+            passing: problem.columns.number() > 0,
+            tolerance: if loss == Loss::Squares || !self.options.snooping { TOLERANCE } else { ROBUST_TOLERANCE },
+        };
+        let mut adjusted = problem.adjust(self.state.clone(), &demand, &mut self.nearby)?;
+        self.iterations += adjusted.iterations;
+        if problem.held.is_some() && adjusted.unsettled.is_none() {
+            adjusted.state = moved_onto(problem.network, adjusted.state, &self.start)?;
+        }
+        self.state = adjusted.state.clone();
+        Ok(adjusted)
+    }
+
+    fn creeping(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        if round.adjusted.unsettled.is_none() {
+            return Ok(None);
+        }
+        self.forget();
+        self.sigma = round.adjusted.sigma;
+        // What creeps although it is within the limit is still what is determined worst.
+        if self.fix_weakest(&round.problem, self.options.calibration_limit_px)? || self.fix_weakest(&round.problem, 0.0)? {
+            return Ok(Some(Outcome::Fixed));
+        }
+        round.adjusted.check_converged().map(|()| None)
+    }
+
+    fn impossible(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        Ok(self.drop_impossible(&round.problem, round.adjusted.robust).then(|| self.changed(round, RAYS)))
+    }
+
+    fn by_earlier_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        let serves = self.options.snooping && self.snoop_by_earlier(&round.problem, &round.adjusted, round.loss, round.calm_rounds);
+        Ok(serves.then(|| self.changed(round, RAYS)))
+    }
+
+    fn by_own_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        let options = self.options;
+        let mut is_snooped = false;
+        if options.statistics || options.snooping {
+            let (found, factored, orientations) = statistics(&round.problem, &round.adjusted, self.block, &self.verdicts)?;
+            self.sigma = self.scale(&found.rays, &round.adjusted, round.problem.redundancy());
+            is_snooped = options.snooping && self.snoop(&found.rays, round.loss, round.calm_rounds);
+            self.nearby = Some(factored);
+            self.orientations = Some((round.loss, orientations));
+            round.statistics = Some(found);
+        } else {
+            self.sigma = round.adjusted.sigma;
+        }
+        let is_weighted = options.datum != Datum::Free && options.sigma0_px.is_none();
+        let is_reweighted = is_weighted && (self.sigma - round.sigma_before).abs() > SETTLED_SIGMA * self.sigma;
+        let found = round.statistics.as_ref().filter(|_| options.snooping);
+        let is_replaced = found.is_some_and(|found| self.snoop_positions(found, round.weighted_by, round.calm_rounds));
+        // What a robust loss leaves is judged again without it.
+        let is_judged_again = options.snooping && round.loss != Loss::Squares;
+        let what = match (is_replaced, is_snooped, is_reweighted, is_judged_again) {
+            (true, ..) => POSITIONS,
+            (_, true, ..) => RAYS,
+            (_, _, true, _) => WEIGHTS,
+            (.., true) => RAYS,
+            _ => return Ok(None),
+        };
+        Ok(Some(self.changed(round, what)))
+    }
+
+    fn undetermined(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
+        Ok(self.fix_weakest(&round.problem, self.options.calibration_limit_px)?.then_some(Outcome::Fixed))
+    }
+
+    fn changed(&self, round: &Round<'_>, what: &'static str) -> Outcome {
+        Outcome::Changed { rejected: round.problem.network.sights.len().saturating_sub(self.accepted()), what }
+    }
+}

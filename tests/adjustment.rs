@@ -1,0 +1,391 @@
+//! The bundle adjustment on simulated blocks whose every answer is known.
+
+use tiepoint::{
+    AdjustmentOptions, AdjustmentResult, Block, Datum, FreeParameters, Loss, NetworkFlight, NetworkKind, ObservationVerdict,
+    SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,
+};
+
+/// A block that starts from the truth: the errors of a free network then lie in its own datum.
+fn from_truth(flight: &NetworkFlight) -> SimulatedNetwork {
+    simulate_network(&NetworkFlight { approximate_m: 0.0, ..flight.clone() }).unwrap()
+}
+
+fn squares() -> AdjustmentOptions {
+    AdjustmentOptions { loss: Loss::Squares, snooping: false, ..AdjustmentOptions::default() }
+}
+
+fn angles(rotation: &[[f64; 3]; 3]) -> [f64; 3] {
+    angles_from_rotation(&nalgebra::Matrix3::from_fn(|r, c| rotation[r][c]))
+}
+
+/// Errors by their standard errors: of angles, positions and points.
+fn standardised(result: &AdjustmentResult, truth: &Block) -> [Vec<f64>; 3] {
+    let (mut turns, mut positions, mut points) = (Vec::new(), Vec::new(), Vec::new());
+    for ((image, true_image), statistics) in result.block.images.iter().zip(&truth.images).zip(&result.images) {
+        let (got, wanted) = (angles(&image.rotation), angles(&true_image.rotation));
+        let errors = statistics.angle_errors_deg.unwrap();
+        for k in 0..3 {
+            let turn = (got[k] - wanted[k]).to_degrees();
+            turns.push((turn + 540.0).rem_euclid(360.0) - 180.0);
+            *turns.last_mut().unwrap() /= errors[k];
+            positions.push((image.position[k] - true_image.position[k]) / statistics.position_errors.unwrap()[k]);
+        }
+    }
+    for ((point, true_point), statistics) in result.block.points.iter().zip(&truth.points).zip(&result.points) {
+        if let Some(statistics) = statistics {
+            let errors = statistics.errors.unwrap();
+            points.extend((0..3).map(|k| (point.position[k] - true_point.position[k]) / errors[k]));
+        }
+    }
+    [turns, positions, points]
+}
+
+fn mean_square(values: &[f64]) -> f64 {
+    values.iter().map(|v| v * v).sum::<f64>() / values.len() as f64
+}
+
+/// Errors of a block go together, so that a mean square tells something only over many blocks.
+const RUNS: u32 = 30;
+
+/// Mean squares of the standardised errors of many simulations of a block.
+fn mean_squares(flight: &NetworkFlight, options: &AdjustmentOptions, runs: u32) -> [f64; 3] {
+    let mut all: [Vec<f64>; 3] = Default::default();
+    for seed in 1..=runs {
+        let simulated = from_truth(&NetworkFlight { seed, ..flight.clone() });
+        let result = adjust_block(&simulated.observed, options).unwrap();
+        for (all, own) in all.iter_mut().zip(standardised(&result, &simulated.truth)) {
+            all.extend(own);
+        }
+    }
+    all.map(|values| mean_square(&values))
+}
+
+fn within(what: &str, values: [f64; 3]) {
+    println!("{what}: angles {:.3}, positions {:.3}, points {:.3}", values[0], values[1], values[2]);
+    assert!(values.iter().all(|v| (0.9..1.1).contains(v)), "{what}: {values:?}");
+}
+
+#[test]
+fn errors_of_a_free_nadir_block_are_as_large_as_told() {
+    within("nadir", mean_squares(&NetworkFlight::default(), &squares(), 24 * RUNS));
+}
+
+#[test]
+fn errors_of_a_free_oblique_block_are_as_large_as_told() {
+    let flight = NetworkFlight { kind: NetworkKind::Oblique, strips: 3, stations: 4, points_per_image: 25.0, ..NetworkFlight::default() };
+    within("oblique", mean_squares(&flight, &squares(), 12 * RUNS));
+}
+
+#[test]
+fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
+    let flight = NetworkFlight {
+        kind: NetworkKind::TwoHeights,
+        radial: [-0.05, 0.02, 0.0],
+        tangential: [0.001, -0.0005],
+        gps_sigma_m: 0.03,
+        ..NetworkFlight::default()
+    };
+    let options = AdjustmentOptions { datum: Datum::GpsAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
+    let mut all: [Vec<f64>; 4] = Default::default();
+    for seed in 1..=4 * RUNS {
+        let mut simulated = simulate_network(&NetworkFlight { seed, control_points: 5, ..flight.clone() }).unwrap();
+        let camera = &mut simulated.observed.cameras[0];
+        camera.focal_px *= 1.01;
+        camera.principal_point_px = [2000.0, 1500.0];
+        (camera.radial, camera.tangential) = ([0.0; 3], [0.0; 2]);
+        camera.free = FreeParameters { radial: 2, ..FreeParameters::ALL };
+        let result = adjust_block(&simulated.observed, &options).unwrap();
+        assert!(result.cameras[0].fixed.is_empty(), "{:?}", result.cameras[0]);
+        let (own, wanted) = (&result.block.cameras[0], &simulated.truth.cameras[0]);
+        let errors = [
+            own.focal_px - wanted.focal_px,
+            own.principal_point_px[0] - wanted.principal_point_px[0],
+            own.principal_point_px[1] - wanted.principal_point_px[1],
+            own.radial[0] - wanted.radial[0],
+            own.radial[1] - wanted.radial[1],
+            own.tangential[0] - wanted.tangential[0],
+            own.tangential[1] - wanted.tangential[1],
+        ];
+        let told = [0, 1, 2, 3, 4, 6, 7].map(|k| result.cameras[0].standard_errors[k].unwrap());
+        all[3].extend(errors.iter().zip(told).map(|(error, told)| error / told));
+        for (all, own) in all.iter_mut().zip(standardised(&result, &simulated.truth)) {
+            all.extend(own);
+        }
+    }
+    let camera = mean_square(&all[3]);
+    println!("camera: {camera:.3}");
+    assert!((0.6..1.5).contains(&camera), "{camera}");
+    within("two heights, self-calibrated", [0, 1, 2].map(|k| mean_square(&all[k])));
+}
+
+#[test]
+fn redundancies_sum_up_to_the_degrees_of_freedom() {
+    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, gps_sigma_m: 0.05, control_points: 4, ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: true, radial: 1, tangential: false };
+    for datum in [Datum::Free, Datum::Gps, Datum::Control, Datum::GpsAndControl] {
+        let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum, sigma0_px: Some(0.4), ..squares() }).unwrap();
+        let rays: f64 = result.rays.iter().filter_map(|ray| ray.redundancy).flatten().sum();
+        let gps: f64 = result.images.iter().filter_map(|image| image.gps?.redundancy).flatten().sum();
+        let control: f64 = result.control.iter().filter_map(|c| (*c)?.redundancy).flatten().sum();
+        let freedom = result.degrees_of_freedom as f64;
+        assert!((rays + gps + control - freedom).abs() < 1e-6 * freedom, "{datum:?}: {rays} + {gps} + {control}, {freedom}");
+        let tests: Vec<f64> = result.rays.iter().filter_map(|ray| ray.w).flatten().collect();
+        assert!((0.95..1.05).contains(&mean_square(&tests)), "{datum:?}: {}", mean_square(&tests));
+    }
+}
+
+#[test]
+fn a_free_network_keeps_its_shape_whatever_the_start() {
+    let flight = NetworkFlight::default();
+    let near = adjust_block(&from_truth(&flight).observed, &squares()).unwrap();
+    let far = adjust_block(&simulate_network(&NetworkFlight { approximate_m: 2.0, ..flight }).unwrap().observed, &squares()).unwrap();
+    assert!((near.rmse_px - far.rmse_px).abs() < 1e-9);
+    let largest = near.rays.iter().zip(&far.rays).flat_map(|(a, b)| [0, 1].map(|k| (a.residual_px[k] - b.residual_px[k]).abs()));
+    assert!(largest.fold(0.0, f64::max) < 1e-4);
+    // What is not seen from the datum: redundancies, and the ratio of distances.
+    let redundancy = near.rays.iter().zip(&far.rays).map(|(a, b)| (a.redundancy.unwrap()[0] - b.redundancy.unwrap()[0]).abs());
+    assert!(redundancy.fold(0.0, f64::max) < 1e-5);
+    let distance = |result: &AdjustmentResult, a: usize, b: usize| {
+        let (a, b) = (result.block.images[a].position, result.block.images[b].position);
+        (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>().sqrt()
+    };
+    let ratio = distance(&near, 0, 29) / distance(&near, 3, 17) * distance(&far, 3, 17) / distance(&far, 0, 29);
+    assert!((ratio - 1.0).abs() < 1e-7, "{ratio}");
+}
+
+#[test]
+fn a_free_network_stays_in_the_middle_of_its_start() {
+    let simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let result = adjust_block(&simulated.observed, &squares()).unwrap();
+    for k in 0..3 {
+        let mean = |block: &Block| block.images.iter().map(|image| image.position[k]).sum::<f64>() / 30.0;
+        assert!((mean(&result.block) - mean(&simulated.observed)).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn errors_of_a_block_held_by_gps_are_as_large_as_told() {
+    let flight = NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() };
+    let options = AdjustmentOptions { datum: Datum::Gps, ..squares() };
+    within("GPS", mean_squares(&flight, &options, 60));
+}
+
+#[test]
+fn errors_of_a_block_held_by_control_points_are_as_large_as_told() {
+    let flight = NetworkFlight { control_points: 6, approximate_m: 1.0, ..NetworkFlight::default() };
+    let options = AdjustmentOptions { datum: Datum::Control, ..squares() };
+    within("control", mean_squares(&flight, &options, 200));
+}
+
+#[test]
+fn gps_with_a_gross_error_shows_it_in_its_test() {
+    let mut simulated = simulate_network(&NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() }).unwrap();
+    simulated.observed.images[11].gps.as_mut().unwrap().position[2] += 0.6;
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap();
+    let size = |image: usize| result.images[image].gps.unwrap().w.unwrap().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+    let worst = (0..result.images.len()).max_by(|a, b| size(*a).total_cmp(&size(*b))).unwrap();
+    assert!(worst == 11 && size(11) > 3.29, "{worst}: {}", size(worst));
+}
+
+#[test]
+fn a_surveyed_point_with_one_ray_still_counts() {
+    let mut simulated = simulate_network(&NetworkFlight { control_points: 6, ..NetworkFlight::default() }).unwrap();
+    let block = &mut simulated.observed;
+    let point = block.control[5].point;
+    let first = block.rays.iter().position(|ray| ray.point == point).unwrap();
+    let kept = block.rays[first];
+    block.rays.retain(|ray| ray.point != point);
+    block.rays.push(kept);
+    let result = adjust_block(block, &AdjustmentOptions { datum: Datum::Control, ..squares() }).unwrap();
+    assert_eq!(result.rays.last().unwrap().verdict, ObservationVerdict::Accepted);
+    assert!(result.control[5].is_some());
+    assert!(result.rmse_by_rays[0].rays == 1 && result.rmse_by_rays[0].points == 1, "{:?}", result.rmse_by_rays[0]);
+    let free = adjust_block(block, &squares()).unwrap();
+    assert_eq!(free.rays.last().unwrap().verdict, ObservationVerdict::LostPoint);
+    assert!(free.control.iter().all(Option::is_none));
+}
+
+#[test]
+fn one_ray_in_five_may_be_wrong() {
+    let flight = NetworkFlight { gross_share: 0.2, points_per_image: 80.0, end_lap: 0.8, ..NetworkFlight::default() };
+    let simulated = simulate_network(&flight).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
+    let sigma0 = result.sigma0_px.unwrap();
+    let kept = result
+        .rays
+        .iter()
+        .enumerate()
+        .filter(|(k, ray)| ray.verdict == ObservationVerdict::Accepted && error_of(&simulated, *k) > 8.0)
+        .count();
+    println!("sigma0 {sigma0}, {kept} of {} large gross errors kept", simulated.gross.len());
+    assert!((sigma0 / flight.noise_px - 1.0).abs() < 0.08, "{sigma0}");
+    assert!((kept as f64) < 0.01 * simulated.gross.len() as f64);
+}
+
+#[test]
+fn gross_errors_are_found_and_good_rays_kept() {
+    let flight = NetworkFlight { gross_share: 0.05, points_per_image: 80.0, ..NetworkFlight::default() };
+    let simulated = simulate_network(&flight).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
+    let mut is_gross = vec![false; result.rays.len()];
+    simulated.gross.iter().for_each(|ray| is_gross[*ray] = true);
+    // What data snooping can see: errors that exceed what its residual shows beside noise.
+    let (mut large, mut found, mut lost) = (0, 0, 0);
+    for (index, (ray, gross)) in result.rays.iter().zip(&is_gross).enumerate() {
+        let error = error_of(&simulated, index);
+        if *gross && error > 5.0 {
+            large += 1;
+            found += usize::from(ray.verdict != ObservationVerdict::Accepted);
+        }
+        lost += usize::from(!gross && ray.verdict == ObservationVerdict::GrossError);
+    }
+    let good = is_gross.iter().filter(|gross| !**gross).count();
+    println!("{found} of {large} gross errors found, {lost} of {good} good rays rejected, sigma0 {:?}", result.sigma0_px);
+    assert!(large > 50 && found as f64 > 0.97 * large as f64);
+    assert!((lost as f64) < 0.01 * good as f64);
+    assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.05);
+}
+
+#[test]
+fn rays_of_two_photos_are_kept() {
+    // Along the base nothing can be told of a point's rays: residuals there are no measure of what is good.
+    let flight = NetworkFlight { strips: 1, stations: 2, points_per_image: 300.0, ..NetworkFlight::default() };
+    let simulated = simulate_network(&flight).unwrap();
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
+    let lost = result.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count();
+    println!("{lost} of {} rays rejected, sigma0 {:?}", result.rays.len(), result.sigma0_px);
+    assert!(lost * 100 <= 2 * result.rays.len(), "{lost} of {}", result.rays.len());
+    assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.1, "{:?}", result.sigma0_px);
+}
+
+#[test]
+fn a_rejected_ray_is_told_the_test_it_had() {
+    let flight = NetworkFlight { gps_sigma_m: 3.0, ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    let rays_of = |point: usize| simulated.observed.rays.iter().filter(|ray| ray.point == point).count();
+    let wrong = simulated.observed.rays.iter().position(|ray| rays_of(ray.point) >= 4).unwrap();
+    simulated.observed.rays[wrong].y_px += 12.0 * flight.noise_px;
+    let sigma0_px = Some(flight.noise_px);
+    let mut tests = Vec::new();
+    for datum in [Datum::Free, Datum::Gps] {
+        let options = AdjustmentOptions { datum, sigma0_px, loss: Loss::Squares, ..AdjustmentOptions::default() };
+        let kept = adjust_block(&simulated.observed, &AdjustmentOptions { snooping: false, ..options.clone() }).unwrap();
+        let snooped = adjust_block(&simulated.observed, &options).unwrap();
+        assert_eq!(snooped.rays[wrong].verdict, ObservationVerdict::GrossError);
+        // By how much a residual exceeds its standard error does not depend on whether it took part.
+        tests.extend([&kept, &snooped].map(|result| result.rays[wrong].w.unwrap()[1]));
+        assert!(snooped.rays[wrong].residual_px[1].abs() > kept.rays[wrong].residual_px[1].abs());
+    }
+    println!("{tests:?}");
+    assert!(tests.iter().all(|w| (w / tests[0] - 1.0).abs() < 0.03), "{tests:?}");
+}
+
+/// How far a ray was observed from where the truth has it, in px.
+fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
+    let ray = simulated.truth.rays[ray];
+    let (image, point) = (&simulated.truth.images[ray.image], simulated.truth.points[ray.point].position);
+    let d = [0, 1, 2].map(|k| point[k] - image.position[k]);
+    let [u, v, w] = image.rotation.map(|row| (0..3).map(|k| row[k] * d[k]).sum::<f64>());
+    let at = simulated.truth.cameras[image.camera].project(-u / w, v / w);
+    ((at[0] - ray.x_px) * (at[0] - ray.x_px) + (at[1] - ray.y_px) * (at[1] - ray.y_px)).sqrt()
+}
+
+#[test]
+fn what_a_block_does_not_determine_is_fixed_and_named() {
+    // Flat ground, one height, no control: focal length and flying height cannot be told apart.
+    let flight = NetworkFlight { relief_m: 0.0, ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: false, radial: 1, tangential: false };
+    let result = adjust_block(&simulated.observed, &squares()).unwrap();
+    let fixed: Vec<_> = result.cameras[0].fixed.iter().map(|f| f.parameter).collect();
+    println!("{:?}", result.cameras[0]);
+    assert_eq!(fixed, [tiepoint::CameraParameter::Focal]);
+    assert_eq!(result.block.cameras[0].focal_px, flight.focal_px);
+    assert!(result.cameras[0].standard_errors[3].is_some());
+}
+
+#[test]
+fn a_lens_that_bends_is_calibrated_by_a_free_network() {
+    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, radial: [-0.06, 0.03, -0.005], ..NetworkFlight::default() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    let camera = &mut simulated.observed.cameras[0];
+    camera.radial = [0.0; 3];
+    camera.free = FreeParameters { radial: 3, focal: true, ..FreeParameters::default() };
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
+    assert!((result.sigma0_px.unwrap() / flight.noise_px - 1.0).abs() < 0.05, "{:?}", result.sigma0_px);
+    let (own, told) = (&result.block.cameras[0], &result.cameras[0].standard_errors);
+    println!("{own:?} {told:?}");
+    assert!((own.radial[0] + 0.06).abs() < 4.0 * told[3].unwrap());
+}
+
+#[test]
+fn gps_in_a_single_strip_does_not_hold_a_block() {
+    let mut simulated = simulate_network(&NetworkFlight { strips: 1, stations: 8, gps_sigma_m: 0.02, ..NetworkFlight::default() }).unwrap();
+    for (k, image) in simulated.observed.images.iter_mut().enumerate() {
+        image.gps.as_mut().unwrap().position = [k as f64 * 20.0, 0.0, 100.0];
+    }
+    let error = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    assert_eq!(error.code(), "degenerate");
+}
+
+#[test]
+fn a_single_strip_is_a_free_network_too() {
+    within("one strip", mean_squares(&NetworkFlight { strips: 1, stations: 8, ..NetworkFlight::default() }, &squares(), 240));
+}
+
+#[test]
+fn rays_without_errors_give_the_truth() {
+    let simulated = simulate_network(&NetworkFlight { noise_px: 0.0, ..NetworkFlight::default() }).unwrap();
+    for options in [squares(), AdjustmentOptions::default()] {
+        let result = adjust_block(&simulated.observed, &options).unwrap();
+        assert!(result.rmse_px < 1e-6, "{}", result.rmse_px);
+        assert!(result.rays.iter().all(|ray| ray.verdict == ObservationVerdict::Accepted));
+    }
+}
+
+#[test]
+fn a_block_that_falls_apart_is_refused() {
+    let mut simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let side: Vec<bool> = simulated.observed.points.iter().map(|p| p.position[1] < 0.0).collect();
+    simulated.observed.rays.retain(|ray| (ray.image < 15) == side[ray.point]);
+    let error = adjust_block(&simulated.observed, &squares()).unwrap_err();
+    assert!(error.code() == "degenerate" && error.to_string().contains("parts"), "{error}");
+}
+
+#[test]
+fn wrong_blocks_are_refused_by_what_is_wrong() {
+    let block = simulate_network(&NetworkFlight::default()).unwrap().observed;
+    let refused = |change: &dyn Fn(&mut Block)| {
+        let mut block = block.clone();
+        change(&mut block);
+        let error = adjust_block(&block, &squares()).unwrap_err();
+        (error.code(), error.to_string())
+    };
+    let (code, text) = refused(&|b| b.rays[7].image = 99);
+    assert!(code == "invalid-input" && text.contains("99") && text.contains("ray 7"), "{text}");
+    let (code, text) = refused(&|b| b.rays[3].x_px = f64::NAN);
+    assert!(code == "invalid-input" && text.contains("ray 3"), "{text}");
+    let (code, text) = refused(&|b| b.images[2].rotation[0] = [0.0; 3]);
+    assert!(code == "invalid-input" && text.contains("image 2"), "{text}");
+    let (code, text) = refused(&|b| b.rays.push(b.rays[0]));
+    assert!(code == "invalid-input" && text.contains("two rays"), "{text}");
+    let (code, text) = refused(&|b| b.rays.retain(|ray| ray.image != 4));
+    assert!(code == "degenerate" && text.contains("image 4"), "{text}");
+    let (code, _) = refused(&|b| b.images.truncate(1));
+    assert_eq!(code, "too-few");
+    let error = adjust_block(&block, &AdjustmentOptions { alpha0: 0.0, ..squares() }).unwrap_err();
+    assert_eq!(error.code(), "invalid-option");
+    let error = adjust_block(&block, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    assert_eq!(error.code(), "too-few");
+}
+
+#[test]
+fn the_same_block_gives_the_same_bits_in_any_order_of_its_rays() {
+    let simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let mut turned = simulated.observed.clone();
+    turned.rays.reverse();
+    let (a, b) = (adjust_block(&simulated.observed, &squares()).unwrap(), adjust_block(&turned, &squares()).unwrap());
+    assert_eq!(a.block.images, b.block.images);
+    assert_eq!(a.block.points, b.block.points);
+}

@@ -1,0 +1,62 @@
+/** What `npm pack` would publish, installed as a user installs it. */
+
+import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { dirname, join, normalize } from 'node:path';
+import test, { after } from 'node:test';
+import { fileURLToPath } from 'node:url';
+
+const ROOT = fileURLToPath(new URL('../..', import.meta.url));
+const PKG = join(ROOT, 'pkg');
+const NPM = process.platform === 'win32' ? 'npm.cmd' : 'npm';
+
+/** @param {string} program @param {string[]} args @param {string} cwd */
+function run(program, args, cwd) {
+  const { status, stdout, stderr } = spawnSync(program, args, { cwd, encoding: 'utf8', maxBuffer: 1 << 26 });
+  assert.equal(status, 0, stderr);
+  return stdout;
+}
+
+const work = mkdtempSync(join(tmpdir(), 'tiepoint-pack-'));
+after(() => rmSync(work, { recursive: true, force: true }));
+
+/** @type {{ filename: string, files: { path: string }[] }[]} */
+const [pack] = JSON.parse(run(NPM, ['pack', '--json', '--pack-destination', work], PKG));
+const files = (pack?.files ?? []).map(({ path }) => path);
+
+test('the package holds the module, both entries with their types, the command and the licences, and nothing else', () => {
+  const { exports, bin, files: listed } = JSON.parse(readFileSync(join(PKG, 'package.json'), 'utf8'));
+  // What stands behind a colon is a file; a name before it is what programs import.
+  const named = JSON.stringify([exports, bin]).match(/:"\.\/[^"]+/g)?.map((path) => path.slice(4)) ?? [];
+  assert.deepEqual([...named, 'README.md', 'LICENSE-APACHE', 'LICENSE-MIT'].filter((file) => !files.includes(file)), []);
+  assert.deepEqual(files.filter((file) => file !== 'package.json' && !listed.includes(file.split('/')[0])), []);
+  assert.ok(files.every((file) => !/test|node_modules|\.map$/.test(file)), files.join(' '));
+});
+
+test('every file that a packed script imports is packed', () => {
+  const missing = files.filter((file) => file.endsWith('.js')).flatMap((file) => {
+    const code = readFileSync(join(PKG, file), 'utf8').replace(/\/\*[^]*?\*\//g, '');
+    const imports = [...code.matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)].map(([, path]) => path ?? '');
+    return imports.map((path) => normalize(join(dirname(file), path)).replaceAll('\\', '/')).filter((path) => !files.includes(path)).map((path) => `${file}: ${path}`);
+  });
+  assert.deepEqual(missing, []);
+});
+
+test('the installed package matches the sample pair, from a program and by its command', () => {
+  const home = join(work, 'home');
+  mkdirSync(home);
+  writeFileSync(join(home, 'package.json'), '{ "private": true, "type": "module" }');
+  run(NPM, ['install', '--offline', '--no-audit', '--no-fund', join(work, pack?.filename ?? '')], home);
+  const command = join(home, 'node_modules', '.bin', 'tiepoint');
+  run(process.execPath, [command, 'sample', '--out', 'sample'], home);
+  assert.ok(readdirSync(join(home, 'sample')).includes('left.png'));
+  const program = `
+    import { readFileSync } from 'node:fs';
+    import { Photo, match_pair } from 'tiepoint';
+    const [left, right] = ['left', 'right'].map((name) => Photo.decode(readFileSync('sample/' + name + '.png')));
+    console.log(match_pair(left, right, {}, { points: { fraction: 0.148 } }).match.counts.matches);`;
+  writeFileSync(join(home, 'program.js'), program);
+  assert.ok(Number(run(process.execPath, ['program.js'], home)) > 100);
+});

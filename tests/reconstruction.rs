@@ -1,0 +1,271 @@
+//! The reconstruction of simulated blocks: everything from the rays alone.
+
+#[path = "scene/normal.rs"]
+mod normal;
+mod scene;
+
+use normal::Normal;
+use scene::{Scene, scene, selected};
+use tiepoint::{
+    AdjustmentOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, Datum, FreeParameters, GroundControlPoint, ImageMeasurement,
+    ObservationVerdict, ObservedPosition, OrientedPart, PointSource, Reconstruction, ReconstructionOptions, TiePoints, UnorientedReason,
+    adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
+};
+
+/// One model of all images, as precise as the rays: σ₀ is the noise of the features.
+fn assert_whole(scene: &Scene, reconstruction: &Reconstruction, most_off_m: f64) {
+    assert_eq!((reconstruction.models.len(), reconstruction.unoriented.len()), (1, 0), "{:?}", reconstruction.unoriented);
+    let model = &reconstruction.models[0];
+    assert_eq!(model.images.len(), scene.description.images.len());
+    let sigma0 = model.adjusted.sigma0_px.unwrap();
+    assert!((sigma0 / 0.3 - 1.0).abs() < 0.06, "{sigma0}");
+    let (position, angle) = scene.errors(reconstruction, 0);
+    assert!(position < most_off_m && angle < 0.5, "{position} m, {angle} deg");
+}
+
+#[test]
+fn nadir_blocks_are_oriented_whole() {
+    for relief_m in [60.0, 0.0] {
+        let scene = scene(&BlockFlight { relief_m, ..BlockFlight::default() }, 1.0);
+        let reconstruction = scene.reconstruct(&selected());
+        scene.report(&format!("relief of {relief_m} m"), &reconstruction);
+        assert_whole(&scene, &reconstruction, 1.5);
+        assert!(!reconstruction.models[0].in_system && reconstruction.models[0].weaknesses[0].contains("arbitrary"));
+    }
+}
+
+#[test]
+fn an_oblique_block_with_wrong_focal_lengths_is_calibrated() {
+    // Forward and backward views of a short strip show other ground than the views down: the block must be longer than it is high.
+    let flight = BlockFlight {
+        view: BlockView::Oblique,
+        exposures: 9,
+        forward_overlap: 0.5,
+        side_overlap: 0.4,
+        features: 1000,
+        ..BlockFlight::default()
+    };
+    let scene = scene(&flight, 1.04);
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("oblique", &reconstruction);
+    assert_whole(&scene, &reconstruction, 1.0);
+    for (camera, calibrated) in reconstruction.models[0].adjusted.block.cameras.iter().enumerate() {
+        let wanted = scene.description.cameras[camera].focal_px.unwrap() / 1.04;
+        assert!((calibrated.focal_px / wanted - 1.0).abs() < 0.01, "{camera}: {}, {wanted}", calibrated.focal_px);
+    }
+}
+
+#[test]
+fn a_block_of_two_heights_finds_its_focal_length() {
+    let mut scene = scene(&BlockFlight { view: BlockView::TwoHeights, ..BlockFlight::default() }, 1.0);
+    let wanted = scene.description.cameras[0].focal_px.take().unwrap();
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("two heights", &reconstruction);
+    assert_whole(&scene, &reconstruction, 3.0);
+    let model = &reconstruction.models[0];
+    assert_eq!(model.guessed_focal, [0]);
+    let (found, error) = (model.adjusted.block.cameras[0].focal_px, model.adjusted.cameras[0].standard_errors[0].unwrap());
+    assert!((found - wanted).abs() < 4.0 * error && error < 0.02 * wanted, "{found} ± {error}, {wanted}");
+    assert!(model.weaknesses.iter().any(|weakness| weakness.contains("was not known; it is estimated")), "{:?}", model.weaknesses);
+}
+
+#[test]
+fn two_wrong_matches_in_five_do_not_keep_a_block_from_being_oriented() {
+    for repeated in [0.05, 0.5] {
+        let scene = scene(&BlockFlight { wrong: 0.4, repeated, seed: 3, ..BlockFlight::default() }, 1.04);
+        let reconstruction = scene.reconstruct(&selected());
+        scene.report("40 % wrong", &reconstruction);
+        assert_whole(&scene, &reconstruction, 2.0);
+    }
+}
+
+#[test]
+fn parts_without_common_points_are_models_of_their_own() {
+    // Forward, backward and downward views of a short block show three stretches of ground.
+    let scene = scene(&BlockFlight { view: BlockView::Oblique, strips: 4, exposures: 5, ..BlockFlight::default() }, 1.0);
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("short oblique block", &reconstruction);
+    assert!(reconstruction.models.len() > 1);
+    assert!(reconstruction.models.windows(2).all(|pair| pair[0].images.len() >= pair[1].images.len()));
+    let mut all: Vec<usize> = reconstruction.models.iter().flat_map(|model| model.images.clone()).collect();
+    all.extend(reconstruction.unoriented.iter().map(|image| image.image));
+    all.sort_unstable();
+    assert_eq!(all, (0..100).collect::<Vec<_>>(), "every image is in one model or has a reason");
+    for model in 0..reconstruction.models.len() {
+        assert!(scene.errors(&reconstruction, model).0 < 3.0);
+    }
+}
+
+#[test]
+fn images_that_cannot_be_oriented_have_a_reason() {
+    let flight = BlockFlight::default();
+    let simulated = simulate_block(&flight).unwrap();
+    let whole = scene(&flight, 1.0);
+    // Image 7 has no matches at all; of image 20 only eight with each other image are left.
+    let counts: Vec<u32> = simulated.features.iter().map(|list| list.len() as u32).collect();
+    let mut matches = tiepoint::BlockMatches::new(&counts).unwrap();
+    for (images, list) in simulated.pairs.iter().filter(|(images, _)| !images.contains(&7)) {
+        let most = if images.contains(&20) { 1 } else { list.len() };
+        matches.add_pair(*images, &list[..most]).unwrap();
+    }
+    let (points, _) = tie_points(&matches, &BlockOptions::default()).unwrap();
+    let reconstruction = reconstruct_block(&whole.description, &points, &whole.block.image_features(), &selected()).unwrap();
+    reconstruction.unoriented.iter().for_each(|image| println!("{}", image.text));
+    assert_eq!(reconstruction.models[0].images.len(), 28);
+    assert_eq!(reconstruction.unoriented.iter().map(|image| image.image).collect::<Vec<_>>(), [7, 20]);
+    assert_eq!(reconstruction.unoriented[0].reason, UnorientedReason::NoPoints);
+    assert!(
+        matches!(reconstruction.unoriented[1].reason, UnorientedReason::TooFewPoints { needed: 12, .. }),
+        "{:?}",
+        reconstruction.unoriented[1]
+    );
+    assert!(reconstruction.unoriented[1].text.starts_with("0020.jpg sees"));
+}
+
+#[test]
+fn errors_of_assembled_blocks_are_as_large_as_told() {
+    let sigma = 0.1;
+    let mut squares = [Vec::new(), Vec::new()];
+    let mut variances = Vec::new();
+    for seed in 1..=120 {
+        let flight = BlockFlight { strips: 3, exposures: 5, features: 1000, seed, ..BlockFlight::default() };
+        let mut scene = scene(&flight, 1.0);
+        let mut normal = Normal(u64::from(seed) << 32);
+        for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
+            let position = exposure.centre.map(|v| v + sigma * normal.next());
+            image.position = Some(ObservedPosition::Local { position, sigma: [sigma; 3] });
+        }
+        scene.description.cameras[0].free = FreeParameters::default();
+        let reconstruction = scene.reconstruct(&selected());
+        let model = &reconstruction.models[0];
+        assert!(model.in_system && model.images.len() == 15);
+        variances.push((model.adjusted.sigma0_px.unwrap() / 0.3).powi(2));
+        for ((k, image), statistics) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
+            let told = statistics.position_errors.unwrap();
+            squares[0].extend((0..3).map(|i| ((image.position[i] - scene.block.exposures[*k].centre[i]) / told[i]).powi(2)));
+        }
+        for ((point, known), statistics) in model.adjusted.block.points.iter().zip(&model.points).zip(&model.adjusted.points) {
+            let (Some(statistics), PointSource::TiePoint(index)) = (statistics, known) else { continue };
+            let rays = scene.points.rays(*index as usize);
+            let owners: Vec<_> = rays.iter().map(|ray| scene.block.owners[ray.image as usize][ray.feature as usize]).collect();
+            // Of a point with a ray that does not belong to it the truth is not one place.
+            let Some(owner) = owners[0].filter(|_| owners.iter().all(|owner| *owner == owners[0])) else { continue };
+            let told = statistics.errors.unwrap();
+            let wanted = scene.block.ground[owner as usize];
+            squares[1].extend((0..3).map(|i| ((point.position[i] - wanted[i]) / told[i]).powi(2)));
+        }
+    }
+    let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+    let [positions, points] = squares.map(|values| mean(&values));
+    let variance = mean(&variances);
+    println!("positions {positions:.3}, points {points:.3}, variance of a coordinate {variance:.3}");
+    assert!([positions, points, variance].iter().all(|v| (0.9..1.1).contains(v)), "{positions} {points} {variance}");
+}
+
+#[test]
+fn geographic_positions_and_control_put_a_block_onto_the_earth() {
+    let mut scene = scene(&BlockFlight::default(), 1.0);
+    let origin = [8.0, 50.0, 200.0];
+    for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures) {
+        let [longitude_deg, latitude_deg, height_m] = geographic_from_local(exposure.centre, origin);
+        image.position =
+            Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [3.0, 3.0, 5.0] });
+    }
+    // A surveyed point is measured wherever it was found.
+    let target = (0..scene.points.len()).find(|point| scene.points.rays(*point).len() >= 6).unwrap();
+    let rays = scene.points.rays(target);
+    let owner = scene.block.owners[rays[0].image as usize][rays[0].feature as usize].unwrap();
+    let [longitude_deg, latitude_deg, height_m] = geographic_from_local(scene.block.ground[owner as usize], origin);
+    let ray = |ray: &tiepoint::FeatureObservation| {
+        let [x, y] = scene.block.features[ray.image as usize][ray.feature as usize];
+        ImageMeasurement { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y) }
+    };
+    let control = GroundControlPoint {
+        name: "church".into(),
+        position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
+        rays: rays.iter().map(ray).collect(),
+    };
+    scene.description.control.push(control);
+    let reconstruction = scene.reconstruct(&selected());
+    scene.report("on the earth", &reconstruction);
+    assert_whole(&scene, &reconstruction, 1.5);
+    let model = &reconstruction.models[0];
+    assert!(model.in_system && model.adjusted.datum == Datum::GpsAndControl);
+    assert_eq!(model.points.last(), Some(&PointSource::GroundControl(0)));
+    // The model's place of an image on the earth is that of the exposure.
+    let from = reconstruction.origin.unwrap();
+    let from = [from.longitude_deg, from.latitude_deg, from.height_m];
+    for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
+        let at = local_from_geographic(geographic_from_local(image.position, from), origin);
+        let off = (0..3).map(|i| (at[i] - scene.block.exposures[*k].centre[i]).powi(2)).sum::<f64>().sqrt();
+        assert!(off < 4.0, "image {k} is off by {off} m");
+    }
+    let exported = reconstruction.block_model(0, &scene.description, &scene.points).unwrap();
+    exported.check().unwrap();
+    assert_eq!((exported.images.len(), exported.origin), (30, reconstruction.origin));
+    let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == ObservationVerdict::Accepted).count();
+    assert_eq!(exported.points.iter().map(|point| point.rays.len()).sum::<usize>(), accepted);
+    // There and back: alone, the chosen points adjust to somewhat smaller residuals than with those that determined the block, too.
+    let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &AdjustmentOptions::default()).unwrap();
+    let smaller = model.adjusted.rmse_px - again.rmse_px;
+    assert!((0.0..0.1 * model.adjusted.rmse_px).contains(&smaller), "{} {}", again.rmse_px, model.adjusted.rmse_px);
+    assert!(model.adjusted.degrees_of_freedom > 2 * again.degrees_of_freedom);
+}
+
+#[test]
+fn the_same_rays_give_the_same_block() {
+    let scene = scene(&BlockFlight { strips: 3, exposures: 4, wrong: 0.2, ..BlockFlight::default() }, 1.02);
+    let first = scene.reconstruct(&selected());
+    assert_eq!(first, scene.reconstruct(&selected()));
+    let text = serde_json::to_string(&first).unwrap();
+    assert_eq!(serde_json::from_str::<Reconstruction>(&text).unwrap(), first);
+}
+
+#[test]
+fn what_does_not_fit_together_is_refused() {
+    let scene = scene(&BlockFlight { strips: 2, exposures: 3, ..BlockFlight::default() }, 1.0);
+    let refused = |change: &dyn Fn(&mut BlockDescription, &mut ReconstructionOptions), words: &str| {
+        let (mut description, mut options) = (scene.description.clone(), selected());
+        change(&mut description, &mut options);
+        let error = reconstruct_block(&description, &scene.points, &scene.block.image_features(), &options).unwrap_err();
+        assert!(error.to_string().contains(words), "{error}");
+    };
+    let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
+    let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(0.0), sigma_m: [1.0; 3] };
+    refused(&|d, _| d.images[2].camera = 1, "index 1 for 0002.jpg");
+    refused(&|d, _| d.cameras[0].focal_px = Some(f64::NAN), "focal length of a camera: got NaN");
+    refused(&|d, _| d.cameras[0].focal_px = Some(0.0), "focal length of a camera: got 0");
+    refused(&|d, _| d.cameras[0].radial[1] = f64::INFINITY, "distortion");
+    refused(&|d, _| d.cameras[0].free.radial = 4, "radial");
+    refused(&|d, _| d.images[0].position = local(f64::NAN), "position: got NaN");
+    refused(&|d, _| (d.images[0].position, d.images[1].position) = (local(1.0), Some(geographic)), "1 geographic and 1 local");
+    refused(&|d, _| d.images.truncate(1), "at least 2");
+    refused(&|d, _| d.images.truncate(5), "features of 6 images");
+    refused(&|_, o| o.least_angle_deg = f64::NAN, "reconstruction.least_angle_deg is NaN");
+    refused(&|_, o| o.least_rays = 2, "reconstruction.least_rays is 2");
+    refused(&|_, o| o.adjustment.alpha0 = 2.0, "adjustment.alpha0");
+    refused(&|_, o| o.datum = Some(Datum::Gps), "GPS positions or control points");
+    let ray = ImageMeasurement { image: 9, x_px: 1.0, y_px: 1.0 };
+    let control = GroundControlPoint { name: "a".into(), position: local(0.0).unwrap(), rays: vec![ray] };
+    refused(&|d, _| d.control.push(control.clone()), "index 9 as image of surveyed point a");
+    for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
+        let ray = ImageMeasurement { image: 1, x_px, y_px };
+        let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: places within its 4000 x 3000 px");
+        refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray], ..control.clone() }), &got);
+    }
+    let ray = ImageMeasurement { image: 1, x_px: 4000.0, y_px: 0.0 };
+    refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
+    let earth = GroundControlPoint { position: geographic, rays: Vec::new(), ..control.clone() };
+    refused(&|d, _| (d.images[0].position, d.control) = (local(1.0), vec![earth.clone(); 2]), "2 geographic and 1 local");
+}
+
+#[test]
+fn a_block_without_points_has_no_model() {
+    let scene = scene(&BlockFlight { strips: 2, exposures: 2, ..BlockFlight::default() }, 1.0);
+    let none = TiePoints::default();
+    let reconstruction = reconstruct_block(&scene.description, &none, &scene.block.image_features(), &selected()).unwrap();
+    assert!(reconstruction.models.is_empty());
+    assert!(
+        reconstruction.unoriented.len() == 4 && reconstruction.unoriented.iter().all(|image| image.reason == UnorientedReason::NoPoints)
+    );
+}

@@ -1,0 +1,55 @@
+/** The files that a block is saved as: one by itself, several as one archive. */
+import { Zip, ZipDeflate } from 'fflate';
+import { PROJECT_FILE, writing } from '../../../pkg/block/index.js';
+import { export_block, export_formats, write_project } from '../../../pkg/wasm/tiepoint.js';
+import type { ExportKind, MadeFile } from './calls';
+import type { Held } from './outcome';
+
+/** The time in archives: that of their making would give the same block other bytes. */
+const TIME = '1980-01-01T00:00:00';
+
+/** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
+export async function made({ run, project }: Held, kind: ExportKind, name: string, signal: AbortSignal): Promise<MadeFile> {
+  const files = new Map<string, string>();
+  const write = (path: string, text: string) => { files.set(path, text); };
+  if (kind === 'project') write(`${name}-${PROJECT_FILE}`, write_project(project));
+  else if (kind !== 'everything') export_block(project.block, kind, write);
+  else if (run !== null) await inSteps(writing(run, export_formats(), write), signal);
+  else throw new Error('a block that was opened has no run behind it: run it again to save everything');
+  return packed(files, `${name}-${kind}`, signal);
+}
+
+async function inSteps(steps: Generator<void, object>, signal: AbortSignal): Promise<void> {
+  while (steps.next().done !== true) await pause(signal);
+}
+
+/** Lets messages in, of which one may end it all. */
+async function pause(signal: AbortSignal): Promise<void> {
+  await new Promise((resolve) => { setTimeout(resolve); });
+  signal.throwIfAborted();
+}
+
+async function packed(files: ReadonlyMap<string, string>, name: string, signal: AbortSignal): Promise<MadeFile> {
+  const encoder = new TextEncoder();
+  const [first, ...others] = files;
+  if (first === undefined) throw new Error('the block gives no file in this format');
+  const [path, text] = first;
+  if (others.length === 0) {
+    const plain = path.split('/').at(-1) ?? path;
+    return { name: plain.startsWith(name.replace(/-[^-]*$/u, '')) ? plain : `${name}-${plain}`, type: 'text/plain', bytes: encoder.encode(text) };
+  }
+  const chunks: Uint8Array<ArrayBuffer>[] = [];
+  const archive = new Zip((error, chunk) => {
+    if (error !== null) throw error;
+    chunks.push(chunk as Uint8Array<ArrayBuffer>);
+  });
+  for (const [at, content] of files) {
+    await pause(signal);
+    const entry = new ZipDeflate(at, { level: 6 });
+    entry.mtime = TIME;
+    archive.add(entry);
+    entry.push(encoder.encode(content), true);
+  }
+  archive.end();
+  return { name: `${name}.zip`, type: 'application/zip', bytes: new Uint8Array(await new Blob(chunks).arrayBuffer()) };
+}

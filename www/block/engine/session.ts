@@ -1,0 +1,150 @@
+/** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
+import { runBlock } from '../../../pkg/block/index.js';
+import type { BlockRun, Jobs, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
+import { read_project, score_block } from '../../../pkg/wasm/tiepoint.js';
+import type { ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import type { BlockFile } from '../state/state';
+import { Coming } from './coming';
+import { made } from './made';
+import { viewOfProject, viewOfRun } from './outcome';
+import type { Held } from './outcome';
+import type { BlockView } from '../state/view';
+
+let held: Held | null = null;
+
+/** The block that was run or opened last. */
+export function heldBlock(): Held {
+  if (held === null) throw new Error('no block is held: run it again');
+  return held;
+}
+
+export async function blockRun({ files, options, masks, truth, workers, kept, port }: RunInput): Promise<BlockView> {
+  const link = new Link(port);
+  const coming = new Coming(options.cameras?.text, (view) => { link.send({ kind: 'part', view }); });
+  try {
+    const run: BlockRun = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
+      pool: link.pool(workers),
+      store: storeOf(kept, link),
+      progress: (step) => { link.send({ kind: 'step', step }); },
+      news: (news) => { coming.take(news); },
+      signal: link.stopped.signal,
+    });
+    held = { run, project: run.project };
+    return { ...viewOfRun(run), score: truth === null ? null : score_block(run.model, truth) };
+  } catch (error) {
+    coming.tell();
+    throw error;
+  } finally {
+    coming.end();
+    port.close();
+  }
+}
+
+export function blockOpen({ bytes }: { bytes: Uint8Array }): BlockView {
+  const project = read_project(bytes);
+  held = { run: null, project };
+  return viewOfProject(project);
+}
+
+export async function blockExport({ kind, name, stop }: { kind: ExportKind; name: string; stop: MessagePort }): Promise<MadeFile> {
+  const stopped = new AbortController();
+  stop.onmessage = () => { stopped.abort(); };
+  try {
+    return await made(heldBlock(), kind, name, stopped.signal);
+  } finally {
+    stop.close();
+  }
+}
+
+function sourceOf({ name, file }: BlockFile) {
+  return { name, bytes: async () => new Uint8Array(await file.arrayBuffer()) };
+}
+
+/** Records as blobs: they lie outside the memory of the worker, and outlive it with the page. */
+function storeOf(kept: ReadonlyMap<string, Blob>, link: Link): RecordStore {
+  const records = new Map(kept);
+  return {
+    get: async (key) => {
+      const record = records.get(key);
+      return record === undefined ? null : new Uint8Array(await record.arrayBuffer());
+    },
+    put: (key, bytes) => {
+      const record = new Blob([bytes as Uint8Array<ArrayBuffer>]);
+      records.set(key, record);
+      link.send({ kind: 'keep', key, record });
+      return Promise.resolve();
+    },
+  };
+}
+
+interface Waiting {
+  resolve: (made: JobOutput) => void;
+  reject: (error: Error) => void;
+}
+
+type JobOutput = Jobs[keyof Jobs]['output'];
+
+/** The page as the run sees it: it has the workers. */
+class Link {
+  readonly stopped = new AbortController();
+  private readonly waiting = new Map<number, Waiting>();
+  private nextId = 1;
+
+  constructor(private readonly port: MessagePort) {
+    port.onmessage = (event: MessageEvent<ToRun>) => { this.receive(event.data); };
+  }
+
+  send(message: FromRun, transfer: Transferable[] = []): void {
+    this.port.postMessage(message, transfer);
+  }
+
+  pool(size: number): Pool {
+    return {
+      size,
+      run: async <N extends keyof Jobs>(name: N, input: Jobs[N]['input'], transfer: ArrayBufferLike[] = []): Promise<Jobs[N]['output']> => {
+        const output = await this.ask({ name, input } as JobRequest, transfer as ArrayBuffer[]);
+        // The page answers each job with the output of its name.
+        return output as Jobs[N]['output'];
+      },
+    };
+  }
+
+  private ask(job: JobRequest, transfer: ArrayBuffer[]): Promise<JobOutput> {
+    return new Promise((resolve, reject) => {
+      this.stopped.signal.throwIfAborted();
+      const id = this.nextId++;
+      this.waiting.set(id, { resolve, reject });
+      this.send({ kind: 'job', id, job }, transfer);
+    });
+  }
+
+  private receive(message: ToRun): void {
+    if (message.kind === 'stop') {
+      this.stopped.abort();
+      // The workers were ended, and answer nothing more.
+      for (const { reject } of this.waiting.values()) reject(this.stopped.signal.reason as Error);
+      this.waiting.clear();
+      return;
+    }
+    const waiting = this.waiting.get(message.id);
+    this.waiting.delete(message.id);
+    if (message.kind === 'broke') waiting?.reject(named('WorkerError', message.message));
+    else settle(waiting, message.answer);
+  }
+}
+
+function settle(waiting: Waiting | undefined, answer: JobAnswer): void {
+  if ('made' in answer) waiting?.resolve(answer.made);
+  else waiting?.reject(refused(answer.refusal));
+}
+
+function named(name: string, message: string): Error {
+  const error = new Error(message);
+  error.name = name;
+  return error;
+}
+
+/** The crate's error as it was in the worker that threw it. */
+function refused({ message, code, usage }: Refusal): Error {
+  return Object.assign(named('TiepointError', message), { code, usage });
+}

@@ -1,0 +1,111 @@
+/** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
+import { Cancelled } from '../../shared/engine/client';
+import { sentence } from '../../shared/text/format';
+import type { BlockFile } from '../state/state';
+import type { BlockEngine, BlockStore } from '../engine/engine';
+import { PARTNER_MISSING, problemsOf } from '../state/given';
+import type { GivenText } from '../state/given';
+
+/** A file with its path below the folder that was given; the path is empty for a file given by itself. */
+export interface FoundFile {
+  file: File;
+  path: string;
+}
+
+const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
+const PROJECT = /\.tiepoint$/iu;
+const CAMERAS = /\.json$/iu;
+
+let nextId = 1;
+
+const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Control points', marks: 'Marks of control points' };
+
+export class BlockFiles {
+  constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
+
+  /** Adds images to the block; what a folder holds besides images is left aside. */
+  async take(found: readonly FoundFile[]): Promise<void> {
+    const alone = found.filter(({ path }) => path === '');
+    const project = alone.find(({ file }) => PROJECT.test(file.name));
+    const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
+    const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
+    if (project !== undefined) await this.open(project.file);
+    if (cameras !== undefined) await this.takeText('cameras', cameras.file);
+    const aside = found.length - images.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
+    if (images.length > 0 || aside > 0) this.add(images, aside);
+  }
+
+  /** Photographs the simulated block, in place of the images that are there. */
+  async simulate(): Promise<void> {
+    const { flight } = this.store.state;
+    if (flight === null) return;
+    this.say('busy', 'Building the town of the simulated block …');
+    try {
+      const { files, truth } = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
+      this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
+      this.say('info', `${String(files.length)} photos of a simulated block. Press Run.`);
+    } catch (error) {
+      this.failed('The block could not be simulated', error);
+    }
+  }
+
+  /** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
+  async takeText(given: GivenText, file: File): Promise<void> {
+    this.store.dispatch({ type: 'options', options: { [given]: { name: file.name, text: await file.text() } } });
+    const problem = problemsOf(this.store.state)[given];
+    if (problem === undefined) this.say('info', `${TEXTS[given]} from ${file.name}.`);
+    else if (problem === PARTNER_MISSING[given]) this.say('info', `${TEXTS[given]} from ${file.name}. ${problem}.`);
+    else this.say('problem', `${sentence(problem)} The block cannot be run with it.`);
+  }
+
+  /** Takes masks in place of those that are there. */
+  takeMasks(files: readonly File[]): void {
+    this.store.dispatch({ type: 'options', options: { masks: files.map((file) => ({ id: nextId++, name: file.name, file })) } });
+    const problem = problemsOf(this.store.state).masks;
+    if (problem !== undefined) this.say('problem', `${sentence(problem)} The block cannot be run with them.`);
+  }
+
+  /** Opens a block that was saved. */
+  async open(file: File): Promise<void> {
+    this.say('busy', `Reading ${file.name} …`);
+    try {
+      await this.engine.open(new Uint8Array(await file.arrayBuffer()));
+      this.say('info', `${file.name} was opened. Its images are not in the file: drop them too to look at pairs.`);
+    } catch (error) {
+      this.failed(`${file.name} cannot be opened`, error);
+    }
+  }
+
+  private add(found: readonly FoundFile[], aside: number): void {
+    const files = new Map(this.store.state.files.map((file) => [file.name, file]));
+    const before = files.size;
+    for (const { file, path } of found) {
+      // Images of one name in two folders are told apart by their paths.
+      const name = [file.name, path].find((text) => text !== '' && !files.has(text));
+      if (name !== undefined) files.set(name, { id: nextId++, name, file });
+    }
+    const twice = found.length - (files.size - before);
+    const sorted: BlockFile[] = [...files.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
+    if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
+    const notes = [
+      `${images(sorted.length)} in the block.`,
+      twice > 0 ? `${images(twice)} left aside: of a name that is there already.` : '',
+      aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} left aside: no image by name.` : '',
+      sorted.length >= 2 ? 'Press Run.' : 'A block needs two images or more.',
+    ];
+    this.say('info', notes.filter((note) => note !== '').join(' '));
+  }
+
+  private say(kind: 'info' | 'busy' | 'problem', text: string): void {
+    this.store.dispatch({ type: 'notice', notice: { kind, text } });
+  }
+
+  private failed(what: string, error: unknown): void {
+    if (error instanceof Cancelled) this.say('info', 'Cancelled. Nothing was changed.');
+    else this.say('problem', `${what}: ${error instanceof Error ? error.message : String(error)}. What was there is kept.`);
+  }
+}
+
+function images(count: number): string {
+  return `${String(count)} ${count === 1 ? 'image' : 'images'}`;
+}

@@ -1,0 +1,148 @@
+/** What came of a block: images oriented, points by rays, residuals, calibrated cameras, weaknesses, and what was left out. */
+import { fill, h, row, section } from '../../shared/panel/dom';
+import { facts } from '../../shared/panel/facts';
+import type { Fact } from '../../shared/panel/facts';
+import { count, fixed } from '../../shared/text/format';
+import type { BlockStore } from '../engine/engine';
+import { isOutdated } from '../state/state';
+import type { BlockScore, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockView, ViewCamera } from '../state/view';
+import { matchesOf } from '../state/words';
+
+/** Reasons listed one by one; the others are in the table of images. */
+const LISTED = 50;
+
+export function mountResults(host: HTMLElement, store: BlockStore): void {
+  const body = h('div', { testid: 'block-results' });
+  host.append(body);
+  store.watch((s) => [s.shown, s.files, s.options] as const, ([shown]) => {
+    body.classList.toggle('is-stale', isOutdated(store.state));
+    if (shown === null) fill(body, h('p', { class: 'note' }, 'No block yet. Drop images or a folder, or take the simulated block, then press Run.'));
+    else fill(body, ...sectionsOf(shown.view));
+  });
+}
+
+function sectionsOf(view: BlockView): (HTMLElement | null)[] {
+  if (view.partial) return [leftOut(view), section('So far', 'block-facts', facts(partialFacts(view))), section('Cameras', 'block-cameras', cameraTable(view))];
+  return [
+    leftOut(view),
+    strays('Masks of no image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
+    strays('Marks in images that are not here', 'block-stray-marks', view.strayMarks, 'not among the images that were read'),
+    listOf('Remarks', 'block-remarks', view.remarks),
+    section('Block', 'block-facts', facts(factsOf(view))),
+    view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
+    listOf('Weaknesses', 'block-weaknesses', view.weaknesses),
+    notOriented(view),
+    section('Points by rays', 'block-by-rays', rayTable(view)),
+    section('Cameras', 'block-cameras', cameraTable(view)),
+  ];
+}
+
+/** What is known before there are points. */
+function partialFacts(view: BlockView): Fact[] {
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
+  return [
+    { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are found.' },
+    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry.' },
+    { name: 'Matches', testid: 'block-matches', value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)), help: 'Verified matches of all connected pairs.' },
+  ];
+}
+
+function strays(title: string, testid: string, names: readonly string[], why: string): HTMLElement | null {
+  if (names.length === 0) return null;
+  return section(title, testid, h('p', {}, `${names.slice(0, LISTED).join(', ')}${names.length > LISTED ? ' …' : ''}: ${why}.`));
+}
+
+function listOf(title: string, testid: string, texts: readonly string[]): HTMLElement | null {
+  return texts.length === 0 ? null : section(title, testid, h('ul', {}, ...texts.map((text) => h('li', {}, text))));
+}
+
+function factsOf(view: BlockView): Fact[] {
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
+  const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
+  const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
+  return [
+    { name: 'Images oriented', testid: 'block-oriented', value: `${count(view.oriented)} of ${count(view.images.length)}`, help: 'Images with an exterior orientation: place and turn in the object space.' },
+    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry. The matrix tells of each pair why it is or is not connected.' },
+    { name: 'Groups', testid: 'block-groups', value: groupText(view), help: 'Images that are connected with each other directly or through others. Only within a group can images be oriented to each other.' },
+    { name: 'Matches', testid: 'block-matches', value: count(matches), help: 'Verified matches of all connected pairs.' },
+    ...(view.found === null ? [] : [{ name: 'Multi-ray points', testid: 'block-found', value: `${count(view.found.points)}, ${count(view.found.rays)} rays`, help: 'Matches of several pairs joined to points; few of them, well distributed, are chosen.' }]),
+    ...(view.refinement === null ? [] : [refinementFact(view.refinement)]),
+    { name: 'Chosen points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} rays`, help: 'The points of the block, and how often the images see them.' },
+    { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted rays after the adjustment.' },
+    { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, by the adjustment.' },
+  ];
+}
+
+/** Why rays keep their places. */
+const KEPT: Readonly<Record<Exclude<RefinementOutcome, 'reference' | 'refined'>, string>> = {
+  not_converged: 'did not settle', left_image: 'at the border', moved_too_far: 'too far', low_correlation: 'too unlike', no_texture: 'no texture', inconsistent: 'not the same both ways',
+};
+
+function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
+  const { reference, refined, ...kept } = counts;
+  const others = Object.values(kept).reduce((sum, number) => sum + number, 0);
+  const reasons = Object.entries(KEPT).flatMap(([outcome, words]) => {
+    const number = kept[outcome as keyof typeof KEPT];
+    return number === 0 ? [] : [`${count(number)} ${words}`];
+  });
+  return {
+    name: 'Refined rays', testid: 'block-refined', value: `${count(refined)} of ${count(refined + others)}`,
+    help: `Rays moved by least squares matching to the reference rays of ${count(reference)} points. The others keep their places${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
+  };
+}
+
+function scoreFacts(score: BlockScore): Fact[] {
+  const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(', ');
+  return [
+    { name: 'Right points', testid: 'score-points', value: `${count(score.right_points)} of ${count(score.points)}`, help: 'Points of which all rays meet, by the true orientations, within 1.5 px in each image.' },
+    { name: 'Their rays', testid: 'score-rays', value: `${fixed(score.right_rmse_px, 3)} px`, help: 'Root mean square distance of the rays of right points from where they meet.' },
+    { name: 'Positions', testid: 'score-positions', value: positions === undefined ? '–' : `${positions} m`, help: 'Root mean square errors of x, y, z of the perspective centres, after the similarity transformation that brings all of them nearest to the truth.' },
+    { name: 'Angles', testid: 'score-angles', value: `${fixed(score.angle_rmse_deg, 4)}°`, help: 'Root mean square angle between the oriented and the true directions, after the same transformation.' },
+  ];
+}
+
+function groupText({ groups, images }: BlockView): string {
+  const sizes = groups.map(({ length }) => length);
+  const alone = sizes.filter((size) => size === 1).length;
+  const largest = sizes[0] ?? 0;
+  if (largest === images.length) return 'one';
+  return `${count(sizes.length - alone)} (the largest of ${count(largest)})${alone > 0 ? `, ${count(alone)} single` : ''}`;
+}
+
+function leftOut(view: BlockView): HTMLElement | null {
+  if (view.leftOut.length === 0) return null;
+  return section(`Left out: ${count(view.leftOut.length)} that could not be read`, 'block-left-out', reasons(view.leftOut));
+}
+
+function notOriented(view: BlockView): HTMLElement | null {
+  const lost = view.images.filter(({ oriented }) => !oriented);
+  // Before any is oriented there is nothing to say of one.
+  if (view.oriented === 0 || lost.length === 0) return null;
+  return section(`Not oriented: ${count(lost.length)}`, 'block-not-oriented', reasons(lost.map(({ name, why }) => ({ name, reason: why }))));
+}
+
+function reasons(list: readonly { name: string; reason: string }[]): HTMLElement {
+  const rest = list.length - LISTED;
+  return h('ul', { class: 'reasons' }, ...list.slice(0, LISTED).map(({ name, reason }) => h('li', {}, h('b', {}, name), `: ${reason}`)),
+    rest > 0 ? h('li', {}, `and ${count(rest)} more in the table of images`) : null);
+}
+
+function rayTable({ byRays }: BlockView): HTMLElement {
+  const head = h('thead', {}, h('tr', {}, ...['Rays', 'Points', 'RMSE px'].map((text) => h('th', { scope: 'col' }, text))));
+  const number = (text: string) => h('td', { class: 'number' }, text);
+  return h('table', { testid: 'by-rays' }, head, h('tbody', {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))));
+}
+
+function cameraTable({ cameras, found }: BlockView): HTMLElement {
+  // A block that was opened does not say what was known before.
+  const given = ({ given: known }: ViewCamera) => (known === null ? (found === null ? '–' : 'unknown') : fixed(known.focal_px, 1));
+  const head = h('thead', {}, h('tr', {}, ...['Camera', 'Images', 'Given f px', 'Calibrated f px'].map((text) => h('th', { scope: 'col' }, text))));
+  const number = (text: string) => h('td', { class: 'number' }, text);
+  return h('div', { class: 'scroll' }, h('table', { class: 'tight', testid: 'cameras' }, head, h('tbody', {}, ...cameras.map((camera, i) => row(
+    `${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, '$1 × ')}`,
+    number(count(camera.images)),
+    number(given(camera)),
+    number(camera.calibrated === null ? '–' : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`),
+  )))));
+}

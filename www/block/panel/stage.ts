@@ -1,0 +1,120 @@
+/** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
+import { button, fill, h } from '../../shared/panel/dom';
+import { count } from '../../shared/text/format';
+import type { BlockStore } from '../engine/engine';
+import type { BlockFiles } from '../files/files';
+import type { Looking } from '../view/looking';
+import { Matrix } from '../view/matrix';
+import { Picture } from '../view/picture';
+import { isBusy } from '../state/state';
+import type { Choice } from '../state/state';
+import type { BlockView, Layout } from '../state/view';
+import { describe, matchesOf } from '../state/words';
+
+const ZOOM = 1.5;
+
+const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
+  oriented: 'Oriented positions, from above',
+  recorded: 'Recorded positions (GPS), from above',
+  connections: 'Arranged by connections: places mean nothing',
+};
+
+export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, files: BlockFiles): void {
+  const pictureHost = h('div', { class: 'view block-view', id: 'block-view', testid: 'block-picture', tabindex: 0, role: 'group',
+    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines as wide as they have points in common', describedby: 'block-keys' } });
+  const matrixHost = h('div', { class: 'view block-matrix', testid: 'block-matrix', tabindex: 0, hidden: true, role: 'group',
+    aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' } });
+  const pointed = h('p', { class: 'pointed', testid: 'block-pointed' });
+  const chosen = h('p', { class: 'chosen', testid: 'block-chosen', role: 'status', aria: { live: 'polite' } });
+  const open = button('Open this pair', 'block-open-pair', () => {
+    const { choice } = store.state;
+    if (choice?.kind === 'pair') looking.open(choice.images);
+  });
+  const hint = 'Point at an image, a line or a cell to see what it is, and why a pair is not connected.';
+  let pointedAt: Choice | null = null;
+  const showPointed = () => {
+    say(pointed, store, pointedAt, hint);
+    // What is chosen is said already.
+    if (pointed.textContent === chosen.textContent) pointed.textContent = '';
+  };
+  const looks = { ...looking, point: (choice: Choice | null) => {
+    pointedAt = choice;
+    showPointed();
+  } };
+  const picture = new Picture(pictureHost, store, looks);
+  new Matrix(matrixHost, store, looks);
+  const layout = h('span', { class: 'note', testid: 'block-layout' });
+  const tools = h('div', { class: 'actions' },
+    button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
+  const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
+  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, cells]]);
+  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, cells),
+    welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
+    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
+  looks.point(null);
+  // The invitation lies over the picture.
+  store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });
+  store.watch((s) => [s.choice, s.shown, s.running, s.notice] as const, ([choice, shown]) => {
+    say(chosen, store, choice, '');
+    showPointed();
+    open.hidden = choice?.kind !== 'pair' || shown === null;
+    open.disabled = isBusy(store.state);
+    fill(layout, shown === null ? '' : legend(shown.view));
+    fill(cells, shown === null ? '' : cellLegend(shown.view));
+  });
+}
+
+function mostMatches({ connections }: BlockView): number {
+  return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+
+/** What cells mean. */
+function cellLegend(view: BlockView): string {
+  return `Strongest cell: ${count(mostMatches(view))} matches. Small square: not connected. Blank: not tried.`;
+}
+
+/** What places and lines mean. */
+function legend(view: BlockView): string {
+  const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
+  const matches = mostMatches(view);
+  const widest = most > 0 ? `${count(most)} points in common` : `${count(matches)} matches`;
+  return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
+}
+
+function say(element: HTMLElement, store: BlockStore, choice: Choice | null, otherwise: string): void {
+  const { shown } = store.state;
+  const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
+  if (element.textContent !== text) element.textContent = text;
+}
+
+/** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
+function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[]): { element: HTMLElement; show: (part: number) => void } {
+  const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => { show(i); }));
+  const show = (shown: number) => {
+    parts.forEach(([, part, tools], i) => {
+      part.hidden = i !== shown;
+      tools.hidden = i !== shown;
+      buttons[i]?.setAttribute('aria-pressed', String(i === shown));
+    });
+  };
+  return { element: h('div', { class: 'mode', role: 'group', aria: { label: 'Shown' } }, ...buttons), show };
+}
+
+/** The picture with the invitation over it while there is no block. */
+function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTMLElement {
+  const simulate = button('Take the simulated block', 'block-simulate-first', () => { void files.simulate(); });
+  const list = h('p', { class: 'note', testid: 'block-given' });
+  const welcome = h('div', { class: 'welcome', testid: 'block-welcome' },
+    h('h2', {}, 'Match a block of photographs'),
+    h('p', {}, 'Drop the images of a block, or a folder of them. Features are found in each image, pairs are matched and checked by their geometry, and the matches joined to points that many images see.'),
+    h('p', { class: 'buttons' }, simulate), list,
+    h('p', { class: 'note' }, 'What is done is kept while this tab is open: a run that was cancelled goes on. Nothing leaves this computer.'));
+  host.append(welcome);
+  store.watch((s) => [s.shown, s.files, s.running, s.notice, s.catalogue] as const, ([shown, given, , , catalogue]) => {
+    welcome.hidden = shown !== null;
+    simulate.disabled = catalogue === null || isBusy(store.state);
+    const names = given.map(({ name }) => name);
+    fill(list, names.length === 0 ? '' : `${String(names.length)} images: ${names.slice(0, 8).join(', ')}${names.length > 8 ? ' …' : ''}`);
+  });
+  return host;
+}

@@ -1,0 +1,64 @@
+/** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
+import { strayRules } from '../../../pkg/block/cameras.js';
+import { describeBlock } from '../../../pkg/block/description.js';
+import { masksOf } from '../../../pkg/block/masks.js';
+import { parse_camera_rules, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
+import { remember } from '../../shared/state/remember';
+import type { BlockOptions, BlockState } from './state';
+
+/** What a run can be given beside its images. */
+export type Given = 'cameras' | 'control' | 'marks' | 'masks';
+
+/** A file that is given as text. */
+export type GivenText = Exclude<Given, 'masks'>;
+
+export type Problems = Readonly<Partial<Record<Given, string>>>;
+
+/** Control points and their marks are of use together. */
+export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
+  control: 'Control points need their marks in images: give both files, or neither',
+  marks: 'Marks need the control points that they mark: give both files, or neither',
+};
+
+export function problemsOf({ files, options }: Pick<BlockState, 'files' | 'options'>): Problems {
+  return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks);
+}
+
+/** The first of them; null where there is none. */
+export function firstProblem(state: Pick<BlockState, 'files' | 'options'>): string | null {
+  return Object.values(problemsOf(state))[0] ?? null;
+}
+
+const problems = remember((
+  files: BlockState['files'], placing: object | null, cameras: BlockOptions['cameras'], control: BlockOptions['control'], marks: BlockOptions['marks'], masks: BlockOptions['masks'],
+): Problems => {
+  // Nothing is given before the crate is there to read it.
+  if (placing === null) return {};
+  const found: Partial<Record<Given, string>> = {};
+  const look = (given: Given, name: string, read: () => unknown): boolean => {
+    try {
+      read();
+      return true;
+    } catch (error) {
+      found[given] = `${name === '' ? '' : `${name}: `}${error instanceof Error ? error.message : String(error)}`;
+      return false;
+    }
+  };
+  if (cameras !== null) look('cameras', cameras.name, () => (files.length > 0 ? strayRules(files.map(({ name }) => name), cameras.text) : parse_camera_rules(cameras.text)));
+  const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
+  const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
+  if (pointsRead && marksRead) look('marks', marks.name, () => { place(files, placing, control.text, marks.text); });
+  if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
+  if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
+  look('masks', '', () => masksOf(files, masks));
+  return found;
+});
+
+/** As large as a photo may be: how large the images are, and with it whether a mark is outside its own, the run knows. */
+const ANY_CAMERA = { width_px: 1e7, height_px: 1e7, focal_px: null, principal_point_px: null, radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null };
+
+/** Finds the marks' points and images as the run does; before there is a block, the images that the marks name stand for its own. */
+function place(files: BlockState['files'], placing: object, points: string, marks: string): void {
+  const names = files.length >= 2 ? files.map(({ name }) => name) : [...new Set(parse_image_measurements(marks).map(({ image }) => image))];
+  describeBlock(names.map((name) => ({ name, camera: 0 })), [ANY_CAMERA], false, placing, { points, marks });
+}

@@ -1,0 +1,107 @@
+/** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
+import type { BlockScore, Connection, ExportFormat, ModelCamera } from '../../../pkg/wasm/tiepoint.js';
+import type { LeftOut, Refinement } from '../../../pkg/block/index.js';
+
+export interface ViewImage {
+  name: string;
+  width: number;
+  height: number;
+  camera: number;
+  /** Null in a block that was opened from its file. */
+  features: number | null;
+  /** Of the nine von Gruber places, those that hold a chosen point; null in a block that was opened from its file. */
+  places: number | null;
+  /** Of chosen points; of accepted ones after the adjustment. */
+  rays: number;
+  rmsePx: number | null;
+  oriented: boolean;
+  /** Of EXIF, 1 to 8: how the stored rows and columns lie; they are taken as they are stored. Null where it is not told. */
+  exifOrientation: number | null;
+  /** Why it is not oriented, in words; empty where it is. */
+  why: string;
+}
+
+export interface ViewCamera {
+  label: string;
+  images: number;
+  /** What was known before; null where its focal length was not. */
+  given: ModelCamera | null;
+  /** As the block adjusted it; null before. */
+  calibrated: ModelCamera | null;
+  focalErrorPx: number | null;
+}
+
+export interface ViewConnection {
+  images: [number, number];
+  rule: Connection['rule'];
+  outcome: Connection['outcome'];
+  /** Why the images are connected or are not, in words. */
+  reason: string;
+  /** What relates the views, with the standard error of a coordinate; empty where nothing does. */
+  geometry: string;
+  /** Multi-ray points that both see. */
+  shared: number;
+  /** Of them, the points that were chosen and kept. */
+  chosen: number;
+}
+
+/** Where the images are drawn: x to the right, y up, in m or without unit. */
+export interface Layout {
+  /** Oriented poses, recorded positions, or only who is connected with whom. */
+  kind: 'oriented' | 'recorded' | 'connections';
+  /** x, y of each image; stride 2. */
+  places: Float64Array;
+}
+
+/** One a point. */
+export interface ViewPoints {
+  count: number;
+  rays: Uint16Array;
+  /** NaN where the points are not adjusted. */
+  rmsePx: Float64Array;
+  /** X, Y, Z; NaN where it is not intersected; stride 3. */
+  positions: Float64Array;
+  /** Standard errors of X, Y, Z; NaN where there are none; stride 3. */
+  errors: Float64Array;
+  /** Probability, 0..1, that all rays belong together. */
+  confidence: Float64Array;
+}
+
+/** Residuals of the points of one number of rays. */
+export interface RayCount {
+  rays: number;
+  points: number;
+  rmsePx: number | null;
+}
+
+export interface BlockView {
+  /** Of a run that goes on or was ended: images and pairs as far as they were done. */
+  partial: boolean;
+  images: ViewImage[];
+  leftOut: LeftOut[];
+  /** Masks that belong to no image. */
+  strayMasks: string[];
+  /** Images that marks name and that are not in the block. */
+  strayMarks: string[];
+  /** What of cameras and recorded positions is doubtful or was left out, in words. */
+  remarks: string[];
+  cameras: ViewCamera[];
+  connections: ViewConnection[];
+  /** Images that are connected with each other, the largest group first. */
+  groups: number[][];
+  layout: Layout;
+  points: ViewPoints;
+  /** Multi-ray points before some were chosen; null in a block that was opened from its file. */
+  found: { points: number; rays: number } | null;
+  /** What became of the rays that were refined; null where none were. */
+  refinement: Refinement['counts'] | null;
+  byRays: RayCount[];
+  oriented: number;
+  rmsePx: number | null;
+  sigma0Px: number | null;
+  /** How near a simulated block is to its truth. */
+  score: BlockScore | null;
+  /** What is weak about the block, in words. */
+  weaknesses: string[];
+  formats: ExportFormat[];
+}

@@ -1,0 +1,20 @@
+/** What pointing at and pressing on an image or a pair does, in the picture as in the matrix. */
+import type { BlockStore } from '../engine/engine';
+import { isBusy } from '../state/state';
+import type { Choice } from '../state/state';
+
+export interface Looking {
+  /** What the pointer is over. */
+  point: (choice: Choice | null) => void;
+  choose: (choice: Choice | null) => void;
+  /** Shows a pair by itself. */
+  open: (images: [number, number]) => void;
+}
+
+/** A press chooses; a press on the pair that is chosen opens it. */
+export function press(store: BlockStore, looking: Looking, choice: Choice | null): void {
+  const { choice: before } = store.state;
+  const again = choice?.kind === 'pair' && before?.kind === 'pair' && choice.images.every((image) => before.images.includes(image));
+  if (choice?.kind === 'pair' && again && !isBusy(store.state)) looking.open(choice.images);
+  else looking.choose(choice);
+}

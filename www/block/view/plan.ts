@@ -1,0 +1,95 @@
+/** The plan of a block: where its images are drawn, which lines join them, and what lies at a place. Lengths are CSS px. */
+import type { Choice } from '../state/state';
+import type { BlockView } from '../state/view';
+import { matchesOf } from '../state/words';
+
+/** canvas = scale · place + shift, y turned down. */
+export interface PlanView {
+  scale: number;
+  x: number;
+  y: number;
+}
+
+/** Room about the outermost images. */
+const MARGIN = 48;
+const MARK_REACH = 12;
+const LINE_REACH = 6;
+const WIDEST = 7;
+export const ZOOM_LIMIT = 200;
+
+/** The view that shows all images. */
+export function fitPlan({ layout: { places } }: BlockView, width: number, height: number): PlanView {
+  const box = [Infinity, Infinity, -Infinity, -Infinity] as [number, number, number, number];
+  for (let i = 0; i < places.length; i += 2) {
+    const [x = 0, y = 0] = places.subarray(i, i + 2);
+    box[0] = Math.min(box[0], x);
+    box[1] = Math.min(box[1], y);
+    box[2] = Math.max(box[2], x);
+    box[3] = Math.max(box[3], y);
+  }
+  if (places.length === 0) return { scale: 1, x: 0, y: 0 };
+  const room = (length: number) => Math.max(10, length - 2 * MARGIN);
+  const spread = (low: number, high: number) => Math.max(high - low, 1e-9);
+  const scale = Math.min(room(width) / spread(box[0], box[2]), room(height) / spread(box[1], box[3]));
+  return { scale, x: width / 2 - (scale * (box[0] + box[2])) / 2, y: height / 2 + (scale * (box[1] + box[3])) / 2 };
+}
+
+export function placeOf(view: BlockView, plan: PlanView, image: number): [number, number] {
+  const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
+  return [plan.scale * x + plan.x, plan.y - plan.scale * y];
+}
+
+export function zoomedPlan(plan: PlanView, factor: number, x: number, y: number): PlanView {
+  return { scale: plan.scale * factor, x: x + factor * (plan.x - x), y: y + factor * (plan.y - y) };
+}
+
+/** A line for each connected pair: its width grows with the points in common, of matches where no points were made. */
+export interface Line {
+  images: [number, number];
+  width: number;
+  strength: number;
+}
+
+const LINES = new WeakMap<BlockView, readonly Line[]>();
+
+/** The lines of a block, the weakest first, so that the strong ones lie on top. */
+export function linesOf(view: BlockView): readonly Line[] {
+  const known = LINES.get(view);
+  if (known !== undefined) return known;
+  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
+  const joined = connected.some(({ shared }) => shared > 0);
+  const weight = (connection: (typeof connected)[number]) => (joined ? connection.shared : matchesOf(connection));
+  const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
+  const made = connected
+    .map((connection) => ({ images: connection.images, strength: Math.sqrt(weight(connection) / most) }))
+    .map((line) => ({ ...line, width: 0.6 + (WIDEST - 0.6) * line.strength }))
+    .sort((a, b) => a.width - b.width);
+  LINES.set(view, made);
+  return made;
+}
+
+/** The image at a place, else the pair whose line passes there. */
+export function hitPlan(view: BlockView, plan: PlanView, x: number, y: number): Choice | null {
+  let image = -1;
+  let least = MARK_REACH;
+  view.images.forEach((_, i) => {
+    const [px, py] = placeOf(view, plan, i);
+    const distance = Math.hypot(px - x, py - y);
+    if (distance < least) [image, least] = [i, distance];
+  });
+  if (image >= 0) return { kind: 'image', image };
+  let found: Line | null = null;
+  let nearest = Infinity;
+  for (const line of linesOf(view)) {
+    const distance = toSegment(placeOf(view, plan, line.images[0]), placeOf(view, plan, line.images[1]), x, y);
+    if (distance <= Math.max(LINE_REACH, line.width / 2 + 2) && distance < nearest) [found, nearest] = [line, distance];
+  }
+  return found === null ? null : { kind: 'pair', images: found.images };
+}
+
+/** The distance of a place from a line between two others. */
+function toSegment([ax, ay]: [number, number], [bx, by]: [number, number], x: number, y: number): number {
+  const [dx, dy] = [bx - ax, by - ay];
+  const along = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / Math.max(dx * dx + dy * dy, 1e-9)));
+  return Math.hypot(ax + along * dx - x, ay + along * dy - y);
+}

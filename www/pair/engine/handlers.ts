@@ -1,0 +1,146 @@
+/** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
+import {
+  Photo, Report, candidates, constant_offset, epipolar_line, estimate_offset, estimated_interior, gradient_candidates,
+  interior, match_photos, matches_csv, nearest_piece, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
+} from '../../../pkg/wasm/tiepoint.js';
+import type { Handlers } from '../../shared/engine/messages';
+import type { ImageSource } from '../state/data';
+import type { Input, Output, PairCalls } from './calls';
+import { overlayOf, shareLeftOut } from './mask';
+import { patchOf } from './patch';
+import { bitmapOf, tileOf } from './tiles';
+
+interface OpenPhoto {
+  photo: Photo;
+  /** A copy of the grey values for tiles, made when the first tile is wanted. */
+  grey: Uint8Array | null;
+}
+
+let opened: OpenPhoto | null = null;
+
+function photo(): OpenPhoto {
+  if (opened === null) throw new Error('no image is open in this worker');
+  return opened;
+}
+
+async function decode(source: ImageSource): Promise<Photo> {
+  return source.kind === 'file'
+    ? Photo.decode(new Uint8Array(await source.file.arrayBuffer()))
+    : Photo.from_grey(source.width, source.height, source.grey);
+}
+
+async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'open'>> {
+  opened?.photo.free();
+  opened = null;
+  const decoded = await decode(source);
+  opened = { photo: decoded, grey: null };
+  const reduced = decoded.reduced(overviewSide);
+  return {
+    info: decoded.info(),
+    overview: { bitmap: await bitmapOf(reduced.grey, reduced.width, reduced.height), halvings: reduced.halvings },
+  };
+}
+
+/** The grey values of the image that is open, copied once. */
+function greyOf(current: OpenPhoto): Uint8Array {
+  current.grey ??= current.photo.grey();
+  return current.grey;
+}
+
+function tile({ level, column, row, side }: Input<'tile'>): Promise<ImageBitmap> {
+  const current = photo();
+  return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
+}
+
+async function mask({ file, overlaySide }: Input<'mask'>): Promise<Output<'mask'>> {
+  const decoded = await decode({ kind: 'file', file });
+  const { width, height } = decoded;
+  const grey = decoded.grey();
+  decoded.free();
+  return { width, height, grey, leftOut: shareLeftOut(grey), overlay: await overlayOf(grey, width, height, overlaySide) };
+}
+
+/** The pair whose grey values this worker compares. */
+let held: { left: Photo; right: Photo } | null = null;
+
+function hold({ left, right }: Input<'hold'>): null {
+  held?.left.free();
+  held?.right.free();
+  held = null;
+  held = {
+    left: Photo.from_grey(left.width, left.height, left.grey),
+    right: Photo.from_grey(right.width, right.height, right.grey),
+  };
+  return null;
+}
+
+function match(m: Input<'match'>): Output<'match'> {
+  if (held === null) throw new Error('no pair is held in this worker');
+  const { left, right } = held;
+  const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
+  return { ...result, estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height) };
+}
+
+function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {
+  if (offset === null) throw new Error('these candidates lie around an expected place');
+  const none = new Float64Array();
+  return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
+}
+
+/** The report in the making. */
+let report: Report | null = null;
+
+function reportInHand(): Report {
+  if (report === null) throw new Error('no report is begun in this worker');
+  return report;
+}
+
+async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight] }: Input<'reportOpen'>): Promise<string[]> {
+  report?.free();
+  report = null;
+  const left = await decode(images[0]);
+  const right = await decode(images[1]);
+  report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight);
+  left.free();
+  right.free();
+  return report.steps();
+}
+
+function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }: Input<'interior'>): Output<'interior'> {
+  const own = interior(camera, { width, height, fiducials, model, origin });
+  return {
+    interior: scaled_interior(own, pairFocalMm / camera.focal_mm),
+    fiducials: fiducials.length > 0 ? orient_fiducials(fiducials, model) : null,
+  };
+}
+
+export const PAIR_HANDLERS: Handlers<PairCalls> = {
+  open,
+  tile,
+  reduced: ({ maxSide }) => photo().photo.reduced(maxSide),
+  detect: ({ settings, mask: left }) => photo().photo.detect(settings, left),
+  features: ({ settings, mask: left }) => photo().photo.describe_points(settings, left),
+  describe: ({ points, window, strategy }) => photo().photo.describe(points, window, strategy),
+  grey: () => ({ width: photo().photo.width, height: photo().photo.height, grey: photo().photo.grey() }),
+  patch: (input) => patchOf(greyOf(photo()), photo().photo.width, photo().photo.height, input),
+  moments: ({ col, row, window }) => photo().photo.window_moments(col, row, window),
+  simulate: (flight) => simulate(flight),
+  hold,
+  offset: ({ left, right }) => estimate_offset(left, right),
+  constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
+  match,
+  nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
+  candidates: candidatesOf,
+  gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
+  epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
+  score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
+  interior: interiorOf,
+  orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
+  reportOpen,
+  reportStep: () => reportInHand().step(),
+  reportPage: () => reportInHand().html(),
+  parseFiducials: ({ text }) => parse_fiducials(text),
+  parseCamera: ({ text }) => parse_camera(text),
+  mask,
+  matchesCsv: ({ matches }) => matches_csv(matches),
+};

@@ -1,0 +1,111 @@
+/** What is looked up about the selected point: what was compared, the candidates, where it may be seen in the other image. */
+import { knownInterior } from '../state/interior';
+import { comparesGradients, comparesGreyValues } from '../state/keys';
+import { readable } from '../../shared/text/names';
+import { leftIndexOf, placeOf } from '../state/selected';
+import type { Position } from '../state/selected';
+import { otherSide } from '../state/state';
+import type { FeatureView, Inspection, PointWindow, SeenAt, Side, StageValues, State } from '../state/state';
+import { CallError } from '../../shared/engine/client';
+import { matchInput, needed, settingsOf } from './inputs';
+import type { Run, Workers } from './inputs';
+
+/** Bytes of a gradient descriptor; its cells a side. */
+const DESCRIPTOR_BYTES = 128;
+const CELLS = 4;
+/** Samples a side of a patch that is shown. */
+export const PATCH_SIDE = 112;
+/** How much wider than the cells is what is shown of the image around them: turned by an eighth they still fit. */
+export const SURROUNDINGS = 1.5;
+/** Candidates by gradients that are looked up. */
+const MOST_CANDIDATES = 50;
+
+/** The window whose content decided: that of the moments, or that of the grey values. */
+function comparedWindow(state: State): Partial<ReturnType<typeof settingsOf>['window']> {
+  const settings = settingsOf(state);
+  return comparesGreyValues(settings) ? { side: settings.matching.template, shape: 'square' } : settings.window;
+}
+
+function pointsOf(state: State, side: Side): StageValues['pointsLeft'] {
+  return needed(state, side === 'left' ? 'pointsLeft' : 'pointsRight');
+}
+
+/** A position of an image, as its points give it; null where there is no such point. */
+function pointAt(state: State, side: Side, index: number): Position | null {
+  if (index < 0) return null;
+  const [x, y] = pointsOf(state, side).points.subarray(3 * index, 3 * index + 2);
+  return x === undefined || y === undefined ? null : [x, y];
+}
+
+async function windowAt(workers: Workers, state: State, side: Side, at: Position | null): Promise<PointWindow | null> {
+  if (at === null) return null;
+  const col = Math.floor(at[0]);
+  const row = Math.floor(at[1]);
+  const worker = await workers.withImage(side, state);
+  try {
+    return { col, row, report: await worker.call('moments', { col, row, window: comparedWindow(state) }), problem: null };
+  } catch (error) {
+    // A window that leaves the image or is constant is an answer, not a failure.
+    if (error instanceof CallError && error.failure.kind === 'refused') return { col, row, report: null, problem: readable(state.catalogue, error.message) };
+    throw error;
+  }
+}
+
+async function featureAt(workers: Workers, state: State, side: Side, index: number): Promise<FeatureView | null> {
+  const at = pointAt(state, side, index);
+  if (at === null) return null;
+  const { frames, gradients } = pointsOf(state, side);
+  const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
+  const reach = CELLS * settingsOf(state).gradient.cell * scale;
+  const worker = await workers.withImage(side, state);
+  const patch = (factor: number, turn: number) =>
+    worker.call('patch', { x: at[0], y: at[1], direction: turn, reach: factor * reach, side: PATCH_SIDE });
+  const [turned, upright] = await Promise.all([patch(1, direction), patch(SURROUNDINGS, 0)]);
+  return { descriptor: gradients.slice(DESCRIPTOR_BYTES * index, DESCRIPTOR_BYTES * (index + 1)), scale, direction, reach, turned, upright };
+}
+
+/** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
+async function lineOf(workers: Workers, state: State): Promise<SeenAt | null> {
+  const { geometry } = needed(state, 'match');
+  const { selection } = state;
+  const at = selection === null ? null : pointAt(state, selection.side, selection.index);
+  if (geometry === null || selection === null || at === null) return null;
+  const side = otherSide(selection.side);
+  const { width, height } = needed(state, side === 'left' ? 'openLeft' : 'openRight').info;
+  const positions = await workers.client('pair').call('epipolarLine', {
+    from: selection.side, x: at[0], y: at[1], model: geometry.model, interior: knownInterior(state), width, height,
+  });
+  return { side, positions };
+}
+
+async function candidatesOf(workers: Workers, state: State, left: number): Promise<Float64Array> {
+  const settings = settingsOf(state);
+  if (left < 0 || comparesGreyValues(settings)) return new Float64Array();
+  const worker = workers.client('pair');
+  if (!comparesGradients(settings)) return worker.call('candidates', { ...matchInput(state), index: left, options: settings.matching });
+  const [of, among] = [pointsOf(state, 'left').gradients, pointsOf(state, 'right').gradients];
+  return worker.call('gradientCandidates', { index: left, left: of, right: among, most: MOST_CANDIDATES });
+}
+
+/** Windows of moments or grey values; for gradients the features. */
+async function comparedOf(workers: Workers, state: State, left: number): Promise<Pick<Inspection, 'left' | 'right' | 'features'>> {
+  const { best, places } = needed(state, 'match');
+  const { selection } = state;
+  const right = selection?.side === 'right' ? selection.index : (best[left] ?? -1);
+  if (comparesGradients(settingsOf(state))) {
+    const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, 'left', left), featureAt(workers, state, 'right', right)]);
+    return { left: null, right: null, features: { left: ofLeft, right: ofRight } };
+  }
+  const rightAt = selection?.side === 'right' ? pointAt(state, 'right', selection.index) : placeOf(places, left);
+  const [ofLeft, ofRight] = await Promise.all([
+    windowAt(workers, state, 'left', pointAt(state, 'left', left)), windowAt(workers, state, 'right', rightAt),
+  ]);
+  return { left: ofLeft, right: ofRight, features: null };
+}
+
+export const inspection: Run<Inspection> = async (state, workers) => {
+  const { best, rules } = needed(state, 'match');
+  const left = leftIndexOf(state, best, rules);
+  const [compared, candidates, line] = await Promise.all([comparedOf(workers, state, left), candidatesOf(workers, state, left), lineOf(workers, state)]);
+  return { ...compared, candidates, line };
+};

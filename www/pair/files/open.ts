@@ -1,0 +1,171 @@
+/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
+import { CallError, Cancelled } from '../../shared/engine/client';
+import type { Engine } from '../engine/engine';
+import type { Flight } from '../../shared/crate';
+import { sentence } from '../../shared/text/format';
+import { readable } from '../../shared/text/names';
+import type { GivenImage, Side } from '../state/state';
+import type { Store } from '../state/store';
+import { sortFiles } from './sort';
+
+/** Longest side of the copy of a mask that is shown, px. */
+const MASK_SIDE = 1024;
+
+/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
+const MOST_BYTES = 2 ** 30;
+
+let nextId = 1;
+
+/** Masks named "right", or the second of two, belong right. */
+function sideOfMask(mask: File, index: number): Side {
+  if (/right/iu.test(mask.name)) return 'right';
+  return /left/iu.test(mask.name) || index === 0 ? 'left' : 'right';
+}
+
+/** What came of a file; null where the page shows it. */
+type Told = { kind: 'info' | 'problem'; text: string } | null;
+
+const problem = (text: string): Told => ({ kind: 'problem', text });
+const info = (text: string): Told => ({ kind: 'info', text });
+
+export class Files {
+  constructor(private readonly store: Store, private readonly engine: Engine) {}
+
+  /** Takes files of any kind; `side` says where a single one belongs. */
+  async take(files: readonly File[], side: Side | null): Promise<void> {
+    if (files.length === 0) return;
+    this.store.dispatch({ type: 'notice', notice: null });
+    const { images, masks, tables, cameras } = sortFiles(files);
+    if (images.length > 2) {
+      this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
+      return;
+    }
+    const told: Told[] = [];
+    const camera = cameras[0];
+    if (camera !== undefined) told.push(await this.takeCamera(camera));
+    for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+    if (images.length > 0) told.push(...await this.takeImages(images, side));
+    for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+    this.tell(told);
+  }
+
+  /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
+  async takeMask(file: File, side: Side): Promise<void> {
+    this.tell([await this.readMask(file, side)]);
+  }
+
+  private async readMask(file: File, side: Side): Promise<Told> {
+    const opened = this.store.state.images[side];
+    if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
+    try {
+      const { info: photo } = await this.engine.open(side, opened);
+      const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
+      if (mask.width !== photo.width || mask.height !== photo.height) {
+        return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
+      }
+      this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
+      return info(`${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+    } catch (error) {
+      return this.failed(`${file.name} cannot be used as a mask`, error);
+    }
+  }
+
+  /** Renders the pair of a flight in a worker and opens it. */
+  async takeFlight(name: string, flight: Flight): Promise<void> {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a made landscape …' } });
+    try {
+      const pair = await this.engine.client('pair').call('simulate', flight);
+      const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
+      this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
+      this.tell([]);
+    } catch (error) {
+      this.tell([this.failed('The pair could not be rendered', error)]);
+    }
+  }
+
+  /** The built-in pair. */
+  async takeSample(): Promise<void> {
+    const sample = this.store.state.catalogue?.flights.find(({ name }) => name === 'sample');
+    if (sample !== undefined) await this.takeFlight(sample.name, sample.flight);
+  }
+
+  /** Says together what came of files that were given together. */
+  private tell(told: readonly Told[]): void {
+    const said = told.filter((one) => one !== null);
+    const bad = said.some(({ kind }) => kind === 'problem');
+    const { left, right } = this.store.state.images;
+    // Where nothing was open there is nothing to be afraid for.
+    const kept = bad && (left !== null || right !== null) ? ' What was open is kept.' : '';
+    const text = `${said.map((one) => one.text).join(' ')}${kept}`;
+    this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
+  }
+
+  private failed(what: string, error: unknown): Told {
+    if (error instanceof Cancelled) return info('Cancelled. Nothing was changed.');
+    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error)))}`);
+  }
+
+  /** Fiducials named "right", or the second of two tables, belong right. */
+  private sideOfTable(table: File, index: number): Side {
+    if (/right/iu.test(table.name)) return 'right';
+    if (/left/iu.test(table.name)) return 'left';
+    return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? 'right' : 'left';
+  }
+
+  private async takeFiducials(file: File, side: Side): Promise<Told> {
+    try {
+      const fiducials = await this.engine.client('pair').call('parseFiducials', { text: await file.text() });
+      this.store.dispatch({ type: 'photo', side, photo: { fiducials } });
+      return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? 'mark' : 'marks'} of the ${side} image from ${file.name}.`);
+    } catch (error) {
+      return this.failed(`${file.name} holds no fiducial marks`, error);
+    }
+  }
+
+  private async takeCamera(file: File): Promise<Told> {
+    try {
+      const camera = await this.engine.client('pair').call('parseCamera', { text: await file.text() });
+      this.store.dispatch({ type: 'camera', camera });
+      return info(`Camera data from ${file.name}.`);
+    } catch (error) {
+      return this.failed(`${file.name} holds no camera data`, error);
+    }
+  }
+
+  /** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
+  private async takeImages(files: readonly File[], side: Side | null): Promise<Told[]> {
+    const tooLarge = files.find((file) => file.size > MOST_BYTES);
+    if (tooLarge !== undefined) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
+    const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
+    const images: Partial<Record<Side, GivenImage>> = {};
+    for (const [i, file] of files.entries()) {
+      const target = sides[i];
+      if (target !== undefined) images[target] = { id: nextId++, name: file.name, source: { kind: 'file', file } };
+    }
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${files.map((file) => file.name).join(' and ')} …` } });
+    return this.check(images);
+  }
+
+  private async check(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
+    const entries = Object.entries(images) as [Side, GivenImage][];
+    const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
+    const told = outcomes.flatMap((outcome, i) => (outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : []));
+    if (told.length === 0) this.store.dispatch({ type: 'images', images });
+    return told;
+  }
+
+  private failedImage(name: string, error: unknown): Told {
+    if (error instanceof CallError && error.ended) {
+      return problem(`${name} could not be opened: the worker ran out of memory (${error.message}). Try a smaller image, or close other tabs.`);
+    }
+    return this.failed(`${name} cannot be opened`, error);
+  }
+
+  /** Where a single image goes: an empty place, else the active one. */
+  private freeSide(): Side {
+    const { images, activeSide } = this.store.state;
+    if (images.left === null) return 'left';
+    return images.right === null ? 'right' : activeSide;
+  }
+}
+

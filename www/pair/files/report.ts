@@ -1,0 +1,51 @@
+/** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
+import { Cancelled } from '../../shared/engine/client';
+import type { ReportInput } from '../engine/calls';
+import type { Engine } from '../engine/engine';
+import { truthOf } from '../state/truth';
+import type { Side, State } from '../state/state';
+import type { Store } from '../state/store';
+import { baseName } from './export';
+import { save } from '../../shared/files/save';
+
+/** What the report is made of; null where an image is missing. */
+function inputOf(state: State): ReportInput | null {
+  const { left, right } = state.images;
+  const { settings, camera, photos, masks, offset, fiducialModel } = state;
+  if (left === null || right === null || settings === null) return null;
+  const truth = truthOf(state);
+  const photo = (side: Side) => ({ ...photos[side], model: fiducialModel });
+  return {
+    images: [left.source, right.source],
+    names: [left.name, right.name],
+    input: { camera, offset, left: photo('left'), right: photo('right') },
+    settings,
+    truth: truth === null ? null : { orientation: truth.orientation, base_mm: truth.baseMm, right_position: truth.rightPosition },
+    masks: [masks.left?.grey ?? null, masks.right?.grey ?? null],
+  };
+}
+
+export async function exportReport(store: Store, engine: Engine): Promise<void> {
+  const input = inputOf(store.state);
+  if (input === null) return;
+  const say = (text: string) => { store.dispatch({ type: 'notice', notice: { kind: 'busy', text } }); };
+  const client = engine.client('report');
+  try {
+    say('Report: reading the images …');
+    const steps = await client.call('reportOpen', input);
+    for (const [i, step] of steps.entries()) {
+      say(`Report, step ${String(i + 1)} of ${String(steps.length + 1)}: matching, ${step} …`);
+      await client.call('reportStep', null);
+    }
+    say(`Report, step ${String(steps.length + 1)} of ${String(steps.length + 1)}: writing …`);
+    const page = await client.call('reportPage', null);
+    save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
+    store.dispatch({ type: 'notice', notice: null });
+  } catch (error) {
+    if (!(error instanceof Cancelled)) throw error;
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The report was cancelled.' } });
+  } finally {
+    // Its images and results would stay in memory.
+    client.cancel();
+  }
+}

@@ -1,0 +1,81 @@
+/** The pair's part of the page: makes its parts and wires them together. */
+import './style/view.css';
+import { byId } from '../shared/panel/dom';
+import { mountTabs, showTab } from '../shared/panel/tabs';
+import { readable } from '../shared/text/names';
+import { Engine } from './engine/engine';
+import { mountDrop } from './files/drop';
+import { Files } from './files/open';
+import { mountAnnouncements } from './panel/announce';
+import { mountCamera } from './panel/camera';
+import { mountControls } from './panel/controls';
+import { mountCounts } from './panel/counts';
+import { mountFiducials } from './panel/fiducials';
+import { mountGeometry } from './panel/geometry';
+import { mountHeader, pickerOf } from './panel/header';
+import { mountHistograms } from './panel/histograms';
+import { mountOrientation } from './panel/orientation';
+import { mountPanes } from './panel/panes';
+import { mountPoint } from './panel/point';
+import { mountSimulate } from './panel/simulate';
+import { mountStatistics } from './panel/statistics';
+import { mountStatus } from './panel/status';
+import { mountToolbar } from './panel/toolbar';
+import { Store } from './state/store';
+import { Input } from './view/input';
+import { Navigator } from './view/navigate';
+import { View } from './view/view';
+
+export interface Pair {
+  store: Store;
+  engine: Engine;
+  /** Runs an action of the user's; what goes wrong is said in the status line. */
+  attempt: (action: () => void | Promise<void>) => Promise<void>;
+}
+
+export function mountPair(): Pair {
+  const store = new Store();
+  const engine = new Engine(store);
+  const view = new View(byId('view'), store, engine);
+  const navigator = new Navigator(store, view);
+  const files = new Files(store, engine);
+  const attempt = async (action: () => void | Promise<void>) => {
+    try {
+      await action();
+    } catch (error) {
+      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, error instanceof Error ? error.message : String(error))}.` } });
+    }
+  };
+
+  new Input(view, store, navigator);
+  for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
+  mountToolbar(byId('toolbar'), store, navigator);
+  const pick = pickerOf(files);
+  mountPanes(view, store, {
+    open: (side) => { pick(side); },
+    mask: (side) => { pick(side, 'mask'); },
+    unmask: (side) => { store.dispatch({ type: 'mask', side, mask: null }); },
+  });
+  mountControls(byId('panel-settings'), store);
+  mountCamera(byId('panel-camera'), store, () => { pick(null); });
+  mountFiducials(byId('panel-camera'), store, (side) => { pick(side); });
+  mountCounts(byId('panel-results'), store);
+  mountGeometry(byId('panel-results'), store);
+  mountOrientation(byId('panel-results'), store);
+  mountHistograms(byId('panel-results'), store);
+  mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
+  mountStatistics(byId('panel-matches'), store, (side, index) => { navigator.select({ side, index }); });
+  mountSimulate(byId('panel-simulate'), store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
+  mountAnnouncements(byId('announce'), store);
+  mountDrop(view, files);
+  mountStatus(store, {
+    cancel: () => { engine.cancel(); },
+    run: () => { store.dispatch({ type: 'resume' }); },
+  });
+  mountHeader({ store, engine, view, files, pick, attempt });
+  store.watch((s) => [s.selection] as const, ([selection]) => {
+    // The table of matches shows the selected one itself, and is gone through by selecting.
+    if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');
+  });
+  return { store, engine, attempt };
+}

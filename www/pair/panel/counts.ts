@@ -1,0 +1,135 @@
+/** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
+import type { PointCounts } from '../../shared/crate';
+import { comparesMoments, isCurrent, isStale } from '../state/keys';
+import { hasPaperCamera } from '../state/paper';
+import { GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
+import { leftCodes, shownPair } from '../state/select';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+import { fill, h, markStale, row, section } from '../../shared/panel/dom';
+import { count, percent, significant } from '../../shared/text/format';
+import { swatch } from './swatch';
+import { styleOf } from '../view/palette';
+
+/** What the paper's Table 1 has for its pair; it does not count what the threshold of roundness leaves. */
+const PAPER: Readonly<Record<keyof PointCounts, readonly [number, number] | null>> = {
+  candidates: [46695, 43230],
+  after_roundness: null,
+  after_suppression: [10761, 9681],
+};
+const PAPER_MATCHES = 1325;
+const PAPER_THRESHOLD = 40;
+
+const PHASES: readonly [keyof PointCounts, string][] = [
+  ['candidates', 'Operator'],
+  ['after_roundness', 'Roundness'],
+  ['after_suppression', 'Suppression'],
+];
+
+/** The settings by which the paper counted, whose Table 1 says nothing of others. */
+function countsAsPaper({ settings, catalogue }: State): boolean {
+  return settings !== null && comparesMoments(settings) && settings.points.operator === catalogue?.defaults.points.operator;
+}
+
+/** Rules that only some strategies have. */
+const RARE: ReadonlySet<string> = new Set(['border', 'left_right', 'not_converged', 'imprecise', 'frame']);
+
+export function mountCounts(host: HTMLElement, store: Store): void {
+  const phases = h('div', {});
+  const rules = h('div', {});
+  const points = section('Points', 'counts-section', phases);
+  const matches = section('Matches', 'matches-section', rules);
+  host.append(points, matches);
+  store.watch((s) => [s.results, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
+    const { state } = store;
+    points.classList.toggle('is-stale', pointsAreStale(state));
+    matches.classList.toggle('is-stale', isStale(state, 'match'));
+    fill(phases, phaseTable(state));
+    fill(rules, ruleTable(state, store), scoreLines(state));
+  });
+}
+
+function pointsAreStale(state: State): boolean {
+  return isStale(state, 'pointsLeft') || isStale(state, 'pointsRight');
+}
+
+function cell(testid: string, text: string): HTMLTableCellElement {
+  return h('td', { testid, class: 'number' }, text);
+}
+
+function phaseTable(state: State): HTMLElement {
+  const left = state.results.pointsLeft?.value;
+  const right = state.results.pointsRight?.value;
+  const matches = state.results.match?.value.counts.matches;
+  const compared = hasPaperCamera(state) && countsAsPaper(state);
+  const paper = (numbers: readonly number[] | null) => (compared ? [h('td', { class: 'number paper' }, numbers?.map(count).join(' / ') ?? '–')] : []);
+  const body = PHASES.map(([field, label]) => row(
+    label,
+    cell(`count-left-${field}`, count(left?.counts[field])),
+    cell(`count-right-${field}`, count(right?.counts[field])),
+    ...paper(PAPER[field]),
+  ));
+  const threshold = (value: number | undefined) => (value === undefined ? '–' : significant(value));
+  return h('table', { aria: { label: 'Points after each phase' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Phase'), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right'),
+      compared ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null)),
+    h('tbody', {}, ...body,
+      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...paper([PAPER_MATCHES, PAPER_MATCHES])), isStale(state, 'match') && !pointsAreStale(state)),
+      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), ...paper([PAPER_THRESHOLD, PAPER_THRESHOLD]))));
+}
+
+function ruleTable(state: State, store: Store): HTMLElement {
+  const result = state.results.match?.value;
+  const total = result?.rules.length ?? 0;
+  const share = (n: number | undefined) => (n === undefined || total === 0 ? '–' : percent(n / total));
+  // A rule that the strategy does not have refuses nothing; its row would only lengthen the table.
+  const applied = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0);
+  const refused = applied.map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
+  const shown = shownPair(state);
+  const gross = shown.orientation?.rejected.length;
+  return h('table', { aria: { label: 'What became of the left points' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Left points'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'), h('th', { scope: 'col' }, 'Show'))),
+    h('tbody', {}, ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
+      markStale(ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
+        gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match')),
+      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Refused by')), ...refused));
+}
+
+function ruleRow(
+  code: number, testid: string, value: number | undefined, share: (n: number | undefined) => string, state: State, store: Store, label?: string,
+): HTMLTableRowElement {
+  const style = styleOf(code);
+  const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${style.label}` } });
+  toggle.checked = !state.display.hidden.includes(code);
+  toggle.addEventListener('change', () => {
+    const hidden = toggle.checked ? store.state.display.hidden.filter((c) => c !== code) : [...store.state.display.hidden, code];
+    store.dispatch({ type: 'display', display: { hidden } });
+    document.querySelector<HTMLInputElement>(`[data-testid="show-${String(code)}"]`)?.focus();
+  });
+  const name = h('span', { title: style.sentence }, label ?? style.label);
+  return row(h('span', { class: 'legend' }, swatch(code), name), cell(testid, count(value)), h('td', { class: 'number' }, share(value)), h('td', { class: 'centre' }, toggle));
+}
+
+/** How many matches are right, where the truth is known. */
+function scoreLines(state: State): HTMLElement | null {
+  const score = state.results.score?.value;
+  const { match } = shownPair(state);
+  if (score === undefined || match === null || !isCurrent(state, 'score') || score.matches === 0) return null;
+  const line = (name: string, testid: string, value: number, of: string, title: string) =>
+    h('tr', { title }, h('th', { scope: 'row' }, name), cell(testid, count(value)), h('td', { class: 'number' }, of));
+  const share = (value: number) => percent(value / score.matches);
+  return h('table', { testid: 'score', aria: { label: 'Matches against the truth' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Against the truth'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'))),
+    h('tbody', {},
+      line('Right', 'score-right', score.right, share(score.right), 'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.'),
+      line('Strictly right', 'score-strict', score.strict, share(score.strict), 'Within 1.5 px of where the surface at the left pixel itself is seen.'),
+      line('Missed', 'score-missed', score.missed, '', 'Left points that are seen in the right image and have no right match.')));
+}
+
+/** What became of the points, in one sentence for the status line. */
+export function summary(state: State): string {
+  const shown = shownPair(state);
+  if (shown.match === null) return '';
+  const codes = leftCodes(shown.left, shown.match, shown.orientation);
+  return `${count(shown.match.counts.matches)} matches of ${count(codes.length)} left points`;
+}

@@ -1,0 +1,120 @@
+/** Fiducial marks of one photo: a table to type into, or a CSV file. */
+import { allowedOfOrigin } from '../engine/checks';
+import type { Fiducial } from '../../shared/crate';
+import type { PhotoData, Side } from '../state/state';
+import type { Store } from '../state/store';
+import { button, fill, h } from '../../shared/panel/dom';
+import { fixed } from '../../shared/text/format';
+import { firstRefused, numberInput, problemLine, readPair, showNumber } from '../../shared/panel/numberfield';
+
+const FIELDS = ['col', 'row', 'x_mm', 'y_mm'] as const;
+const HEADS: Record<(typeof FIELDS)[number], string> = { col: 'col px', row: 'row px', x_mm: 'x mm', y_mm: 'y mm' };
+
+export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side: Side) => void): void {
+  const model = h('select', { id: 'fiducial-model', testid: 'fiducial-model' });
+  model.append(new Option('Affine, 6 parameters', 'affine'), new Option('Similarity, 4 parameters', 'similarity'));
+  model.addEventListener('change', () => {
+    store.dispatch({ type: 'fiducialModel', model: model.value === 'similarity' ? 'similarity' : 'affine' });
+  });
+  store.watch((s) => [s.fiducialModel] as const, ([value]) => { model.value = value; });
+  host.append(h('fieldset', { class: 'group' }, h('legend', {}, 'Interior orientation'),
+    h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
+    photo('left', store, loadFile), photo('right', store, loadFile)));
+}
+
+function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLElement {
+  const table = h('div', { class: 'scroll' });
+  const result = h('p', { class: 'note', testid: `interior-${side}` });
+  const set = (change: Partial<PhotoData>) => { store.dispatch({ type: 'photo', side, photo: change }); };
+  const name = side === 'left' ? 'Left' : 'Right';
+  const add = button('Add mark', `add-fiducial-${side}`, () => {
+    set({ fiducials: [...store.state.photos[side].fiducials, { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN }] });
+  });
+  const load = button('Load CSV …', `load-fiducials-${side}`, () => { loadFile(side); });
+  const clear = button('Clear', `clear-fiducials-${side}`, () => { set({ fiducials: [] }); });
+  let shown: readonly Fiducial[] | null = null;
+  const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
+  store.watch((s) => [s.photos[side].fiducials, s.results[stage]] as const, ([fiducials, interior]) => {
+    const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+    if (shown !== fiducials) {
+      // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
+      if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
+      shown = fiducials;
+    }
+    showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
+    clear.disabled = fiducials.length === 0;
+    fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
+  });
+  return h('div', { class: 'photo' }, h('h4', {}, `${name} image`), result, table, h('div', { class: 'buttons' }, add, load, clear), originFields(side, store));
+}
+
+function interiorText(sigma: number | null | undefined, freedom: number | undefined, marks: number): string {
+  if (marks === 0) return 'No fiducial marks: the pixel size is used.';
+  if (freedom === undefined) return `${String(marks)} marks.`;
+  return `${String(marks)} marks, σ₀ ${sigma == null ? 'not determined' : `${fixed(1000 * sigma, 1)} µm`}, ${String(freedom)} degrees of freedom.`;
+}
+
+function marksTable(side: Side, store: Store, rows: number): HTMLElement | string {
+  if (rows === 0) return '';
+  const body = Array.from({ length: rows }, (_, i) => h('tr', {},
+    h('th', { scope: 'row' }, String(i + 1)),
+    ...FIELDS.map((field) => h('td', {}, markInput(side, store, i, field))),
+    h('td', { class: 'number residual' }, ''),
+    h('td', {}, removeButton(side, store, i))));
+  return h('table', { class: 'marks', testid: `fiducials-${side}`, aria: { label: `Fiducial marks, ${side}` } },
+    h('thead', {}, h('tr', {}, h('th', {}, ''), ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])), h('th', { scope: 'col', title: 'Residuals vx, vy' }, 'v µm'), h('th', {}, ''))),
+    h('tbody', {}, ...body));
+}
+
+function markInput(side: Side, store: Store, index: number, field: (typeof FIELDS)[number]): HTMLInputElement {
+  const input = h('input', { type: 'number', aria: { label: `Mark ${String(index + 1)}, ${HEADS[field]}` } });
+  input.step = 'any';
+  input.addEventListener('change', () => {
+    const fiducials = store.state.photos[side].fiducials.map((mark, i) => (i === index ? { ...mark, [field]: input.valueAsNumber } : mark));
+    store.dispatch({ type: 'photo', side, photo: { fiducials } });
+  });
+  return input;
+}
+
+function removeButton(side: Side, store: Store, index: number): HTMLButtonElement {
+  const remove = button('×', `remove-fiducial-${side}-${String(index)}`, () => {
+    store.dispatch({ type: 'photo', side, photo: { fiducials: store.state.photos[side].fiducials.filter((_, i) => i !== index) } });
+  });
+  remove.className = 'icon';
+  remove.setAttribute('aria-label', `Remove mark ${String(index + 1)}`);
+  return remove;
+}
+
+function showMarks(table: HTMLElement, fiducials: readonly Fiducial[], residuals: readonly [number, number][]): void {
+  table.querySelectorAll('tbody tr').forEach((line, i) => {
+    line.querySelectorAll('input').forEach((input, f) => {
+      const field = FIELDS[f];
+      const value = field === undefined ? undefined : fiducials[i]?.[field];
+      if (value === undefined || Object.is(input.valueAsNumber, value)) return;
+      input.value = Number.isFinite(value) ? String(value) : '';
+    });
+    const cell = line.querySelector('.residual');
+    const [vx, vy] = residuals[i] ?? [];
+    if (cell !== null) cell.textContent = vx === undefined ? '' : `${fixed(1000 * vx, 0)}, ${fixed(1000 * (vy ?? NaN), 0)}`;
+  });
+}
+
+/** Where the image lies in the scan whose marks were measured. */
+function originFields(side: Side, store: Store): HTMLElement {
+  const problem = problemLine(`origin-${side}`);
+  const change = () => {
+    const origin = readPair(inputs, problem, allowedOfOrigin);
+    if (origin !== undefined) store.dispatch({ type: 'photo', side, photo: { origin } });
+    store.dispatch({ type: 'refused', part: 'photos', label: firstRefused(inputs.map((input) => [`Origin of the ${side} image in the scan`, input])) });
+  };
+  const field = (name: string, testid: string) => {
+    const input = numberInput(testid, problem, change);
+    input.setAttribute('aria-label', `${side} image in the scan, ${name}, px`);
+    return input;
+  };
+  const inputs = [field('column', `origin-${side}-col`), field('row', `origin-${side}-row`)] as const;
+  store.watch((s) => [s.photos[side].origin] as const, ([origin]) => {
+    inputs.forEach((input, axis) => { showNumber({ input, problem }, origin?.[axis]); });
+  });
+  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row, in the scan whose marks were measured, of this image’s top-left corner. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs, problem);
+}

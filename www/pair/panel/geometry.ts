@@ -1,0 +1,63 @@
+/** What relates the two views, by which matches of gradients were verified: the kind of model, its precision, where it is degenerate. */
+import type { Degeneracy, MatchResult, TwoViewModel } from '../../shared/crate';
+import { comparesGradients, isStale } from '../state/keys';
+import { readable } from '../../shared/text/names';
+import { shownPair } from '../state/select';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+import { fill, h, section } from '../../shared/panel/dom';
+import { facts } from '../../shared/panel/facts';
+import type { Fact } from '../../shared/panel/facts';
+import { count, fixed } from '../../shared/text/format';
+
+const KINDS: Readonly<Record<TwoViewModel['kind'], { name: string; help: string }>> = {
+  calibrated: { name: 'calibrated cameras', help: 'Orientation of cameras that are known, or whose focal length the matches tell: a match lies on its epipolar line and before both cameras.' },
+  fundamental: { name: 'unknown cameras', help: 'Epipolar geometry (fundamental matrix): a match lies on its epipolar line; nothing of the cameras is known.' },
+  homography: { name: 'map of a plane', help: 'All points lie in a plane: each point of one image has one place in the other.' },
+  rotation: { name: 'rotation', help: 'Both photos were taken from one place: each point of one image has one place in the other, whatever its distance.' },
+};
+
+const DEGENERATE: Readonly<Record<Degeneracy, string>> = {
+  plane: 'Nearly all points lie in a plane: without known cameras the orientation is not determined; with them, its weaknesses tell whether that matters.',
+  'pure-rotation': 'Pure rotation: both photos were taken from one place. There is no base, so nothing can be oriented.',
+};
+
+export function mountGeometry(host: HTMLElement, store: Store): void {
+  const body = h('div', {});
+  const panel = section('Geometry of the two views', 'geometry-section', body);
+  host.append(panel);
+  store.watch((s) => [s.results, s.settings, s.images, s.camera, s.photos, s.masks] as const, () => {
+    const { state } = store;
+    panel.hidden = state.settings === null || !comparesGradients(state.settings);
+    panel.classList.toggle('is-stale', isStale(state, 'match'));
+    if (!panel.hidden) fill(body, ...content(state));
+  });
+}
+
+function content(state: State): HTMLElement[] {
+  const { match } = shownPair(state);
+  if (match === null) return [h('p', { class: 'note' }, 'Not computed yet.')];
+  if (match.geometry === null) {
+    // Matches of another strategy stay on the screen until those of this one come.
+    const reason = match.geometry_reason;
+    return [h('p', { class: reason === null ? 'note' : 'field-problem', testid: 'geometry-reason' }, reason === null ? 'Not computed yet.' : `None: ${readable(state.catalogue, reason)}.`)];
+  }
+  const { degenerate } = match.geometry;
+  return [
+    ...(degenerate === null ? [] : [h('p', { class: 'field-problem', testid: `degenerate-${degenerate}` }, DEGENERATE[degenerate])]),
+    facts(figures(match, match.geometry)),
+  ];
+}
+
+function figures(match: MatchResult, { model, sigma_px: sigma, threshold_px: threshold, focal }: NonNullable<MatchResult['geometry']>): Fact[] {
+  return [
+    { name: 'Model', testid: 'geometry-kind', value: KINDS[model.kind].name, help: KINDS[model.kind].help },
+    { name: 'Matches that agree', testid: 'geometry-matches', value: count(match.counts.matches), help: 'All others are refused. Matches that only the geometry made unambiguous are among them.' },
+    { name: 'Standard error of a coordinate', testid: 'geometry-sigma', value: `${fixed(sigma, 3)} px`, help: 'From the distances of the matches that agree, across the epipolar lines or from the places.' },
+    { name: 'Threshold', testid: 'geometry-threshold', value: `${fixed(threshold, 2)} px`, help: 'Largest distance of a match that agrees. It follows from the scatter of the matches where none is given.' },
+    ...(focal === null ? [] : [{
+      name: 'Focal length, estimated', testid: 'geometry-focal', value: `${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`,
+      help: 'Of both cameras, by the matches alone, with its standard error; principal points are taken to lie in the middle of the images. Known to a tenth it serves the relative orientation.',
+    }]),
+  ];
+}

@@ -1,0 +1,85 @@
+/** The bar of the page as the pair uses it: what opens, exchanges and exports its images. */
+import { byId } from '../../shared/panel/dom';
+import type { Engine } from '../engine/engine';
+import { exportEverything, exportMatches, exportPicture } from '../files/export';
+import type { Files } from '../files/open';
+import { exportReport } from '../files/report';
+import { shownPair } from '../state/select';
+import type { Side } from '../state/state';
+import type { Store } from '../state/store';
+import { truthOf } from '../state/truth';
+import type { View } from '../view/view';
+import { isBusy } from './status';
+
+/** Opens the file dialog for a side, or for any files; or for the mask of a side. */
+export type Pick = (side: Side | null, what?: 'any' | 'mask') => void;
+
+export function pickerOf(files: Files): Pick {
+  const input = byId('file-input') as HTMLInputElement;
+  let wanted: { side: Side | null; what: 'any' | 'mask' } = { side: null, what: 'any' };
+  input.addEventListener('change', () => {
+    const given = [...(input.files ?? [])];
+    const [first] = given;
+    if (wanted.what === 'mask' && wanted.side !== null && first !== undefined) void files.takeMask(first, wanted.side);
+    else void files.take(given, wanted.side);
+    input.value = '';
+    input.multiple = true;
+    wanted = { side: null, what: 'any' };
+  });
+  return (side, what = 'any') => {
+    wanted = { side, what };
+    input.multiple = side === null;
+    input.click();
+  };
+}
+
+export interface HeaderParts {
+  store: Store;
+  engine: Engine;
+  view: View;
+  files: Files;
+  pick: Pick;
+  attempt: (action: () => void | Promise<void>) => Promise<void>;
+}
+
+export function mountHeader({ store, engine, view, files, pick, attempt }: HeaderParts): void {
+  const on = (id: string, action: () => void | Promise<void>) => {
+    byId(id).addEventListener('click', () => { void attempt(action); });
+  };
+  for (const id of ['open', 'open-first']) on(id, () => { pick(null); });
+  for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
+  on('swap', () => { swap(store, engine); });
+  on('export-csv', () => exportMatches(store.state, engine));
+  on('export-json', () => { exportEverything(store.state); });
+  on('export-report', () => exportReport(store, engine));
+  on('export-png', () => exportPicture(store.state, view));
+  store.watch((s) => [s.images, s.results, s.catalogue, s.notice, s.running] as const, ([images, , catalogue]) => {
+    const both = images.left !== null && images.right !== null;
+    const none = images.left === null && images.right === null;
+    const set = (id: string, disabled: boolean) => { (byId(id) as HTMLButtonElement).disabled = disabled; };
+    set('swap', none);
+    set('sample', catalogue === null);
+    set('sample-first', catalogue === null);
+    set('export-csv', !both || shownPair(store.state).match === null);
+    set('export-json', !both || store.state.results.pointsLeft === undefined);
+    set('export-report', !both || isBusy(store.state));
+    set('export-png', none);
+    leaveWelcome(!none);
+  });
+}
+
+/** What is known of the truth says where left pixels are seen in the right image: it holds in the simulated order alone. */
+function swap(store: Store, engine: Engine): void {
+  const known = truthOf(store.state) !== null;
+  engine.swap();
+  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The simulated pair is compared with its truth in its own order only: swap again for that.' } });
+}
+
+/** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */
+function leaveWelcome(left: boolean): void {
+  const welcome = byId('welcome');
+  const { activeElement } = document;
+  const focused = welcome.contains(activeElement) || (!welcome.hidden && [byId('open'), byId('sample')].some((press) => press === activeElement));
+  welcome.hidden = left;
+  if (left && focused) byId('view').focus();
+}

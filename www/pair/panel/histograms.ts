@@ -1,0 +1,87 @@
+/** Histograms: the measure of the matches, what the adjustment left, the interest value. */
+import { interiorInUse } from '../state/interior';
+import { isStale } from '../state/keys';
+import { parallaxResiduals } from '../state/residuals';
+import { columnOf, histogram } from '../state/histogram';
+import type { Histogram } from '../state/histogram';
+import { shownPair } from '../state/select';
+import { remember } from '../../shared/state/remember';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+import { fill, h, markStale, section, svg } from '../../shared/panel/dom';
+import { count, significant } from '../../shared/text/format';
+
+const BINS = 40;
+const WIDTH = 320;
+const HEIGHT = 84;
+
+const measures = remember((matches: Float64Array) => histogram(columnOf(matches, 5, 4), BINS, { from: 0 }));
+const residuals = remember((values: Float64Array) => histogram(values, BINS, { symmetric: true }));
+const interestLeft = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
+const interestRight = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
+
+export function mountHistograms(host: HTMLElement, store: Store): void {
+  const body = h('div', { class: 'histograms' });
+  const panel = section('Histograms', 'histograms-section', body);
+  host.append(panel);
+  let round = 0;
+  store.watch((s) => [s.results, s.images, s.settings, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
+    panel.classList.toggle('is-stale', isStale(store.state, 'match'));
+    round += 1;
+    void update(body, store, () => round, round);
+  });
+}
+
+/** Draws the charts one after the other, each in its own task: with many points each takes some ms, and input comes between. */
+async function update(body: HTMLElement, store: Store, round: () => number, own: number): Promise<void> {
+  const charts: HTMLElement[] = [];
+  for (const make of CHARTS) {
+    await new Promise((resolve) => { window.setTimeout(resolve, 0); });
+    if (round() !== own) return;
+    const made = make(store.state);
+    if (made !== null) charts.push(made);
+  }
+  fill(body, ...(charts.length > 0 ? charts : [h('p', { class: 'note' }, 'Appear with the first points.')]));
+}
+
+const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
+  (state) => {
+    const { match } = shownPair(state);
+    return match === null || match.counts.matches === 0 ? null : chart('Measure of the matches', '', measures(match.matches), 'histogram-measure');
+  },
+  (state) => {
+    const { orientation } = shownPair(state);
+    const interior = interiorInUse(state)?.left;
+    if (orientation === null || interior === undefined) return null;
+    const figure = chart('y-parallax residuals of the matches used', 'px', residuals(parallaxResiduals(orientation, interior)), 'histogram-residuals');
+    return markStale(figure, isStale(state, 'orientation') && !isStale(state, 'match'));
+  },
+  (state) => {
+    const { left } = shownPair(state);
+    return left === null || left.length === 0 ? null : chart('Interest value, left', '', interestLeft(left), 'histogram-interest-left');
+  },
+  (state) => {
+    const { right } = shownPair(state);
+    return right === null || right.length === 0 ? null : chart('Interest value, right', '', interestRight(right), 'histogram-interest-right');
+  },
+];
+
+function chart(title: string, unit: string, data: Histogram, testid: string): HTMLElement {
+  const most = Math.max(...data.counts, 1);
+  const width = WIDTH / data.counts.length;
+  const bars = data.counts.map((n, i) => {
+    const bar = Math.round(((HEIGHT * n) / most) * 100) / 100;
+    return n === 0 ? '' : `M${String(i * width + 0.5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
+  }).join('');
+  const at = (value: number) => (WIDTH * (value - data.low)) / (data.high - data.low);
+  const suffix = unit === '' ? '' : ` ${unit}`;
+  const words = `${title}: ${count(data.total)} values, median ${significant(data.median)}${suffix}, shown from ${significant(data.low)} to ${significant(data.high)}${suffix}, at most ${count(most)} in a bar`;
+  const picture = svg('svg', { viewBox: `0 0 ${String(WIDTH)} ${String(HEIGHT + 1)}`, class: 'histogram', role: 'img', 'aria-label': words, preserveAspectRatio: 'none' },
+    svg('path', { d: bars, class: 'bars' }),
+    svg('path', { d: `M0 ${String(HEIGHT + 0.5)}h${String(WIDTH)}`, class: 'axis' }),
+    svg('path', { d: `M${String(at(data.median))} 0v${String(HEIGHT)}`, class: 'median' }));
+  return h('figure', { testid },
+    h('figcaption', {}, title, h('span', { class: 'unit' }, `${suffix} · n = ${count(data.total)}`)),
+    picture,
+    h('div', { class: 'scale' }, h('span', {}, significant(data.low)), h('span', {}, `median ${significant(data.median)}`), h('span', {}, significant(data.high))));
+}

@@ -1,0 +1,184 @@
+/** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
+import type { FiveParameters, RelativeOrientation, Weakness } from '../../shared/crate';
+import { interiorInUse } from '../state/interior';
+import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
+import { readable } from '../../shared/text/names';
+import { hasPaperCamera } from '../state/paper';
+import { pixelMm } from '../state/residuals';
+import { orientationAt, truthOf } from '../state/truth';
+import type { State } from '../state/state';
+import type { Store } from '../state/store';
+import { fill, h, row, section } from '../../shared/panel/dom';
+import { facts } from '../../shared/panel/facts';
+import type { Fact } from '../../shared/panel/facts';
+import { count, fixed, significant } from '../../shared/text/format';
+import { correlationPicture, ellipsePicture } from './matrix';
+import { UNKNOWNS } from './unknowns';
+
+export const SIGMA_CAVEAT =
+  'σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.';
+
+export function mountOrientation(host: HTMLElement, store: Store): void {
+  const body = h('div', {});
+  const panel = section('Relative orientation', 'orientation-section', body);
+  host.append(panel);
+  store.watch((s) => [s.results, s.settings, s.images, s.failures, s.camera, s.photos, s.offset, s.fiducialModel] as const, () => {
+    const { state } = store;
+    panel.classList.toggle('is-stale', isStale(state, 'orientation'));
+    fill(body, ...content(state));
+  });
+}
+
+function content(state: State): HTMLElement[] {
+  const reason = whyNotOriented(state);
+  if (reason !== null) return [h('p', { class: 'note', testid: 'orientation-reason' }, reason)];
+  const result = state.results.orientation?.value;
+  if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, 'Not computed yet.')];
+  return [...estimatedFocal(state), valueTable(state, result), ...warnings(result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), pictures(state, result)];
+}
+
+/** Says where the focal length is from, where no camera is known. */
+function estimatedFocal(state: State): HTMLElement[] {
+  const { match } = state.results;
+  const focal = match?.value.geometry?.focal ?? null;
+  if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+  return [h('p', { class: 'note', testid: 'estimated-focal' },
+    `With the focal length that the matches tell: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below take for free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
+}
+
+/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
+const EQUAL_PX = 0.05;
+
+function areEqual(matches: Float64Array): boolean {
+  let equal = 0;
+  for (let i = 0; i < matches.length; i += 5) {
+    const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
+    if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
+  }
+  return matches.length > 0 && equal > 0.9 * (matches.length / 5);
+}
+
+/** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
+export function whyNotOriented(state: State): string | null {
+  const keys = wantedKeys(state);
+  if (state.images.left === null || state.images.right === null) return 'Two images are needed.';
+  const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
+  if (match?.geometry?.degenerate === 'pure-rotation') {
+    return areEqual(match.matches)
+      ? 'Not oriented: both images show the same in the same places. Is it one photo twice?'
+      : 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
+  }
+  if (match?.geometry_reason != null) return `Not oriented: ${readable(state.catalogue, match.geometry_reason)}. Do both photos show the same ground?`;
+  const cameras = pairCameras(state);
+  if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
+    const untold = match?.geometry == null ? '' : ', and the matches do not tell the focal length';
+    return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+  }
+  for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
+    const failure = state.failures[stage];
+    if (failure !== undefined && failure.key === keys[stage]) return `Not oriented. ${failure.message}`;
+  }
+  return null;
+}
+
+/** The true orientation at the scale of a result's base; null where it is not known. */
+function truthFor(state: State, { base_mm: base }: RelativeOrientation): FiveParameters | null {
+  const truth = truthOf(state);
+  return truth === null ? null : orientationAt(truth, base);
+}
+
+function valueTable(state: State, result: RelativeOrientation): HTMLElement {
+  const truth = truthFor(state, result);
+  const ofPaper = truth === null && hasPaperCamera(state);
+  const { standard_errors: errors, total_standard_errors: total } = result;
+  const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
+    h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
+  const rows = UNKNOWNS.map(({ field, symbol, unit, digits, paperError, paperValue }) => {
+    const error = truth === null ? NaN : result[field] - truth[field];
+    const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
+    const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+    const printed = ofPaper ? [number(`paper-${field}`, paperValue, digits, 'paper'), number(`paper-error-${field}`, paperError, digits, 'paper')] : [];
+    const compared = truth === null
+      ? printed
+      : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+  });
+  const heads: [string, string][] = [
+    ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
+    ['Std error', 'What the scatter of the matches leaves uncertain.'],
+    ...(total === null ? [] : [['In total', 'The same with what does not average out over the matches: neighbouring ones share errors, since their windows see the same, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
+    ...(ofPaper ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
+    ...(truth === null
+      ? []
+      : [['True error', 'Value minus truth, that of by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
+  ];
+  const paper = ofPaper ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
+    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)))),
+    h('tbody', {}, ...rows))), paper);
+}
+
+const WEAKNESSES: Readonly<Record<Weakness, string>> = {
+  plane: 'Weak: all points lie in a plane within their precision. A second orientation fits a plane nearly as well.',
+  rotation: 'Weak: the photos hardly differ but by a rotation. The base is too short to be told from noise and distortion.',
+  clustered: 'Weak: the points cover a small part of the photo, so that errors grow outside it.',
+  ill_conditioned: 'Weak: the unknowns can hardly be told apart, as over a critical cylinder or along a line.',
+};
+
+function warnings({ weaknesses }: RelativeOrientation): HTMLElement[] {
+  return weaknesses.map((weakness) => h('p', { class: 'field-problem', testid: `weakness-${weakness}` }, WEAKNESSES[weakness]));
+}
+
+function precision(state: State, result: RelativeOrientation): HTMLElement {
+  const interior = interiorInUse(state)?.left;
+  const pixel = interior === undefined ? null : pixelMm(interior);
+  const sigma = result.sigma0_mm;
+  const used = result.residuals_mm.length - result.rejected.length;
+  const test = result.global_test;
+  const list: Fact[] = [
+    {
+      name: 'σ₀ of a photo coordinate', testid: 'sigma0', value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`,
+      help: `Standard error of one photo coordinate of weight 1, from the residuals. ${SIGMA_CAVEAT}`,
+    },
+    {
+      name: 'of a y-parallax (√2 σ₀)', testid: 'sigma-parallax', value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
+      help: 'Standard error of the y-parallax of a match: how far its two rays pass each other.',
+    },
+    ...(test === null ? [] : [{
+      name: 'Global test', testid: 'global-test', value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`, ...(test.passed ? {} : { kind: 'problem' as const }),
+      help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
+    }]),
+    { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
+    { name: 'Matches used', testid: 'matches-used', value: `${count(used)} of ${count(result.residuals_mm.length)}`, help: 'The others were left out as gross errors by data snooping, or because their rays meet behind a camera.' },
+    {
+      name: 'Condition', testid: 'condition', value: significant(result.condition),
+      help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they can hardly be told apart.',
+    },
+    {
+      name: 'Misfit to a plane', testid: 'plane-misfit', value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
+      help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief.',
+    },
+    {
+      name: 'Parallax beside a rotation', testid: 'rotation-parallax', value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
+      help: 'Median parallax that the best rotation of the right photo leaves: what of the difference of the photos only a base explains. Next to nothing where the camera only turned.',
+    },
+    {
+      name: 'Spread', testid: 'spread', value: `${fixed(result.spread, 3)} f`,
+      help: 'Root mean square distance of the points from their middle in the left photo, in principal distances. Small where they cover little of the photo.',
+    },
+    {
+      name: 'Iterations, last step', testid: 'iterations', value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+      help: 'The last step relative to a millionth of the standard errors: below 1 the adjustment has converged.',
+    },
+    { name: 'Base b, principal distance', testid: 'base', value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`, help: 'The base component that was fixed gives by and bz their scale.' },
+    ...(hasPaperCamera(state) ? [{ name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' }] : []),
+  ];
+  return facts(list);
+}
+
+function pictures(state: State, result: RelativeOrientation): HTMLElement {
+  const truth = truthFor(state, result);
+  const deviation: [number, number] | null = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+  const ellipse = result.base_ellipse_mm;
+  return h('div', { class: 'precision-pictures' }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
+}

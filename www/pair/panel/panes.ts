@@ -1,0 +1,64 @@
+/** What lies over the canvas: the name of each image with its buttons, and the invitation where there is none. */
+import type { Side, State } from '../state/state';
+import { SIDES } from '../state/state';
+import type { Store } from '../state/store';
+import { panesOf } from '../view/geometry';
+import type { View } from '../view/view';
+import { button, fill, h } from '../../shared/panel/dom';
+import { count } from '../../shared/text/format';
+
+export interface PaneActions {
+  open: (side: Side) => void;
+  /** Asks for a mask of a side. */
+  mask: (side: Side) => void;
+  unmask: (side: Side) => void;
+}
+
+export function mountPanes(view: View, store: Store, actions: PaneActions): void {
+  const labels = { left: label('left', actions), right: label('right', actions) };
+  view.host.append(labels.left.element, labels.right.element);
+  const place = () => {
+    const panes = panesOf(view.host.clientWidth, view.host.clientHeight);
+    for (const side of SIDES) {
+      const { style } = labels[side].element;
+      const { left, top, width, height } = panes[side];
+      Object.assign(style, { left: `${String(left)}px`, top: `${String(top)}px`, width: `${String(width)}px`, height: `${String(height)}px` });
+    }
+  };
+  new ResizeObserver(place).observe(view.host);
+  store.watch((s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const, () => {
+    for (const side of SIDES) {
+      labels[side].element.classList.toggle('is-active', store.state.activeSide === side);
+      labels[side].element.classList.toggle('is-empty', store.state.images[side] === null);
+      labels[side].show(store.state);
+    }
+  });
+}
+
+function label(side: Side, actions: PaneActions): { element: HTMLElement; show: (state: State) => void } {
+  const name = h('span', { class: 'pane-name', testid: `name-${side}` });
+  const replace = button('Replace …', `replace-${side}`, () => { actions.open(side); });
+  replace.setAttribute('aria-label', `Replace the ${side} image`);
+  const empty = button(`Open the ${side} image …`, `open-${side}`, () => { actions.open(side); });
+  empty.className = 'invitation';
+  const mask = button('Mask …', `mask-${side}`, () => { actions.mask(side); }, 'An image of the same size: where it is 0 (black), no points are wanted');
+  const unmask = button('× mask', `unmask-${side}`, () => { actions.unmask(side); });
+  unmask.setAttribute('aria-label', `Take the mask of the ${side} image away`);
+  const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
+  const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);
+  const show = (state: State) => {
+    const image = state.images[side];
+    const opened = state.results[side === 'left' ? 'openLeft' : 'openRight'];
+    const given = state.masks[side];
+    head.hidden = image === null;
+    mask.hidden = given !== null;
+    unmask.hidden = given === null;
+    unmask.title = given === null ? '' : `Take ${given.name} away`;
+    empty.hidden = image !== null;
+    const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
+    // Beside the buttons a long one is cut off, and the size left out where it has no place.
+    name.title = image === null ? '' : `${image.name}${size}`;
+    fill(name, h('span', {}, image?.name ?? ''), h('span', {}, size));
+  };
+  return { element, show };
+}

@@ -1,0 +1,34 @@
+/** Everything that can happen to the state. */
+import type { Camera, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
+import type { Notice } from '../../shared/state/notice';
+import type {
+  Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart,
+} from './state';
+
+export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
+
+export type Action =
+  | { type: 'ready'; catalogue: Catalogue }
+  | { type: 'images'; images: Partial<Record<Side, GivenImage>> }
+  | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
+  | { type: 'flight'; flight: Flight }
+  | { type: 'swap' }
+  | { type: 'settings'; settings: Settings }
+  /** Of the fields of a part of the state, the one of this label holds a value that is not allowed; null where none does. */
+  | { type: 'refused'; part: TypedPart; label: string | null }
+  | { type: 'camera'; camera: Camera | null }
+  | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
+  | { type: 'mask'; side: Side; mask: GivenMask | null }
+  | { type: 'fiducialModel'; model: FiducialModel }
+  | { type: 'offset'; offset: [number, number] | null }
+  | { type: 'stageStarted'; stage: StageName; key: string }
+  | StageDone
+  | { type: 'stageFailed'; stage: StageName; failure: StageFailure }
+  | { type: 'stageStopped'; stage: StageName }
+  | { type: 'cancelled' }
+  | { type: 'resume' }
+  | { type: 'select'; selection: Selection | null }
+  | { type: 'activeSide'; side: Side }
+  | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
+  | { type: 'display'; display: Partial<Display> }
+  | { type: 'notice'; notice: Notice | null };

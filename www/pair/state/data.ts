@@ -1,0 +1,35 @@
+/** What passes between the stages of a pair. */
+import type { FiducialOrientation, Interior, MatchResult, PairInterior, SampleImage } from '../../shared/crate';
+
+/** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
+export type ImageSource =
+  | { kind: 'file'; file: Blob }
+  | ({ kind: 'grey' } & SampleImage);
+
+/** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
+export interface Overview {
+  bitmap: ImageBitmap;
+  halvings: number;
+}
+
+/** The matches of a pair, with the interior orientations that they themselves tell where no camera is known. */
+export interface PairMatches extends MatchResult {
+  estimated: PairInterior | null;
+}
+
+/** A grey image of the size of another: where it is 0, no points are wanted. */
+export interface MaskImage {
+  width: number;
+  height: number;
+  grey: Uint8Array;
+  /** Share of the pixels that are left out. */
+  leftOut: number;
+  /** These pixels in colour, reduced for display. */
+  overlay: ImageBitmap;
+}
+
+export interface InteriorOutput {
+  interior: Interior;
+  /** Absent without fiducials. */
+  fiducials: FiducialOrientation | null;
+}

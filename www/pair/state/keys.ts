@@ -1,0 +1,149 @@
+/**
+ * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
+ * change is not computed again, whatever was changed elsewhere.
+ */
+import type { Camera, Settings } from '../../shared/crate';
+import { truthOf } from './truth';
+import { SIDES } from './state';
+import type { Side, StageName, State } from './state';
+
+/** The wanted key of each stage; null where an input is missing. */
+export type WantedKeys = Record<StageName, string | null>;
+
+const numbers = new Map<string, string>();
+
+/** A short name for a value: equal values get equal names. Keys of keys would otherwise grow with every stage. */
+function shortName(parts: readonly unknown[]): string {
+  const text = JSON.stringify(parts);
+  let name = numbers.get(text);
+  if (name === undefined) {
+    name = `k${String(numbers.size)}`;
+    numbers.set(text, name);
+  }
+  return name;
+}
+
+/** The key of a stage from its inputs; null where one of them is missing. */
+function keyOf(kind: string, inputs: readonly (string | null)[], options: unknown = null): string | null {
+  return inputs.includes(null) ? null : shortName([kind, inputs, options]);
+}
+
+/** The cameras of a pair and where they are known from; or, in words, what is missing. */
+export type PairCameras = { left: Camera; right: Camera; from: 'given' | 'exif' } | { missing: string };
+
+/** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
+export function pairCameras(state: State): PairCameras {
+  const cameras = SIDES.map((side) => cameraOf(state, side));
+  const [left, right] = cameras;
+  if (typeof left === 'string') return { missing: left };
+  if (typeof right === 'string') return { missing: right };
+  if (left === undefined || right === undefined) throw new Error('a pair has two sides');
+  return { left, right, from: state.camera === null ? 'exif' : 'given' };
+}
+
+function cameraOf(state: State, side: Side): Camera | string {
+  const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
+  const marked = state.photos[side].fiducials.length > 0;
+  const camera = state.camera ?? (exif === null ? null : { focal_mm: exif.focal_mm, pixel_mm: exif.pixel_mm });
+  if (camera === null) return marked ? 'fiducial marks are given, but no principal distance' : `no camera is given, and the ${side} image’s EXIF names none`;
+  if (!marked && camera.pixel_mm == null) return `the ${side} image has neither fiducial marks nor a pixel size`;
+  return camera;
+}
+
+/** Whether a strategy searches the right image itself, in place of its interest points. */
+export function comparesGreyValues({ matching }: Settings): boolean {
+  return matching.strategy === 'correlation' || matching.strategy === 'least-squares';
+}
+
+/** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
+export function comparesGradients({ matching }: Settings): boolean {
+  return matching.strategy === 'gradient';
+}
+
+/** Whether a strategy compares the moments of windows. */
+export function comparesMoments(settings: Settings): boolean {
+  return !comparesGreyValues(settings) && !comparesGradients(settings);
+}
+
+/** What the points depend on: of the groups `multiscale` and `gradient` only what is used. */
+function pointSettings(settings: Settings): unknown[] {
+  const gradients = comparesGradients(settings);
+  const scales = gradients || settings.points.operator === 'multiscale';
+  return [settings.points, scales ? settings.multiscale : null, gradients ? settings.gradient : null];
+}
+
+/** What the interior orientation of the matches' own making comes from: the matches, where they tell it or are still to come. */
+function estimatedFrom(state: State, settings: Settings, match: string | null): string | null {
+  const result = state.results.match;
+  const tellsNone = result !== undefined && result.key === match && result.value.estimated === null;
+  return comparesGradients(settings) && !tellsNone ? '' : null;
+}
+
+/** Photos from one place have no base: there is nothing to orient. */
+function fromOnePlace(state: State, match: string | null): boolean {
+  const result = state.results.match;
+  return result !== undefined && result.key === match && result.value.geometry?.degenerate === 'pure-rotation';
+}
+
+function openKey(state: State, side: Side): string | null {
+  const image = state.images[side];
+  return image === null ? null : keyOf('open', [], image.id);
+}
+
+/** What of the cameras matching depends on: the geometry that verifies gradients, and matching along epipolar lines. */
+function ofCameras(settings: Settings | null, interiors: readonly (string | null)[]): unknown[] {
+  if (settings === null) return [];
+  if (comparesGradients(settings)) return [...interiors, settings.geometry];
+  return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
+}
+
+function compute(state: State): WantedKeys {
+  const { settings } = state;
+  const openLeft = openKey(state, 'left');
+  const openRight = openKey(state, 'right');
+  const points = (side: Side, open: string | null) =>
+    settings === null ? null : keyOf('points', [open], [pointSettings(settings), state.masks[side]?.id]);
+  const pointsLeft = points('left', openLeft);
+  const pointsRight = points('right', openRight);
+  const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
+  const descriptorsLeft = keyOf('descriptors', [pointsLeft], described);
+  const descriptorsRight = keyOf('descriptors', [pointsRight], described);
+  const gradients = settings !== null && comparesGradients(settings);
+  const given = state.offset === null ? keyOf('offset', [openLeft, openRight]) : keyOf('offset', [], state.offset);
+  const offset = gradients ? null : given;
+  const cameras = pairCameras(state);
+  const interior = (side: Side, open: string | null) =>
+    'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, state.photos[side], state.fiducialModel]);
+  const interiorLeft = interior('left', openLeft);
+  const interiorRight = interior('right', openRight);
+  const match = keyOf('match', [descriptorsLeft, descriptorsRight, gradients ? '' : offset], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+  const interiors = 'missing' in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
+  const orientable = fromOnePlace(state, match) ? null : '';
+  const truth = truthOf(state);
+  return {
+    openLeft, openRight, pointsLeft, pointsRight, descriptorsLeft, descriptorsRight, offset, match, interiorLeft, interiorRight,
+    orientation: keyOf('orientation', [match, orientable, ...interiors], settings?.orientation),
+    score: keyOf('score', [match, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
+    inspection: keyOf('inspection', [match, state.selection === null ? null : ''], [state.selection, settings?.window]),
+  };
+}
+
+let last: { state: State; keys: WantedKeys } | null = null;
+
+/** The wanted keys of a state; computed once a state. */
+export function wantedKeys(state: State): WantedKeys {
+  if (last?.state !== state) last = { state, keys: compute(state) };
+  return last.keys;
+}
+
+/** Whether a stage's result is there and made by the settings that are wanted now. */
+export function isCurrent(state: State, stage: StageName): boolean {
+  const key = wantedKeys(state)[stage];
+  return key !== null && state.results[stage]?.key === key;
+}
+
+/** Whether a stage shows a result that other settings made. What is not part of the run is neither shown nor out of date. */
+export function isStale(state: State, stage: StageName): boolean {
+  const key = wantedKeys(state)[stage];
+  return key !== null && state.results[stage] !== undefined && state.results[stage].key !== key;
+}

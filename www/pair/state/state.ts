@@ -1,0 +1,207 @@
+/** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
+import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
+import type {
+  Camera, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
+  PhotoInfo, RelativeOrientation, WindowReport,
+} from '../../shared/crate';
+import type { Notice } from '../../shared/state/notice';
+
+export type Side = 'left' | 'right';
+export const SIDES: readonly Side[] = ['left', 'right'];
+
+export function otherSide(side: Side): Side {
+  return side === 'left' ? 'right' : 'left';
+}
+
+/** An image the user gave. `id` differs for every image ever given. */
+export interface GivenImage {
+  id: number;
+  name: string;
+  source: ImageSource;
+}
+
+/** Where an image holds no points that are wanted. `id` differs for every mask ever given. */
+export interface GivenMask extends MaskImage {
+  id: number;
+  name: string;
+}
+
+/** What the user says of a photo. */
+export interface PhotoData {
+  fiducials: Fiducial[];
+  /** Where the image's top-left pixel lies in the scan whose fiducials were measured. */
+  origin: [number, number] | null;
+}
+
+/** The known answers of a simulated pair, for the images with these ids. */
+export interface FlightTruth {
+  leftId: number;
+  rightId: number;
+  orientation: FiveParameters;
+  /** The base that gives by and bz of the orientation their scale. */
+  baseMm: number;
+  /** x, y in the right image of each left pixel, row by row; NaN where it is not seen there. */
+  rightPosition: Float32Array;
+  leftWidth: number;
+  leftHeight: number;
+}
+
+/** The window of a point or place, or why it has no moments. `col` and `row` are those of its centre pixel. */
+export interface PointWindow {
+  col: number;
+  row: number;
+  report: WindowReport | null;
+  problem: string | null;
+}
+
+/** A point with its gradient descriptor, and what of the image it describes. */
+export interface FeatureView {
+  /** 4 x 4 cells of 8 directions. */
+  descriptor: Uint8Array;
+  scale: number;
+  /** Of the grid's rows in the image, rad from x towards y. */
+  direction: number;
+  /** Side of the 4 x 4 cells in px. */
+  reach: number;
+  /** The cells turned and scaled to the frame of the point, and their surroundings as they lie in the image: grey values row by row. */
+  turned: Uint8Array;
+  upright: Uint8Array;
+}
+
+/** Where the selected point may be seen in the other image: x, y in px along its epipolar line, or of one place; stride 2. */
+export interface SeenAt {
+  side: Side;
+  positions: Float64Array;
+}
+
+/** What is looked up about the selected point. */
+export interface Inspection {
+  left: PointWindow | null;
+  right: PointWindow | null;
+  /** For the strategy that compares gradients, in place of the windows. */
+  features: Record<Side, FeatureView | null> | null;
+  /** Stride 2: right index, measure; best first. Empty where the strategy searches the image in place of points. */
+  candidates: Float64Array;
+  line: SeenAt | null;
+}
+
+/** Points; those of the strategy gradient come with 128 bytes each, the others with none. */
+export type FoundPoints = DetectedPoints & Pick<DescribedPoints, 'gradients'>;
+
+/** What the strategy compares of each point. */
+export type GivenDescriptors = Pick<DescribedPoints, 'moments' | 'gradients'>;
+
+/** What each stage makes. */
+export interface StageValues {
+  openLeft: { info: PhotoInfo; overview: Overview };
+  openRight: { info: PhotoInfo; overview: Overview };
+  pointsLeft: FoundPoints;
+  pointsRight: FoundPoints;
+  descriptorsLeft: GivenDescriptors;
+  descriptorsRight: GivenDescriptors;
+  offset: OffsetField;
+  match: PairMatches;
+  interiorLeft: InteriorOutput;
+  interiorRight: InteriorOutput;
+  orientation: RelativeOrientation;
+  score: MatchScore;
+  inspection: Inspection;
+}
+
+export type StageName = keyof StageValues;
+
+export interface StageResult<S extends StageName> {
+  key: string;
+  value: StageValues[S];
+  milliseconds: number;
+}
+
+export type Results = { [S in StageName]?: StageResult<S> };
+
+/** Why a stage has no result for a key. */
+export interface StageFailure {
+  key: string;
+  message: string;
+  /** The worker ended: it can be tried again as it is. */
+  ended: boolean;
+}
+
+export interface Selection {
+  side: Side;
+  index: number;
+}
+
+/** Where a pane looks: the image position at its centre and CSS px per image px. */
+export interface PaneView {
+  x: number;
+  y: number;
+  scale: number;
+}
+
+export type PointLayer = 'all' | 'matched' | 'none';
+export type LineLayer = 'all' | 'some' | 'none';
+
+export interface Display {
+  points: PointLayer;
+  lines: LineLayer;
+  /** Enlargement of the residual vectors; 0 hides them. */
+  vectors: number;
+  linked: boolean;
+  magnifier: boolean;
+  /** Codes of `pointCodes` that are hidden. */
+  hidden: readonly number[];
+}
+
+/** Parts of the state that are typed in fields. */
+export const TYPED_PARTS = ['settings', 'camera', 'photos', 'offset'] as const;
+export type TypedPart = (typeof TYPED_PARTS)[number];
+
+export interface State {
+  catalogue: Catalogue | null;
+  settings: Settings | null;
+  /** Labels of fields that hold a value that is not allowed; the last valid one is in use. */
+  refused: Readonly<Partial<Record<TypedPart, string>>>;
+  images: Record<Side, GivenImage | null>;
+  photos: Record<Side, PhotoData>;
+  masks: Record<Side, GivenMask | null>;
+  camera: Camera | null;
+  fiducialModel: FiducialModel;
+  /** Offset given by the user; estimated where null. */
+  offset: [number, number] | null;
+  truth: FlightTruth | null;
+  /** The flight that the panel of simulation shows; null until the crate is loaded. */
+  flight: Flight | null;
+  results: Results;
+  running: Partial<Record<StageName, string>>;
+  failures: Partial<Record<StageName, StageFailure>>;
+  /** Nothing runs until the user asks or changes something. */
+  paused: boolean;
+  selection: Selection | null;
+  activeSide: Side;
+  views: Record<Side, PaneView | null>;
+  display: Display;
+  notice: Notice | null;
+}
+
+export const INITIAL: State = {
+  catalogue: null,
+  settings: null,
+  refused: {},
+  images: { left: null, right: null },
+  photos: { left: { fiducials: [], origin: null }, right: { fiducials: [], origin: null } },
+  masks: { left: null, right: null },
+  camera: null,
+  fiducialModel: 'affine',
+  offset: null,
+  truth: null,
+  flight: null,
+  results: {},
+  running: {},
+  failures: {},
+  paused: false,
+  selection: null,
+  activeSide: 'left',
+  views: { left: null, right: null },
+  display: { points: 'all', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
+  notice: null,
+};

@@ -1,0 +1,91 @@
+/** What the view shows, gathered from the state once a drawing. */
+import type { MatchResult, RelativeOrientation } from '../../shared/crate';
+import { interiorInUse } from '../state/interior';
+import { residualVectors } from '../state/residuals';
+import { GROSS_ERROR, MATCHED } from '../state/codes';
+import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
+import type { Places } from '../state/select';
+import { SIDES } from '../state/state';
+import type { Display, Side, State } from '../state/state';
+import { wantedKeys } from '../state/keys';
+import { fitView, panesOf, transformOf } from './geometry';
+import type { Rect, Transform } from './geometry';
+import type { Picture } from './picture';
+
+export interface Pane {
+  side: Side;
+  rect: Rect;
+  transform: Transform;
+  picture: Picture | null;
+  points: Float64Array | null;
+  /** Scale and direction of each point, stride 2; empty for points of one scale. */
+  frames: Float64Array | null;
+  /** One a point; see `palette.ts`. */
+  codes: Uint8Array;
+  vectors: Float64Array | null;
+}
+
+export interface Scene {
+  panes: Record<Side, Pane>;
+  match: MatchResult | null;
+  orientation: RelativeOrientation | null;
+  matchCodes: Uint8Array;
+  /** Matched places of the right image that are no interest points. */
+  places: Places;
+}
+
+function pictureOf(state: State, side: Side): Picture | null {
+  const stage = side === 'left' ? 'openLeft' : 'openRight';
+  const image = state.images[side];
+  const opened = state.results[stage];
+  if (image === null || opened === undefined || opened.key !== wantedKeys(state)[stage]) return null;
+  const { info, overview } = opened.value;
+  return { imageId: image.id, width: info.width, height: info.height, overview };
+}
+
+/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
+export function sceneOf(state: State, width: number, height: number): Scene {
+  const rects = panesOf(width, height);
+  const shown = shownPair(state);
+  const codes = {
+    left: leftCodes(shown.left, shown.match, shown.orientation),
+    right: rightCodes(shown.right, shown.match, shown.orientation),
+  };
+  const pane = (side: Side): Pane => {
+    const picture = pictureOf(state, side);
+    const view = state.views[side] ?? (picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height));
+    const interior = interiorInUse(state)?.[side];
+    const vectors =
+      shown.match !== null && shown.orientation !== null && interior !== undefined
+        ? residualVectors[side](shown.match, shown.orientation, interior)
+        : null;
+    return {
+      side, rect: rects[side], transform: transformOf(rects[side], view), picture,
+      points: picture === null ? null : shown[side],
+      frames: state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.frames ?? null, codes: codes[side], vectors,
+    };
+  };
+  const ofMatches = matchCodes(shown.match, shown.orientation);
+  return {
+    panes: { left: pane('left'), right: pane('right') },
+    match: shown.match,
+    orientation: shown.orientation,
+    matchCodes: ofMatches,
+    places: loosePlaces(shown.match, ofMatches),
+  };
+}
+
+/** Codes of points that the layer settings show. */
+export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, code: number): boolean {
+  if (hidden.includes(code)) return false;
+  return points === 'all' || (points === 'matched' && (code === MATCHED || code === GROSS_ERROR));
+}
+
+/** The pane at a canvas position. */
+export function paneAt(scene: Scene, x: number, y: number): Pane | null {
+  for (const side of SIDES) {
+    const { rect } = scene.panes[side];
+    if (x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height) return scene.panes[side];
+  }
+  return null;
+}

@@ -1,0 +1,28 @@
+/** What passes between the page and its workers. Each part of the page has a table of calls: name to input and output. */
+
+/** What a table of calls must be like. */
+export type Table<C> = { [K in keyof C]: { input: unknown; output: unknown } };
+
+/** What answers the calls of a table. */
+export type Handlers<C extends Table<C>> = { [K in keyof C]: (input: C[K]['input']) => C[K]['output'] | Promise<C[K]['output']> };
+
+/** The first message to a worker. */
+export interface StartMessage {
+  module: WebAssembly.Module;
+}
+
+export interface RequestMessage {
+  id: number;
+  call: string;
+  input: unknown;
+}
+
+/** Why a call failed. After `trap` and `memory` the worker must be ended: its wasm memory is no longer to be trusted. */
+export interface WireFailure {
+  kind: 'refused' | 'trap' | 'memory' | 'other';
+  /** The crate's stable code, where it refused. */
+  code: string | null;
+  message: string;
+}
+
+export type ResponseMessage = { id: number; output: unknown } | { id: number; failure: WireFailure };

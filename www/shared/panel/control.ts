@@ -1,0 +1,169 @@
+/** A control for a parameter that the crate names: label, unit, range and help come from there. */
+import type { Parameter } from '../crate';
+import { button, h } from './dom';
+
+export type Value = number | string | boolean | null;
+
+/** What a control reads and changes. */
+export interface Binding {
+  set: (value: Value) => void;
+  /** The default; null where an empty field is one. */
+  standard: () => Value;
+  /** What an empty field stands for; null where the field may not be empty. */
+  whenEmpty: () => number | string | null;
+  /** Told that the field holds a value that is not allowed and not used. */
+  refused?: () => void;
+}
+
+export interface Control {
+  parameter: Parameter;
+  element: HTMLElement;
+  show: (value: Value) => void;
+  /** Says that the value shown is not allowed beside the others. */
+  refuse: (text: string) => void;
+}
+
+/** Beyond this many steps, or this range of a real number, a slider is too coarse to be of use. */
+const SLIDER_STEPS = 200;
+const WIDEST_SLIDER = 20;
+
+export function makeControl(parameter: Parameter, binding: Binding): Control {
+  const id = `p-${parameter.key.replace('.', '-')}`;
+  const field = makeField(parameter, id, binding);
+  const help = h('p', { class: 'help', id: `${id}-help`, hidden: true }, parameter.help);
+  const problem = h('p', { class: 'field-problem', id: `${id}-problem`, role: 'alert' });
+  const reset = button('↺', `reset-${parameter.key}`, () => { binding.set(binding.standard()); }, 'Default');
+  reset.className = 'icon';
+  reset.setAttribute('aria-label', `${parameter.label}: default`);
+  const flag = parameter.kind === 'flag';
+  const element = h('div', { class: 'control' },
+    h('div', { class: 'control-head' },
+      ...(flag ? field.elements : []), h('label', { for: id }, parameter.label, parameter.unit === '' ? null : h('span', { class: 'unit' }, ` ${parameter.unit}`)),
+      reset, helpButton(parameter, help)),
+    ...(flag ? [] : field.elements), problem, help);
+  const show = (value: Value) => {
+    field.show(value);
+    problem.textContent = '';
+    reset.hidden = binding.standard() === value;
+  };
+  field.onProblem((text) => {
+    problem.textContent = text;
+    binding.refused?.();
+  });
+  const refuse = (text: string) => {
+    problem.textContent = text;
+    element.querySelector(`[id="${id}"]`)?.setAttribute('aria-invalid', 'true');
+  };
+  return { parameter, element, show, refuse };
+}
+
+function helpButton(parameter: Parameter, help: HTMLElement): HTMLButtonElement {
+  const made = button('?', `help-${parameter.key}`, () => {
+    help.hidden = !help.hidden;
+    made.setAttribute('aria-expanded', String(!help.hidden));
+  }, parameter.help);
+  made.className = 'icon';
+  made.setAttribute('aria-expanded', 'false');
+  made.setAttribute('aria-controls', help.id);
+  made.setAttribute('aria-label', `Help: ${parameter.label}`);
+  return made;
+}
+
+interface Field {
+  elements: HTMLElement[];
+  show: (value: Value) => void;
+  onProblem: (tell: (text: string) => void) => void;
+}
+
+function makeField(parameter: Parameter, id: string, binding: Binding): Field {
+  switch (parameter.kind) {
+    case 'flag': return flagField(parameter, id, binding);
+    case 'choice': return choiceField(parameter, parameter.values, id, binding);
+    default: return numberField(parameter, id, binding);
+  }
+}
+
+function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
+  const input = h('input', { id, type: 'checkbox', key: parameter.key, aria: { describedby: `${id}-help` } });
+  input.addEventListener('change', () => { set(input.checked); });
+  return { elements: [input], show: (value) => { input.checked = value === true; }, onProblem: () => undefined };
+}
+
+function choiceField(parameter: Parameter, values: readonly string[], id: string, { set, standard, whenEmpty }: Binding): Field {
+  const select = h('select', { id, key: parameter.key, aria: { describedby: `${id}-help` } });
+  if (standard() === null) select.append(new Option(String(whenEmpty() ?? ''), ''));
+  for (const value of values) select.append(new Option(choiceName(value), value));
+  select.addEventListener('change', () => { set(select.value === '' ? null : select.value); });
+  return { elements: [select], show: (value) => { select.value = String(value ?? ''); }, onProblem: () => undefined };
+}
+
+const CHOICE_NAMES: Readonly<Record<string, string>> = {
+  ground1: 'Ground 1', ground2: 'Ground 2', forstner: 'Förstner', moravec: 'Moravec',
+  multiscale: 'many scales', moments: 'moments (DM)', invariants: 'invariants (DI)', 'least-squares': 'least squares', gradient: 'gradients',
+  quadratic: 'quadratic',
+  maxabs: 'larger magnitude', floor: 'larger magnitude, with floor', keep: 'keep all', first: 'keep the first',
+  unit: 'grey / 255', huber: 'Huber', danish: 'Danish',
+};
+
+/** How the page writes a choice; most are plain words already. */
+export function choiceName(value: string): string {
+  return CHOICE_NAMES[value] ?? value;
+}
+
+type NumberParameter = Extract<Parameter, { kind: 'integer' | 'real' }>;
+
+/** The step of a whole number; null where any number between is allowed. */
+function stepOf(parameter: NumberParameter): number | null {
+  if (parameter.kind === 'real') return null;
+  return parameter.odd ? 2 : 1;
+}
+
+function rangeText(parameter: NumberParameter): string {
+  const what = { 2: 'an odd number', 1: 'a whole number', any: 'a number' }[stepOf(parameter) ?? 'any'];
+  return `${what ?? 'a number'} from ${String(parameter.min)} to ${String(parameter.max)}`;
+}
+
+function numberField(parameter: NumberParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
+  const step = stepOf(parameter);
+  const input = h('input', { id, type: 'number', key: parameter.key, aria: { describedby: `${id}-help ${id}-problem` } });
+  input.inputMode = step === null ? 'decimal' : 'numeric';
+  input.min = String(parameter.min);
+  input.max = String(parameter.max);
+  input.step = step === null ? 'any' : String(step);
+  const slider = makeSlider(parameter, step);
+  let tell: (text: string) => void = () => undefined;
+  const optional = () => standard() === null;
+  input.addEventListener('input', () => {
+    if (input.value === '' && !input.validity.badInput && optional()) {
+      set(null);
+      return;
+    }
+    if (!input.validity.valid || input.value === '') {
+      input.setAttribute('aria-invalid', 'true');
+      tell(`Allowed: ${rangeText(parameter)}${optional() ? ', or empty' : ''}. The last valid value stays in use.`);
+      return;
+    }
+    set(input.valueAsNumber);
+  });
+  slider?.addEventListener('input', () => { set(slider.valueAsNumber); });
+  const show = (value: Value) => {
+    input.removeAttribute('aria-invalid');
+    const absent = optional() ? whenEmpty() : null;
+    input.placeholder = absent === null ? '' : String(absent);
+    input.title = absent === null ? '' : `Empty: ${String(absent)}`;
+    if (input.value === '' || input.valueAsNumber !== value) input.value = value === null ? '' : String(value);
+    const shown = value ?? absent;
+    if (slider !== null) slider.value = String(typeof shown === 'number' ? shown : parameter.min);
+  };
+  return { elements: slider === null ? [input] : [h('div', { class: 'with-slider' }, slider, input)], show, onProblem: (listener) => { tell = listener; } };
+}
+
+function makeSlider(parameter: NumberParameter, step: number | null): HTMLInputElement | null {
+  const range = parameter.max - parameter.min;
+  if (step === null ? range > WIDEST_SLIDER : range / step > SLIDER_STEPS) return null;
+  const slider = h('input', { type: 'range', aria: { label: `${parameter.label}, slider` } });
+  slider.min = String(parameter.min);
+  slider.max = String(parameter.max);
+  slider.step = String(step ?? range / 100);
+  return slider;
+}
