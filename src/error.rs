@@ -49,6 +49,9 @@ pub enum Error {
     /// A file that is not what it should be, is damaged, or is of a newer version.
     #[error("{what} cannot be read: {place}: {reason}")]
     UnreadableFile { what: &'static str, place: String, reason: String },
+    /// Images whose names formats cannot hold.
+    #[error("these images cannot be exported as {formats} ({reason}): rename them, or leave out what cannot hold their names")]
+    NotExportable { formats: String, reason: String },
     /// A sink that takes no more text.
     #[error("{what} cannot be written: its sink takes no more text")]
     NotWritten { what: &'static str },
@@ -60,7 +63,7 @@ impl Error {
         match self {
             Error::InvalidOption { .. } => "invalid-option",
             Error::InvalidJson { .. } => "invalid-json",
-            Error::InvalidInput { .. } => "invalid-input",
+            Error::InvalidInput { .. } | Error::NotExportable { .. } => "invalid-input",
             Error::UnreadableImage { .. } => "unreadable-image",
             Error::UnsupportedImage { .. } => "unsupported-image",
             Error::TooManyPixels { .. } => "too-many-pixels",

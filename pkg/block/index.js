@@ -3,5 +3,4 @@
 
 export { groupCameras, knownCamera } from './cameras.js';
 export { BlockError } from './errors.js';
-export { chosenOf, FIXED_FILES, PROJECT_FILE, writeBlock, writing } from './files.js';
 export { runBlock } from './run.js';

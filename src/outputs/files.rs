@@ -105,7 +105,7 @@ fn json(value: &impl Serialize, indented: bool) -> Result<String, Error> {
 /// anything is computed.
 ///
 /// # Errors
-/// [`Error::InvalidInput`] where formats cannot hold the names, or a name of a file would be longer than 255 bytes.
+/// [`Error::NotExportable`] where formats cannot hold the names, or a name of a file would be longer than 255 bytes.
 pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<String>, Error> {
     let mut paths: Vec<String> = FIXED.iter().map(ToString::to_string).collect();
     let mut refused: Vec<(String, String)> = Vec::new();
@@ -128,12 +128,8 @@ pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<S
         }
     }
     let Some((_, reason)) = refused.first() else { return Ok(paths) };
-    let folders: Vec<&str> = refused.iter().map(|(folder, _)| &folder[..]).collect();
-    Err(Error::InvalidInput {
-        what: "names of the images",
-        got: format!("what {} cannot hold ({reason})", folders.join(", ")),
-        allowed: "other names, or other formats".into(),
-    })
+    let formats: Vec<&str> = refused.iter().map(|(format, _)| &format[..]).collect();
+    Err(Error::NotExportable { formats: formats.join(", "), reason: reason.clone() })
 }
 
 /// A block of these images that has no points.
@@ -166,7 +162,7 @@ mod tests {
         assert!(paths.starts_with(&FIXED.map(String::from)) && paths.contains(&"colmap/features/a.jpg.txt".into()), "{paths:?}");
         let refused = |name: &str, formats: &[ExportFormat]| planned_files(&names(&["a.jpg", name]), formats).unwrap_err().to_string();
         let formats = [ExportFormat::Csv, ExportFormat::Micmac, ExportFormat::Colmap];
-        assert!(refused("b c.jpg", &formats).contains("micmac, colmap cannot hold"), "{}", refused("b c.jpg", &formats));
+        assert!(refused("b c.jpg", &formats).contains("exported as micmac, colmap ("), "{}", refused("b c.jpg", &formats));
         let long = "x".repeat(252);
         assert!(refused(&long, &formats[2..]).contains("256 bytes"), "{}", refused(&long, &formats[2..]));
         planned_files(&names(&["a.jpg", &long]), &formats[..1]).unwrap();

@@ -6,7 +6,6 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { write_project } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -29,7 +28,7 @@ test('without the command the same project comes out', async () => {
   const out = folder();
   json(...BLOCK.call, '--out', out);
   const run = await runBlock(SOURCES, OPTIONS, { pool: HERE, store: memory() });
-  assert.equal(write_project(run.project), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
+  assert.equal(run.finished.project(), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
 });
 
 test('an aborted run rejects with the reason, and goes on where it stood', async () => {
