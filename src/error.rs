@@ -52,6 +52,9 @@ pub enum Error {
     /// Images whose names formats cannot hold.
     #[error("these images cannot be exported as {formats} ({reason}): rename them, or leave out what cannot hold their names")]
     NotExportable { formats: String, reason: String },
+    /// A run of a block that no image and no pair stops, but what goes on around it.
+    #[error("the run cannot go on: {reason}")]
+    Interrupted { reason: String },
     /// A sink that takes no more text.
     #[error("{what} cannot be written: its sink takes no more text")]
     NotWritten { what: &'static str },
@@ -75,6 +78,7 @@ impl Error {
             Error::Degenerate { .. } | Error::UndeterminedImage { .. } => "degenerate",
             Error::NotConverged { .. } => "not-converged",
             Error::UnreadableFile { .. } => "unreadable-file",
+            Error::Interrupted { .. } => "interrupted",
             Error::NotWritten { .. } => "not-written",
         }
     }

@@ -73,7 +73,13 @@ pub use parameters::{
     ADJUSTMENT_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
     NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
-pub use pipeline::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, Remark, RunImage, SkippedImage};
+pub use pipeline::{
+    BlockRun, CameraRules, ControlTables, ControlTexts, Failure, FileNeeded, InitialCamera, Job, JoinedPoints, News, ReadImage,
+    RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work, digest, execute,
+    masks_of,
+};
+#[cfg(not(target_arch = "wasm32"))]
+pub use pipeline::{images_in, run_block};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,

@@ -2,6 +2,8 @@
 
 use crate::Error;
 use csv::{ReaderBuilder, StringRecord, Trim, WriterBuilder};
+#[cfg(not(target_arch = "wasm32"))]
+use std::cmp::Ordering;
 use std::fmt::Display;
 
 /// The records of a text and the line of each, counted from 1: fields between semicolons, commas or tabs, whichever of them the first record
@@ -124,6 +126,36 @@ impl Lines<'_> {
         let skipped = self.text.get(start..).unwrap_or("").lines().take_while(|line| !is_data(line)).count();
         self.line + skipped
     }
+}
+
+/// The order of names by their letters and by the numbers in them: `photo_9` comes before `photo_10`.
+#[cfg(not(target_arch = "wasm32"))]
+pub fn by_numbers(a: &str, b: &str) -> Ordering {
+    let parts = |text: &str| -> Vec<String> {
+        let mut parts: Vec<String> = Vec::new();
+        let mut was_digit = None;
+        for c in text.chars() {
+            let is_digit = c.is_ascii_digit();
+            match parts.last_mut().filter(|_| was_digit == Some(is_digit)) {
+                Some(part) => part.push(c),
+                None => parts.push(c.into()),
+            }
+            was_digit = Some(is_digit);
+        }
+        parts
+    };
+    let (left, right) = (parts(a), parts(b));
+    // Numbers of any length: of two without leading zeros the longer one is larger.
+    let is_number = |part: &str| part.starts_with(|c: char| c.is_ascii_digit());
+    let bare = |part: &str| {
+        let zeros = if is_number(part) { part.bytes().take(part.len() - 1).take_while(|byte| *byte == b'0').count() } else { 0 };
+        part[zeros..].to_string()
+    };
+    let compared = left.iter().zip(&right).map(|(one, other)| {
+        let length = if is_number(one) && is_number(other) { bare(one).len().cmp(&bare(other).len()) } else { Ordering::Equal };
+        length.then(bare(one).cmp(&bare(other)))
+    });
+    compared.fold(Ordering::Equal, Ordering::then).then(left.len().cmp(&right.len())).then(a.cmp(b))
 }
 
 #[cfg(test)]

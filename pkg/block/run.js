@@ -63,7 +63,7 @@ export async function runBlock(sources, options, surroundings) {
       reconstruction: oriented.reconstruction, reconstructionReason: oriented.reason,
       model,
     };
-    return { ...run, finished: finish(run) };
+    return { ...run, finished: finish(run, options) };
   } finally {
     if (block !== joined) block.free();
     joined.free();
@@ -72,15 +72,16 @@ export async function runBlock(sources, options, surroundings) {
 
 /**
  * The block as the crate holds it.
- * @param {Omit<BlockRun, 'finished'>} run
+ * @param {Omit<BlockRun, 'finished'>} run @param {import('./types.js').RunOptions} options
  */
-function finish({ settings, images, leftOut, strayMasks, strayMarks, remarks, cameras, connections, geometries, points, refinement, reconstruction, reconstructionReason, model }) {
+function finish({ settings, images, leftOut, strayMasks, strayMarks, remarks, cameras, connections, geometries, points, refinement, reconstruction, reconstructionReason, model }, { cameras: text, gps, control, masks }) {
   const refused = (/** @type {string | null} */ message) => ({ kind: 'refused', code: '', message: message ?? '', usage: false });
   /** @type {import('../wasm/tiepoint.js').SharedPoints[]} */
   const shared = [];
   for (let i = 0; i < points.shared.length; i += 3) shared.push({ images: [points.shared[i] ?? 0, points.shared[i + 1] ?? 0], points: points.shared[i + 2] ?? 0 });
   return new FinishedBlock({
-    settings, connections, cameras, remarks, model, geometries,
+    input: { images: images.map(({ name }) => name), masks: (masks ?? []).map(({ name }) => name), settings, cameras: text?.text ?? null, use_gnss: gps !== 'ignore', control: control ?? null },
+    connections, cameras, remarks, model, geometries,
     images: images.map(({ width, height, ...image }) => ({ ...image, width_px: width, height_px: height })),
     skipped: leftOut.map(({ name, reason }) => ({ name, reason: refused(reason) })),
     unused_masks: strayMasks, unknown_images: strayMarks,

@@ -177,10 +177,10 @@ pub(super) fn summary(run: &BlockRun, pairs: &[PairRow], groups: &[Vec<u32>], ex
             joining: points.join.clone(),
         }),
         selection: selection(run),
-        refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.settings.refinement.method)),
+        refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.input.settings.refinement.method)),
         orientation: orientation(run, name),
         exports: exports.to_vec(),
-        settings: run.settings.clone(),
+        settings: run.input.settings.clone(),
         score,
     }
 }

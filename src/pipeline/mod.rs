@@ -1,7 +1,40 @@
-//! The run of a block, without input and output of its own: hosts execute its jobs and keep bytes.
+//! The run of a block, without input and output of its own: hosts do its jobs and keep bytes.
+//!
+//! Data flow: [`RunInput`] → `images` (`features` of each) → `likeness` where no position says which images are near → `pairs` → `points` →
+//! `windows` and `refinement` where observations are refined → orientation → [`BlockRun`]. [`Run`] goes from stage to stage; what a job is for
+//! a worker stands in `task`, what is kept of it in `records`.
 
+mod cameras;
+mod control;
+mod features;
+#[cfg(not(target_arch = "wasm32"))]
+mod host;
+mod images;
+mod input;
+mod job;
+mod likeness;
+mod masks;
+mod pairs;
+mod points;
+mod records;
+mod refinement;
 mod remark;
 mod result;
+mod run;
+mod stage;
+mod state;
+mod task;
+mod windows;
 
+pub use cameras::CameraRules;
+pub use control::ControlTables;
+#[cfg(not(target_arch = "wasm32"))]
+pub use host::{images_in, run_block};
+pub use input::{ControlTexts, RunInput};
+pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
+pub use masks::masks_of;
+pub use records::digest;
 pub use remark::{Failure, Remark};
 pub use result::{BlockRun, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
+pub use run::Run;
+pub use task::{Task, execute};

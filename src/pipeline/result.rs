@@ -1,8 +1,8 @@
 //! What the run of a block finds.
 
-use super::{Failure, Remark};
+use super::{Failure, Remark, RunInput};
 use crate::{
-    BlockModel, BlockSettings, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, ModelCamera, Reconstruction, RefinementOutcome,
+    BlockModel, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, ModelCamera, Reconstruction, RefinementOutcome,
     SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
@@ -11,7 +11,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BlockRun {
-    pub settings: BlockSettings,
+    /// What it was made of.
+    pub input: RunInput,
     /// The images that were read; the indices of all that follows count these.
     pub images: Vec<RunImage>,
     pub skipped: Vec<SkippedImage>,

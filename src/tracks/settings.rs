@@ -43,6 +43,11 @@ impl PairChoice {
         check("pairs.least_matches", f64::from(self.least_matches))
     }
 
+    /// Whether the rule that holds for so many images may be that of likeness, whatever is found in them.
+    pub(crate) fn may_ask_for_likeness(&self, images: usize) -> bool {
+        self.rule.map_or(images > FEW_IMAGES, |rule| rule == PairRule::Alike)
+    }
+
     /// The rule that holds for images of which these have a position.
     pub fn rule_of(&self, positions: &[Option<[f64; 3]>]) -> PairRule {
         let whole = positions.iter().all(Option::is_some);
@@ -111,11 +116,15 @@ impl Default for BlockSettings {
 }
 
 impl BlockSettings {
-    /// Refuses values of pairs, points, selection and refinement outside their ranges; those of features and matches are refused where these are made.
+    /// Refuses values outside their ranges.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
+        self.features.multiscale.check()?;
+        self.features.gradient.check()?;
+        self.nearest.check()?;
+        self.geometry.check()?;
         self.pairs.check()?;
         self.placing.check()?;
         self.block.check()?;

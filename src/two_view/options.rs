@@ -62,7 +62,7 @@ impl Cameras {
 
 impl TwoViewOptions {
     /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         if let Some(threshold) = self.threshold_px {
             check("geometry.threshold_px", threshold)?;
         }

@@ -26,7 +26,7 @@ impl Default for GradientOptions {
 }
 
 impl GradientOptions {
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         check("gradient.orientations", self.orientations as f64)?;
         check("gradient.cell", self.cell)
     }

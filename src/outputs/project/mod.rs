@@ -181,7 +181,7 @@ mod tests {
         assert_eq!(names, ["photo_00000.png", "photo_00001.png", "photo_00002.png", "=other, 1.png"]);
         let oriented: Vec<bool> = run.model.images.iter().map(|image| image.pose.is_some()).collect();
         assert_eq!(oriented, [true, true, true, false]);
-        assert_eq!((run.model.points.len(), run.connections.len(), run.settings.selection.per_image), (9, 6, 9));
+        assert_eq!((run.model.points.len(), run.connections.len(), run.input.settings.selection.per_image), (9, 6, 9));
         assert_eq!(read(&write_block_project(&run).unwrap()), run);
     }
 
@@ -231,7 +231,7 @@ mod tests {
         let body = text.split_once('\n').unwrap().1;
         assert!(message(3, body).contains("version 3; this program reads versions 1 to 2"), "{}", message(3, body));
         assert!(message(0, body).contains("version 0"), "{}", message(0, body));
-        assert!(message(2, &body.replacen("\"settings\"", "\"extra\":1,\"settings\"", 1)).contains("block.extra: unknown field `extra`"));
+        assert!(message(2, &body.replacen("\"input\"", "\"extra\":1,\"input\"", 1)).contains("block.extra: unknown field `extra`"));
         assert!(message(2, &body.replacen("\"connections\"", "\"connexions\"", 1)).contains("connexions"));
         assert!(message(2, &body.replacen("\"images\":[0,1]", "\"images\":[0,7]", 1)).contains("[0, 7]"));
         assert!(message(2, &body.replacen("\"focal_px\":500.0", "\"focal_px\":-1.0", 1)).contains("focal length of a camera: got -1"));

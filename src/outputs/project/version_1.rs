@@ -1,7 +1,7 @@
 //! The project file of version 1: a block without what its run knew beside it.
 
 use crate::{
-    Reconstruction, BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Remark, RunImage, SelectOptions,
+    Reconstruction, BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Remark, RunImage, RunInput, SelectOptions,
 };
 use serde::Deserialize;
 
@@ -44,7 +44,11 @@ impl From<Project> for BlockRun {
             }
         });
         Self {
-            settings: BlockSettings { block: joining, selection, ..BlockSettings::default() },
+            input: RunInput {
+                images: model.images.iter().map(|image| image.name.clone()).collect(),
+                settings: BlockSettings { block: joining, selection, ..BlockSettings::default() },
+                ..RunInput::default()
+            },
             images: images.collect(),
             skipped: Vec::new(),
             unused_masks: Vec::new(),

@@ -40,7 +40,7 @@ impl Default for MultiscaleOptions {
 }
 
 impl MultiscaleOptions {
-    pub(super) fn check(&self) -> Result<(), Error> {
+    pub(crate) fn check(&self) -> Result<(), Error> {
         check("multiscale.number", self.number as f64)?;
         check("multiscale.levels", self.levels as f64)?;
         check("multiscale.contrast", self.contrast)?;

@@ -1,0 +1,126 @@
+//! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
+
+use crate::{
+    Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurement, ImageMeasurementRow,
+    ObservedPosition, parse_ground_control_points, parse_image_measurements,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Ground control points that two images each show, without which they do not georeference a block.
+const LEAST_CONTROL: usize = 3;
+
+/// Images that a refusal names.
+const SHOWN: usize = 3;
+
+/// The tables of ground control points and of their image measurements.
+#[derive(Debug, Clone)]
+pub struct ControlTables {
+    points: Vec<GroundControlRow>,
+    marks: Vec<ImageMeasurementRow>,
+}
+
+impl ControlTables {
+    /// Reads both tables.
+    ///
+    /// # Errors
+    /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
+    pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
+        Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)? })
+    }
+
+    /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for a measurement of an unknown point, and where fewer than three points are measured in two images or more.
+    pub fn join(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
+        let mut joined: Vec<GroundControlPoint> = self.points.iter().map(|point| control_point(point, placing)).collect();
+        let index_of: BTreeMap<&str, usize> = self.points.iter().enumerate().map(|(index, point)| (point.name.as_str(), index)).collect();
+        let image_of: BTreeMap<&str, usize> = images.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
+        let mut unknown = BTreeSet::new();
+        for mark in &self.marks {
+            let Some(point) = index_of.get(mark.point.as_str()) else {
+                let got = format!("the point {}", mark.point);
+                return Err(Error::InvalidInput {
+                    what: "image measurements",
+                    got,
+                    allowed: "points of the table of control points".into(),
+                });
+            };
+            match image_of.get(mark.image.as_str()) {
+                Some(image) => joined[*point].rays.push(ImageMeasurement { image: *image, x_px: mark.x_px, y_px: mark.y_px }),
+                // An image that was skipped, or is of another block.
+                None => drop(unknown.insert(mark.image.clone())),
+            }
+        }
+        let unknown: Vec<String> = unknown.into_iter().collect();
+        let seen = joined.iter().filter(|point| point.rays.len() >= 2).count();
+        if seen < LEAST_CONTROL {
+            let more = if unknown.len() > SHOWN { " …" } else { "" };
+            let named = unknown.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
+            let strange = if unknown.is_empty() { String::new() } else { format!("; the block does not have the images {named}{more}") };
+            let got = format!("{seen} of {} measured in two images or more{strange}", joined.len());
+            return Err(Error::InvalidInput {
+                what: "ground control points",
+                got,
+                allowed: format!("{LEAST_CONTROL} or more, or none at all"),
+            });
+        }
+        Ok((joined, unknown))
+    }
+}
+
+fn control_point(point: &GroundControlRow, placing: &GeoreferencingOptions) -> GroundControlPoint {
+    let [across, up] = point.standard_errors.unwrap_or([placing.surveyed_across_m, placing.surveyed_up_m]);
+    let position = ObservedPosition::Local { position: point.position, sigma: [across, across, up] };
+    GroundControlPoint { name: point.name.clone(), position, rays: Vec::new() }
+}
+
+/// A GNSS position as an observation. A receiver that states its error states that of the place: the height is less sure by the same factor
+/// as without it.
+pub(super) fn gnss_observation(position: &ExifPosition, placing: &GeoreferencingOptions) -> ObservedPosition {
+    let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
+    let across = error_m.filter(|error| *error != 0.0).unwrap_or(placing.receiver_across_m);
+    let up = placing.receiver_up_m * (across / placing.receiver_across_m);
+    ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [across, across, up] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POINTS: &str = "a,0,0,0\nb,100,0,0,0.5,0.7\nc,0,100,0\n";
+
+    #[test]
+    fn measurements_are_joined_to_points_and_images() {
+        let marks = "1.png,a,10,20\n2.png,a,11,21\n1.png,b,30,40\n2.png,b,31,41\n1.png,c,50,60\n2.png,c,51,61\nx.png,c,1,1\n";
+        let images = ["2.png", "1.png"].map(String::from);
+        let (joined, unknown) = ControlTables::read(POINTS, marks).unwrap().join(&images, &GeoreferencingOptions::default()).unwrap();
+        assert_eq!(unknown, ["x.png"]);
+        assert_eq!(
+            joined[0].rays,
+            [ImageMeasurement { image: 1, x_px: 10.0, y_px: 20.0 }, ImageMeasurement { image: 0, x_px: 11.0, y_px: 21.0 }]
+        );
+        assert!(matches!(joined[0].position, ObservedPosition::Local { sigma: [0.02, 0.02, 0.03], .. }));
+        assert!(matches!(joined[1].position, ObservedPosition::Local { sigma: [0.5, 0.5, 0.7], .. }));
+    }
+
+    #[test]
+    fn unknown_points_and_too_few_measurements_are_refused() {
+        let refused = |marks: &str| {
+            let tables = ControlTables::read(POINTS, marks).unwrap();
+            tables.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string()
+        };
+        assert!(refused("1.png,z,1,1\n").contains("the point z"));
+        let few = refused("1.png,a,1,1\n9.png,a,1,1\n");
+        assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");
+    }
+
+    #[test]
+    fn a_stated_error_counts_for_the_height_too() {
+        let position = ExifPosition { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(100.0), error_m: Some(1.5) };
+        let placing = GeoreferencingOptions::default();
+        assert!(matches!(gnss_observation(&position, &placing), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
+        let silent = ExifPosition { error_m: None, ..position };
+        assert!(matches!(gnss_observation(&silent, &placing), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
+    }
+}

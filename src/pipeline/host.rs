@@ -1,0 +1,180 @@
+//! The run of a block on this machine: threads that do its jobs, and a folder that keeps its records.
+
+use super::records::digest;
+use super::{BlockRun, Failure, FileNeeded, Job, News, Run, RunInput, execute};
+use crate::Error;
+use crate::text::by_numbers;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::{Condvar, Mutex};
+
+/// Endings of the files that are taken for images.
+const ENDINGS: [&str; 10] = ["jpg", "jpeg", "png", "tif", "tiff", "bmp", "webp", "pgm", "ppm", "pnm"];
+
+/// The images of a folder, in the order of their letters and of the numbers in them.
+///
+/// # Errors
+/// [`Error::UnreadableFile`] for a folder that cannot be read.
+pub fn images_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
+    let unreadable = |error: std::io::Error| unreadable("the folder", folder, &error);
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).map_err(unreadable)? {
+        let path = entry.map_err(unreadable)?.path();
+        let is_image = path.extension().is_some_and(|ending| ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known)));
+        if is_image && path.is_file() {
+            found.push(path);
+        }
+    }
+    found.sort_by(|a, b| by_numbers(&name_of(a), &name_of(b)));
+    Ok(found)
+}
+
+/// Runs a block of image files, with masks perhaps, on so many threads; `options.images` and `options.masks` are taken from the names of
+/// the files. What an earlier run has kept in the folder `kept` is not done again; the result is the same for any number of threads, and the
+/// same as that of the command and of the page. `tell` hears what is found.
+///
+/// # Errors
+/// As [`Run`]; [`Error::UnreadableFile`] and [`Error::NotWritten`] for the folder.
+pub fn run_block(
+    images: &[PathBuf],
+    masks: &[PathBuf],
+    options: RunInput,
+    kept: &Path,
+    threads: usize,
+    tell: impl FnMut(News) + Send,
+) -> Result<BlockRun, Error> {
+    let names = |paths: &[PathBuf]| paths.iter().map(|path| name_of(path)).collect();
+    let run = Run::new(RunInput { images: names(images), masks: names(masks), ..options })?;
+    let host = Host { images, masks, kept, shared: Mutex::new(Shared { run, tell, busy: 0, ended: Ok(()) }), changed: Condvar::new() };
+    std::thread::scope(|scope| {
+        for _ in 0..threads.max(1) {
+            scope.spawn(|| host.work());
+        }
+    });
+    let Shared { run, ended, .. } = host.shared.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
+    ended.and_then(|()| run.finish())
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn unreadable(what: &'static str, path: &Path, error: &std::io::Error) -> Error {
+    Error::UnreadableFile { what, place: path.display().to_string(), reason: error.to_string() }
+}
+
+/// What came of a job.
+enum Outcome {
+    /// A record of an earlier run, which the run has taken.
+    Found,
+    Made(Vec<u8>),
+    Failed(Failure),
+}
+
+struct Shared<T> {
+    run: Run,
+    tell: T,
+    /// Threads that do a job.
+    busy: usize,
+    ended: Result<(), Error>,
+}
+
+struct Host<'a, T> {
+    images: &'a [PathBuf],
+    masks: &'a [PathBuf],
+    kept: &'a Path,
+    shared: Mutex<Shared<T>>,
+    changed: Condvar,
+}
+
+impl<T: FnMut(News)> Host<'_, T> {
+    /// Does one job after the other, until there are no more or the run has failed.
+    fn work(&self) {
+        while let Some(job) = self.wait_for_job() {
+            let outcome = self.perform(&job);
+            let mut shared = self.lock();
+            shared.busy -= 1;
+            let taken = outcome.and_then(|outcome| match outcome {
+                Outcome::Found => Ok(()),
+                Outcome::Made(bytes) => shared.run.complete(job.id, bytes),
+                Outcome::Failed(failure) => shared.run.failed(job.id, failure),
+            });
+            shared.ended = shared.ended.clone().and(taken);
+            let news = shared.run.news();
+            news.into_iter().for_each(&mut shared.tell);
+            self.changed.notify_all();
+        }
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Shared<T>> {
+        self.shared.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn wait_for_job(&self) -> Option<Job> {
+        let mut shared = self.lock();
+        loop {
+            let job = if shared.ended.is_ok() { shared.run.next(1) } else { return None };
+            match job.map(|jobs| jobs.into_iter().next()) {
+                Err(error) => shared.ended = Err(error),
+                Ok(Some(job)) => {
+                    shared.busy += 1;
+                    return Some(job);
+                }
+                Ok(None) if shared.busy == 0 => return None,
+                Ok(None) => shared = self.changed.wait(shared).unwrap_or_else(std::sync::PoisonError::into_inner),
+            }
+        }
+    }
+
+    fn perform(&self, job: &Job) -> Result<Outcome, Error> {
+        let path = |file: &FileNeeded| match file {
+            FileNeeded::Image(index) => &self.images[*index],
+            FileNeeded::Mask(index) => &self.masks[*index],
+        };
+        let mut inputs = Vec::new();
+        for file in &job.files {
+            match fs::read(path(file)) {
+                Ok(bytes) => inputs.push(bytes),
+                Err(error) => return Ok(Outcome::Failed(Failure::Unreadable { message: error.to_string() })),
+            }
+        }
+        let digests: Vec<String> = inputs.iter().map(|bytes| digest(bytes)).collect();
+        let work = self.lock().run.prepare(job.id, &digests)?;
+        let kept = work.key.as_deref().and_then(|key| fs::read(self.place(key)).ok());
+        if let Some(record) = kept
+            && self.lock().run.found(job.id, record)?
+        {
+            return Ok(Outcome::Found);
+        }
+        for key in &work.records {
+            let path = self.place(key);
+            inputs.push(fs::read(&path).map_err(|error| unreadable("a kept record", &path, &error))?);
+        }
+        inputs.extend(work.input);
+        let Some(task) = work.task else { return Ok(Outcome::Made(inputs.pop().unwrap_or_default())) };
+        let borrowed: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
+        let bytes = match execute(&task, &borrowed) {
+            Ok(bytes) => bytes,
+            Err(error) => return Ok(Outcome::Failed(Failure::from(&error))),
+        };
+        if let Some(key) = &work.key {
+            self.keep(key, job.id, &bytes)?;
+        }
+        Ok(Outcome::Made(bytes))
+    }
+
+    fn place(&self, key: &str) -> PathBuf {
+        self.kept.join(format!("{key}.record"))
+    }
+
+    /// Whole or not at all: under another name first.
+    fn keep(&self, key: &str, id: u32, bytes: &[u8]) -> Result<(), Error> {
+        let path = self.place(key);
+        let unfinished = path.with_extension(format!("{id}.part"));
+        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
+        folder
+            .and_then(|()| fs::write(&unfinished, bytes))
+            .and_then(|()| fs::rename(&unfinished, &path))
+            .map_err(|_| Error::NotWritten { what: "a record" })
+    }
+}

@@ -1,0 +1,87 @@
+//! What a block is made of, and what can be refused of it before anything is computed.
+
+use super::cameras::CameraRules;
+use super::control::ControlTables;
+use super::masks::masks_of;
+use crate::{BlockSettings, Error};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// A block before its run: files by their names, whose bytes come with the jobs that need them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RunInput {
+    /// Names of the images in the order in which they follow each other; no two are the same.
+    pub images: Vec<String>,
+    /// Names of masks: images that are 0 (black) where no features are wanted, each as large as the image whose name it has.
+    pub masks: Vec<String>,
+    pub settings: BlockSettings,
+    /// A file of cameras, which take the place of those of EXIF.
+    pub cameras: Option<String>,
+    /// Whether GNSS positions of the images choose near images and, without ground control points, georeference the block.
+    pub use_gnss: bool,
+    pub control: Option<ControlTexts>,
+}
+
+/// Ground control points and their image measurements, as the texts of two files.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ControlTexts {
+    pub points: String,
+    pub marks: String,
+}
+
+impl Default for RunInput {
+    fn default() -> Self {
+        Self { images: Vec::new(), masks: Vec::new(), settings: BlockSettings::default(), cameras: None, use_gnss: true, control: None }
+    }
+}
+
+/// An input that was read and checked.
+pub(super) struct Checked {
+    pub settings: BlockSettings,
+    pub images: Vec<String>,
+    pub masks: Vec<String>,
+    /// Of each image the index of its mask.
+    pub mask_of: Vec<Option<usize>>,
+    pub unused_masks: Vec<String>,
+    pub rules: CameraRules,
+    /// Patterns of cameras that fit no image.
+    pub unused_cameras: Vec<String>,
+    pub use_gnss: bool,
+    pub control: Option<ControlTables>,
+}
+
+impl RunInput {
+    /// Reads and checks everything but the images.
+    pub(super) fn checked(self) -> Result<Checked, Error> {
+        self.settings.check()?;
+        check_names(&self.images)?;
+        let (mask_of, unused_masks) = masks_of(&self.images, &self.masks)?;
+        let rules = CameraRules::read(self.cameras.as_deref())?;
+        let unused_cameras = rules.unused(&self.images)?;
+        let control = self.control.map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;
+        if let Some(control) = &control {
+            control.join(&self.images, &self.settings.placing)?;
+        }
+        let Self { settings, images, masks, use_gnss, .. } = self;
+        Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control })
+    }
+}
+
+/// Refuses names that tables and texts, which have a line for each image, cannot tell apart or hold.
+fn check_names(names: &[String]) -> Result<(), Error> {
+    let refused = |got: String, allowed: &str| Err(Error::InvalidInput { what: "images of the block", got, allowed: allowed.into() });
+    let mut seen = BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return refused(format!("two with the name {name}"), "each name once");
+        }
+        if name.chars().any(char::is_control) {
+            return refused(format!("the name {name:?}, which holds a control character"), "names without them");
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,110 @@
+//! The matches of all pairs are joined to tie points, few of them are chosen, and the block is oriented: the run computes this itself.
+
+use super::job::{Done, StageName, Work};
+use super::stage::{Request, Stage};
+use super::state::State;
+use super::{Failure, JoinedPoints};
+use crate::{
+    BlockMatches, BlockModel, Error, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points, shared_points,
+    tie_points,
+};
+
+/// Which of the computations a stage is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Own {
+    Points,
+    Orientation,
+}
+
+/// A computation of the run itself, in one piece.
+pub(super) struct OwnStage {
+    own: Own,
+    next: usize,
+}
+
+impl OwnStage {
+    pub fn new(own: Own) -> Self {
+        Self { own, next: 0 }
+    }
+}
+
+impl Stage for OwnStage {
+    fn name(&self) -> StageName {
+        match self.own {
+            Own::Points => StageName::Points,
+            Own::Orientation => StageName::Orientation,
+        }
+    }
+
+    fn total(&self) -> usize {
+        1
+    }
+
+    fn next(&mut self, _: &State) -> Option<Request> {
+        Request::following(&mut self.next, 1)
+    }
+
+    fn prepare(&mut self, _: usize, _: &[String], _: &State) -> Result<Work, Error> {
+        Ok(Work { key: None, task: None, records: Vec::new(), input: None })
+    }
+
+    fn accept(&mut self, _: usize, _: Vec<u8>, state: &mut State) -> Result<Option<Done>, Error> {
+        match self.own {
+            Own::Points => join(state)?,
+            Own::Orientation => orient(state)?,
+        }
+        Ok(Some(Done::of(String::new(), None)))
+    }
+
+    fn fail(&mut self, _: usize, failure: Failure, _: &mut State) -> Result<Done, Error> {
+        Err(failure.of_all())
+    }
+}
+
+fn join(state: &mut State) -> Result<(), Error> {
+    let counts: Vec<u32> = state.positions.iter().map(|positions| positions.len() as u32).collect();
+    let mut matches = BlockMatches::new(&counts)?;
+    for pair in state.pairs.iter_mut().filter(|pair| !pair.matches.is_empty()) {
+        matches.add_pair(pair.connection.images, &std::mem::take(&mut pair.matches))?;
+    }
+    let (points, join) = tie_points(&matches, &state.input.settings.block)?;
+    let shared = shared_points(&points, state.images.len());
+    state.joined = Some(JoinedPoints { join, count: points.len(), rays: points.ray_count(), histogram: histogram(&points), shared });
+    state.chosen = select_points(&points, &state.features(), &state.input.settings.selection)?.points;
+    state.points = points;
+    Ok(())
+}
+
+/// How many points have 0, 1, 2, … rays.
+fn histogram(points: &TiePoints) -> Vec<u32> {
+    let mut counts: Vec<u32> = Vec::new();
+    for rays in points.iter() {
+        counts.resize(counts.len().max(rays.len() + 1), 0);
+        counts[rays.len()] += 1;
+    }
+    counts
+}
+
+/// A block whose images cannot be oriented keeps its points all the same.
+fn orient(state: &mut State) -> Result<(), Error> {
+    let options = ReconstructionOptions { selection: Some(state.input.settings.selection.clone()), ..ReconstructionOptions::default() };
+    let features = state.features();
+    let found = reconstruct_block(&state.description, &state.points, &features, &options).and_then(|reconstruction| {
+        let model = reconstruction.models.first().map(|_| reconstruction.block_model(0, &state.description, &state.points)).transpose()?;
+        Ok((reconstruction, model))
+    });
+    let (reconstruction, model): (Result<Reconstruction, Error>, Option<BlockModel>) = match found {
+        Ok((reconstruction, model)) => (Ok(reconstruction), model),
+        Err(error) if error.is_usage() => return Err(error),
+        Err(error) => (Err(error), None),
+    };
+    let unoriented = || {
+        let mut model = state.description.to_model();
+        model.add_points(&state.points, &state.chosen, &features)?;
+        model.check()?;
+        Ok(model)
+    };
+    let model = model.map_or_else(unoriented, Ok)?;
+    (state.model, state.reconstruction) = (model, Some(reconstruction));
+    Ok(())
+}

@@ -1,0 +1,156 @@
+//! What a run knows, from stage to stage.
+
+use super::cameras::doubtful;
+use super::control::gnss_observation;
+use super::images::Read;
+use super::input::{Checked, RunInput};
+use super::pairs::Matched;
+use super::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use crate::{BlockDescription, BlockModel, Error, ExifImage, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic};
+
+/// Positions of an image's features in px.
+pub(super) type Positions = Vec<[f32; 2]>;
+
+/// What a run knows.
+pub(super) struct State {
+    pub given: RunInput,
+    pub input: Checked,
+    pub images: Vec<RunImage>,
+    pub skipped: Vec<SkippedImage>,
+    pub cameras: Vec<InitialCamera>,
+    pub remarks: Vec<Remark>,
+    pub unknown_images: Vec<String>,
+    pub description: BlockDescription,
+    /// Of each image; those of refined observations are moved.
+    pub positions: Vec<Positions>,
+    /// Descriptors of the coarsest features of each image, as long as the likeness of images is asked for.
+    pub coarse: Vec<Vec<u8>>,
+    pub pairs: Vec<Matched>,
+    /// What is oriented: all points, or those whose observations are refined.
+    pub points: TiePoints,
+    /// Indices of the points that are chosen.
+    pub chosen: Vec<u32>,
+    pub joined: Option<JoinedPoints>,
+    /// Keys of the windows of each image; empty where none are needed.
+    pub windows: Vec<String>,
+    pub refinement: Option<RefinementTable>,
+    pub reconstruction: Option<Result<Reconstruction, Error>>,
+    pub model: BlockModel,
+}
+
+impl State {
+    pub fn new(given: RunInput, input: Checked) -> Self {
+        Self {
+            given,
+            input,
+            images: Vec::new(),
+            skipped: Vec::new(),
+            cameras: Vec::new(),
+            remarks: Vec::new(),
+            unknown_images: Vec::new(),
+            description: BlockDescription::default(),
+            positions: Vec::new(),
+            coarse: Vec::new(),
+            pairs: Vec::new(),
+            points: TiePoints::default(),
+            chosen: Vec::new(),
+            joined: None,
+            windows: Vec::new(),
+            refinement: None,
+            reconstruction: None,
+            model: BlockModel::default(),
+        }
+    }
+
+    /// Takes the images that were read, and finds what is known of the block before its orientation.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for fewer than two images and for control points that these images do not show; as [`BlockDescription::check`].
+    pub fn take_images(&mut self, read: Vec<Read>, skipped: Vec<SkippedImage>) -> Result<(), Error> {
+        let tried = read.len() + skipped.len();
+        if read.len() < 2 {
+            let first = skipped.first().map_or(String::new(), |image| format!(" ({}: {})", image.name, image.reason));
+            let got = format!("{} of {tried} could be read{first}", read.len());
+            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more that can be read".into() });
+        }
+        for Read { image, positions, coarse } in read {
+            self.images.push(image);
+            self.positions.push(positions);
+            self.coarse.push(coarse);
+        }
+        self.skipped = skipped;
+        let known = self.images.iter().map(|image| (image.name.as_str(), [image.width_px, image.height_px], &image.exif));
+        let (cameras, of) = self.input.rules.group(known);
+        self.cameras = cameras;
+        self.images.iter_mut().zip(of).for_each(|(image, camera)| image.camera = camera);
+        self.remarks.extend(self.input.unused_cameras.drain(..).map(|images| Remark::UnusedCamera { images }));
+        self.remarks.extend(doubtful(&self.cameras));
+        self.remarks.extend(self.impossible_positions());
+        self.describe()
+    }
+
+    /// The EXIF of an image as far as the run uses its GNSS position.
+    fn gnss<'a>(&self, exif: &'a ExifImage) -> Option<&'a crate::ExifPosition> {
+        exif.position.as_ref().filter(|_| self.input.use_gnss)
+    }
+
+    fn impossible_positions(&self) -> Option<Remark> {
+        let value = |image: &RunImage| image.exif.impossible.clone().map(|value| [image.name.clone(), value]);
+        let images: Vec<[String; 2]> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
+        (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
+    }
+
+    /// GNSS positions and ground control points are of different systems: where there are ground control points, they alone georeference
+    /// the block, and the distances between GNSS positions say whether they are in metres.
+    fn describe(&mut self) -> Result<(), Error> {
+        let placing = &self.input.settings.placing;
+        let names: Vec<String> = self.images.iter().map(|image| image.name.clone()).collect();
+        let joined = self.input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
+        let (control, unknown_images) = joined.unwrap_or_default();
+        let observed = |image: &RunImage| self.gnss(&image.exif).map(|position| gnss_observation(position, placing));
+        let image = |image: &RunImage| KnownImage { name: image.name.clone(), camera: image.camera, position: observed(image) };
+        self.description = BlockDescription {
+            cameras: self.cameras.iter().map(InitialCamera::to_be_calibrated).collect(),
+            images: self.images.iter().map(image).collect(),
+            control,
+        };
+        self.unknown_images = unknown_images;
+        self.description.check()
+    }
+
+    /// GNSS positions in m east, north and up of the first of them.
+    pub fn local_positions(&self) -> Vec<Option<[f64; 3]>> {
+        let place = |image: &RunImage| {
+            let position = self.gnss(&image.exif)?;
+            Some([position.longitude_deg, position.latitude_deg, position.height_m.unwrap_or(0.0)])
+        };
+        let places: Vec<Option<[f64; 3]>> = self.images.iter().map(place).collect();
+        let origin = places.iter().flatten().next().copied();
+        places.iter().map(|place| Some(local_from_geographic((*place)?, origin?))).collect()
+    }
+
+    pub fn features(&self) -> Vec<ImageFeatures<'_>> {
+        let of = self.images.iter().zip(&self.positions);
+        of.map(|(image, positions)| ImageFeatures { width_px: image.width_px, height_px: image.height_px, positions }).collect()
+    }
+
+    /// What the run has found, once all of its stages are done.
+    pub fn ended(self) -> Option<BlockRun> {
+        let (connections, geometries) = self.pairs.into_iter().map(|pair| (pair.connection, pair.geometry)).unzip();
+        Some(BlockRun {
+            input: self.given,
+            images: self.images,
+            skipped: self.skipped,
+            unused_masks: self.input.unused_masks,
+            unknown_images: self.unknown_images,
+            remarks: self.remarks,
+            cameras: self.cameras,
+            connections,
+            geometries,
+            points: Some(self.joined?),
+            refinement: self.refinement,
+            reconstruction: self.reconstruction?.map_err(|error| Failure::from(&error)),
+            model: self.model,
+        })
+    }
+}

@@ -1,0 +1,227 @@
+//! The run of a block from image files to its orientation, whatever host does its jobs.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+use tiepoint::{
+    BlockFlight, BlockRun, BlockScene, BlockSettings, ControlTexts, Error, Failure, FileNeeded, MultiscaleOptions, News, PairChoice,
+    PairOutcome, PairRule, RefinementMethod, RefinementOutcome, Run, RunInput, StageName, Step, digest, execute, images_in, run_block,
+    write_block_project,
+};
+
+/// A folder of its own for a test.
+fn folder(name: &str) -> PathBuf {
+    let path = std::env::temp_dir().join(format!("tiepoint-pipeline-{}-{name}", std::process::id()));
+    fs::create_dir_all(&path).unwrap();
+    path
+}
+
+/// Photos of a small simulated block, by name.
+fn photos() -> &'static BTreeMap<String, Vec<u8>> {
+    static PHOTOS: OnceLock<BTreeMap<String, Vec<u8>>> = OnceLock::new();
+    PHOTOS.get_or_init(|| {
+        let flight = BlockFlight { strips: 2, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.12, ..BlockFlight::default() };
+        let scene = BlockScene::new(&flight).unwrap();
+        let file = |index| {
+            let photo = scene.photo(index).unwrap();
+            let bytes = [format!("P5 {} {} 255\n", photo.width(), photo.height()).as_bytes(), photo.data()].concat();
+            (format!("{}.pgm", BlockScene::name(index)), bytes)
+        };
+        (0..scene.photos()).map(file).collect()
+    })
+}
+
+fn options() -> RunInput {
+    let mut settings = BlockSettings::default();
+    settings.features.multiscale = MultiscaleOptions { number: 1200, ..settings.features.multiscale };
+    RunInput { settings, cameras: Some(r#"{"cameras": [{"focal_px": 708.33}]}"#.into()), ..RunInput::default() }
+}
+
+/// A host without threads, files or a clock, whose jobs end in any order.
+struct Host {
+    run: Run,
+    images: Vec<Vec<u8>>,
+    masks: Vec<Vec<u8>>,
+    steps: Vec<Step>,
+}
+
+type Kept = BTreeMap<String, Vec<u8>>;
+
+impl Host {
+    fn new(input: RunInput, masks: &[(&str, Vec<u8>)]) -> Result<Self, Error> {
+        let images = photos().keys().cloned().collect();
+        let names = masks.iter().map(|(name, _)| name.to_string()).collect();
+        let run = Run::new(RunInput { images, masks: names, ..input })?;
+        let masks = masks.iter().map(|(_, bytes)| bytes.clone()).collect();
+        Ok(Self { run, images: photos().values().cloned().collect(), masks, steps: Vec::new() })
+    }
+
+    fn perform(&mut self, id: u32, files: &[FileNeeded], kept: &mut Kept) -> Result<(), Error> {
+        let bytes_of = |file: &FileNeeded| match file {
+            FileNeeded::Image(index) => self.images[*index].clone(),
+            FileNeeded::Mask(index) => self.masks[*index].clone(),
+        };
+        let mut inputs: Vec<Vec<u8>> = files.iter().map(bytes_of).collect();
+        let work = self.run.prepare(id, &inputs.iter().map(|bytes| digest(bytes)).collect::<Vec<_>>())?;
+        if let Some(record) = work.key.as_ref().and_then(|key| kept.get(key))
+            && self.run.found(id, record.clone())?
+        {
+            return Ok(());
+        }
+        inputs.extend(work.records.iter().map(|key| kept[key].clone()));
+        inputs.extend(work.input);
+        let borrowed: Vec<&[u8]> = inputs.iter().map(Vec::as_slice).collect();
+        match work.task.map_or_else(|| Ok(borrowed.concat()), |task| execute(&task, &borrowed)) {
+            Ok(bytes) => {
+                kept.extend(work.key.map(|key| (key, bytes.clone())));
+                self.run.complete(id, bytes)
+            }
+            Err(error) => self.run.failed(id, Failure::from(&error)),
+        }
+    }
+
+    /// Runs to the end, with several jobs under way of which any ends first.
+    fn ended(mut self, kept: &mut Kept) -> Result<(BlockRun, Vec<Step>), Error> {
+        let mut underway = Vec::new();
+        let mut turn = 7_usize;
+        loop {
+            underway.extend(self.run.next(4 - underway.len())?);
+            if underway.is_empty() {
+                return Ok((self.run.finish()?, self.steps));
+            }
+            turn = turn * 31 % 1009;
+            let job = underway.swap_remove(turn % underway.len());
+            self.perform(job.id, &job.files, kept)?;
+            self.steps.extend(self.run.news().into_iter().filter_map(|news| if let News::Step(step) = news { Some(step) } else { None }));
+        }
+    }
+}
+
+/// A run from the beginning, and what it has kept.
+fn whole() -> &'static (BlockRun, Vec<Step>, Kept) {
+    static WHOLE: OnceLock<(BlockRun, Vec<Step>, Kept)> = OnceLock::new();
+    WHOLE.get_or_init(|| {
+        let mut kept = Kept::new();
+        let (run, steps) = Host::new(options(), &[]).unwrap().ended(&mut kept).unwrap();
+        (run, steps, kept)
+    })
+}
+
+fn last(steps: &[Step], stage: StageName) -> Option<(usize, usize, usize)> {
+    steps.iter().rfind(|step| step.stage == stage).map(|step| (step.done, step.total, step.found))
+}
+
+#[test]
+fn threads_and_a_folder_give_what_one_job_after_the_other_gives() {
+    let (run, steps, _) = whole();
+    assert_eq!(run.model.images.iter().filter(|image| image.pose.is_some()).count(), 6, "{:?}", run.reconstruction);
+    assert_eq!((last(steps, StageName::Images), last(steps, StageName::Pairs)), (Some((6, 6, 0)), Some((15, 15, 0))));
+    let at = folder("threads");
+    for (name, bytes) in photos() {
+        fs::write(at.join(name), bytes).unwrap();
+    }
+    let images = images_in(&at).unwrap();
+    let natively = |threads: usize| {
+        let mut steps = Vec::new();
+        let tell = |news| {
+            if let News::Step(step) = news {
+                steps.push(step)
+            }
+        };
+        let run = run_block(&images, &[], options(), &at.join("work"), threads, tell).unwrap();
+        (run, steps)
+    };
+    let (threaded, _) = natively(2);
+    assert_eq!(write_block_project(&threaded).unwrap(), write_block_project(run).unwrap());
+    assert_eq!(threaded, *run);
+    // The second time everything is there.
+    let (again, steps) = natively(1);
+    assert_eq!((last(&steps, StageName::Images), last(&steps, StageName::Pairs)), (Some((6, 6, 6)), Some((15, 15, 15))));
+    assert_eq!(again, *run);
+    fs::remove_dir_all(at).unwrap();
+}
+
+#[test]
+fn a_kept_record_that_is_damaged_is_made_again() {
+    let (run, _, whole) = whole();
+    let mut kept = whole.clone();
+    for (turn, record) in kept.values_mut().enumerate().filter(|(turn, _)| turn % 3 == 0) {
+        if turn % 2 == 0 { record.truncate(record.len() / 2) } else { *record.last_mut().unwrap() ^= 1 }
+    }
+    let (again, steps) = Host::new(options(), &[]).unwrap().ended(&mut kept).unwrap();
+    assert_eq!((&again, &kept), (run, whole));
+    assert_eq!((last(&steps, StageName::Images), last(&steps, StageName::Pairs)), (Some((6, 6, 4)), Some((15, 15, 10))));
+}
+
+#[test]
+fn observations_are_refined_and_similar_images_are_matched_in_any_order_of_jobs() {
+    let mut input = options();
+    input.settings.refinement.method = RefinementMethod::LeastSquares;
+    input.settings.pairs = PairChoice { rule: Some(PairRule::Alike), alike: 3, ..PairChoice::default() };
+    let mut kept = Kept::new();
+    let (run, steps) = Host::new(input.clone(), &[]).unwrap().ended(&mut kept).unwrap();
+    let table = run.refinement.as_ref().unwrap();
+    let refined = table.observations.iter().filter(|ray| ray.outcome == RefinementOutcome::Refined).count();
+    assert!(2 * refined > table.observations.len() / 2, "{refined} of {}", table.observations.len());
+    assert!(table.observations.iter().all(|ray| ray.standard_error_px.is_some() == (ray.outcome == RefinementOutcome::Refined)));
+    assert_eq!(table.starts.last().copied(), Some(table.observations.len() as u32));
+    assert_eq!((last(&steps, StageName::Likeness), last(&steps, StageName::Windows)), (Some((5, 5, 0)), Some((6, 6, 0))));
+    assert!(run.connections.iter().all(|pair| pair.rule == PairRule::Alike) && run.connections.len() < 15);
+    let (again, steps) = Host::new(input, &[]).unwrap().ended(&mut kept).unwrap();
+    assert_eq!(again, run);
+    assert_eq!(last(&steps, StageName::Windows), Some((6, 6, 6)));
+}
+
+#[test]
+fn an_image_that_cannot_be_read_and_a_pair_that_breaks_off_are_told_and_the_rest_goes_on() {
+    let mut host = Host::new(options(), &[("photo_00001.pgm", b"no image".to_vec()), ("other.pgm", Vec::new())]).unwrap();
+    host.images[0].truncate(100);
+    let mut kept = Kept::new();
+    let mut broken = false;
+    loop {
+        let jobs = host.run.next(1).unwrap();
+        let Some(job) = jobs.first() else { break };
+        let is_pair = host.run.prepare(job.id, &[String::new()]).unwrap().key.is_some_and(|key| key.starts_with("pairs/"));
+        if is_pair && !broken {
+            broken = true;
+            host.run.failed(job.id, Failure::BrokeOff { message: "unreachable".into() }).unwrap();
+        } else {
+            host.perform(job.id, &job.files, &mut kept).unwrap();
+        }
+    }
+    let run = host.run.finish().unwrap();
+    let skipped: Vec<(String, String)> = run.skipped.iter().map(|image| (image.name.clone(), image.reason.to_string())).collect();
+    assert_eq!(skipped[0].0, "photo_00000.pgm");
+    assert!(skipped[1].1.contains("its mask photo_00001.pgm: "), "{skipped:?}");
+    assert_eq!((run.images.len(), run.unused_masks), (4, vec!["other.pgm".to_string()]));
+    assert_eq!(run.connections[0].outcome, PairOutcome::Failed { reason: "the computation broke off (unreachable)".into() });
+    assert_eq!(run.connections.len(), 6);
+}
+
+#[test]
+fn what_no_run_can_be_is_refused_before_anything_is_computed() {
+    let names = |list: &[&str]| list.iter().map(|name| name.to_string()).collect::<Vec<_>>();
+    let refused = |input: RunInput| Run::new(input).err().map(|error| error.to_string()).unwrap_or_default();
+    let two = RunInput { images: names(&["a.png", "b.png"]), ..RunInput::default() };
+    assert!(
+        refused(RunInput { images: names(&["a.png", "a.png"]), ..two.clone() })
+            .contains("two with the name a.png; allowed: each name once")
+    );
+    assert!(
+        refused(RunInput { images: names(&["a\nb.png"]), ..two.clone() })
+            .contains(r#"the name "a\nb.png", which holds a control character"#)
+    );
+    assert!(refused(RunInput { masks: names(&["a.png", "a_mask.png"]), ..two.clone() }).contains("one mask per image"));
+    let cameras = Some(r#"{"cameras": [{"images": "DJI_*", "focal_px": 500}]}"#.into());
+    assert!(refused(RunInput { cameras, ..two.clone() }).contains("DJI_*, which fit no image"));
+    let control = Some(ControlTexts { points: "a,0,0,0\n".into(), marks: "a.png,a,1,1\n".into() });
+    assert!(refused(RunInput { control, ..two.clone() }).contains("0 of 1 measured in two images or more"));
+    let mut wrong = two.clone();
+    wrong.settings.features.multiscale.contrast = -1.0;
+    assert!(refused(wrong).contains("multiscale.contrast is -1; allowed"));
+    assert_eq!(refused(two), "");
+    let alone = Path::new("none.png").to_path_buf();
+    let error = run_block(&[alone], &[], RunInput::default(), &folder("none"), 1, |_| {}).unwrap_err().to_string();
+    assert!(error.starts_with("images of the block: got 0 of 1 could be read (none.png: "), "{error}");
+}
