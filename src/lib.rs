@@ -45,8 +45,8 @@ pub use descriptors::{
 pub use error::Error;
 pub use formats::{
     BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, GroundControlRow, ImageMeasurementRow, ModelCamera, ModelImage,
-    ModelPoint, ModelPose, ModelRay, colmap_features, colmap_matches, export_block,
-    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
+    ModelPoint, ModelPose, ModelRay, colmap_features, colmap_matches, export_block, parse_camera_rules, parse_ground_control_points,
+    parse_image_measurements, read_colmap_model,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matching::{

@@ -14,7 +14,8 @@ fn finished() -> &'static BlockRun {
     RUN.get_or_init(|| {
         let at = std::env::temp_dir().join(format!("tiepoint-outputs-{}", std::process::id()));
         fs::create_dir_all(&at).unwrap();
-        let flight = |seed| BlockFlight { strips: 1, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.12, seed, ..BlockFlight::default() };
+        let flight =
+            |seed| BlockFlight { strips: 1, exposures: 3, width_px: 480, height_px: 360, pixel_mm: 0.12, seed, ..BlockFlight::default() };
         for (seed, names) in [(1, ["a.pgm", "b.pgm", "c.pgm"].as_slice()), (9, &["=other, \"d\".pgm"])] {
             let scene = BlockScene::new(&flight(seed)).unwrap();
             for (index, name) in names.iter().enumerate() {

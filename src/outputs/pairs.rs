@@ -1,6 +1,6 @@
 //! What is known of each pair of a finished block.
 
-use crate::tracks::{TiePoints, FeatureObservation, shared_points};
+use crate::tracks::{FeatureObservation, TiePoints, shared_points};
 use crate::{BlockModel, BlockRun, ConnectionGraph, Error, PairOutcome, PairRule, TwoView};
 use serde::Serialize;
 use std::collections::BTreeMap;

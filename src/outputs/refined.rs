@@ -14,7 +14,8 @@ pub(super) fn refined_observations<'a>(model: &BlockModel, table: &'a Refinement
         point.rays.iter().flat_map(at).for_each(|(refined, _)| *common.entry(*refined).or_default() += 1);
         // Of equally many, the first.
         let most = common.into_iter().max_by_key(|(refined, count)| (*count, std::cmp::Reverse(*refined)));
-        let own = |ray| most.and_then(|(most, _)| at(ray).iter().find(|(refined, _)| *refined == most).map(|(_, observation)| *observation));
+        let own =
+            |ray| most.and_then(|(most, _)| at(ray).iter().find(|(refined, _)| *refined == most).map(|(_, observation)| *observation));
         point.rays.iter().map(own).collect()
     };
     model.points.iter().map(of_point).collect()
@@ -39,13 +40,8 @@ mod tests {
 
     #[test]
     fn two_features_at_one_place_of_an_image_keep_the_outcomes_of_their_own_points() {
-        let observed = |image, x, y, outcome| RefinedObservation {
-            image,
-            position_px: [x, y],
-            outcome,
-            standard_error_px: None,
-            correlation: None,
-        };
+        let observed =
+            |image, x, y, outcome| RefinedObservation { image, position_px: [x, y], outcome, standard_error_px: None, correlation: None };
         let table = RefinementTable {
             starts: vec![0, 2, 4],
             observations: vec![

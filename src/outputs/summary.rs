@@ -3,8 +3,8 @@
 use super::coverage::coverage;
 use super::pairs::PairRow;
 use crate::{
-    ReconstructedModel, BlockRun, BlockScore, BlockSettings, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ModelCamera, PairOutcome,
-    RayCountRmse, RefinementOutcome, ObservationVerdict, RefinementMethod, RefinementTable,
+    BlockRun, BlockScore, BlockSettings, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ModelCamera, ObservationVerdict,
+    PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -162,7 +162,13 @@ pub struct ExportOutcome {
     pub refused: Option<String>,
 }
 
-pub(super) fn summary(run: &BlockRun, pairs: &[PairRow], groups: &[Vec<u32>], exports: &[ExportOutcome], score: Option<BlockScore>) -> Summary {
+pub(super) fn summary(
+    run: &BlockRun,
+    pairs: &[PairRow],
+    groups: &[Vec<u32>],
+    exports: &[ExportOutcome],
+    score: Option<BlockScore>,
+) -> Summary {
     let name = |image: usize| run.images.get(image).map_or(String::new(), |image| image.name.clone());
     Summary {
         images: image_counts(run),
@@ -222,7 +228,8 @@ fn selection(run: &BlockRun) -> SelectionCounts {
     let covered = coverage(&run.model);
     let is_oriented = run.model.images.iter().any(|image| image.pose.is_some());
     // Images that are not oriented have no observations in a model that has others.
-    let counted = || run.model.images.iter().zip(&covered).filter(|(image, _)| image.pose.is_some() || !is_oriented).map(|(_, covered)| covered);
+    let counted =
+        || run.model.images.iter().zip(&covered).filter(|(image, _)| image.pose.is_some() || !is_oriented).map(|(_, covered)| covered);
     SelectionCounts {
         points: run.model.points.len(),
         rays: covered.iter().map(|image| image.observations).sum(),
@@ -242,7 +249,14 @@ fn refinement_counts(refinement: &RefinementTable, method: RefinementMethod) -> 
     let mut kept = outcome_counts(refinement);
     let mut taken = |outcome| kept.remove(&outcome).unwrap_or(0);
     let (references, refined) = (taken(RefinementOutcome::Reference), taken(RefinementOutcome::Refined));
-    RefinementCounts { method, points: refinement.starts.len().saturating_sub(1), rays: refinement.observations.len(), references, refined, kept }
+    RefinementCounts {
+        method,
+        points: refinement.starts.len().saturating_sub(1),
+        rays: refinement.observations.len(),
+        references,
+        refined,
+        kept,
+    }
 }
 
 fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSummary {

@@ -7,16 +7,8 @@ use crate::formats::{images_table, rays_table};
 use crate::text::{Row, table};
 use crate::{BlockRun, PairOutcome, RefinedObservation};
 
-const OF_IMAGES: [&str; 8] = [
-    "model",
-    "features",
-    "rays",
-    "places",
-    "exif_orientation",
-    "recorded_longitude_deg",
-    "recorded_latitude_deg",
-    "recorded_height_m",
-];
+const OF_IMAGES: [&str; 8] =
+    ["model", "features", "rays", "places", "exif_orientation", "recorded_longitude_deg", "recorded_latitude_deg", "recorded_height_m"];
 const OF_RAYS: [&str; 3] = ["refinement", "standard_error_px", "correlation"];
 const PAIRS: [&str; 13] = [
     "first",

@@ -35,18 +35,25 @@ pub struct FinishedBlock {
     run: Rc<BlockRun>,
 }
 
+impl FinishedBlock {
+    /// What a run has found.
+    pub(super) fn of(run: BlockRun) -> Self {
+        Self { run: Rc::new(run) }
+    }
+}
+
 #[wasm_bindgen]
 impl FinishedBlock {
     /// What a run has found.
     #[wasm_bindgen(constructor)]
     pub fn new(#[wasm_bindgen(unchecked_param_type = "object")] run: &JsValue) -> JsResult<FinishedBlock> {
-        Ok(Self { run: Rc::new(read("run", run)?) })
+        read("run", run).map(Self::of)
     }
 
     /// Opens a project file; one that is damaged or of another kind is refused whole.
     pub fn open(bytes: &[u8]) -> JsResult<FinishedBlock> {
         match read_project(bytes).map_err(thrown)? {
-            Project::Block(run) => Ok(Self { run: (*run).into() }),
+            Project::Block(run) => Ok(Self::of(*run)),
         }
     }
 

@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, pack, rows, thrown};
 use crate::{
-    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials,
-    parse_observations as read_observations, points_csv as write_points,
+    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials, parse_observations as read_observations,
+    points_csv as write_points,
 };
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -106,9 +106,14 @@ fn check(run: &BlockRun) -> Result<(), Error> {
     same("cameras of the project", cameras, run.model.cameras.len())?;
     same("geometries of the project", run.geometries.len(), run.connections.len())?;
     let refused = |what: &'static str, got: String, allowed: String| Err(Error::InvalidInput { what, got, allowed });
-    let differs = run.images.iter().zip(&run.model.images).find(|(image, modelled)| (&image.name, image.camera) != (&modelled.name, modelled.camera));
+    let differs =
+        run.images.iter().zip(&run.model.images).find(|(image, modelled)| (&image.name, image.camera) != (&modelled.name, modelled.camera));
     if let Some((image, modelled)) = differs {
-        return refused("image of the project", format!("'{}' of camera {}", image.name, image.camera), format!("'{}' of camera {}", modelled.name, modelled.camera));
+        return refused(
+            "image of the project",
+            format!("'{}' of camera {}", image.name, image.camera),
+            format!("'{}' of camera {}", modelled.name, modelled.camera),
+        );
     }
     if let Some(connection) = run.connections.iter().find(|c| c.images[0] >= c.images[1] || c.images[1] as usize >= images) {
         let allowed = format!("two images below {images} in ascending order");
@@ -181,7 +186,7 @@ mod tests {
         assert_eq!(names, ["photo_00000.png", "photo_00001.png", "photo_00002.png", "=other, 1.png"]);
         let oriented: Vec<bool> = run.model.images.iter().map(|image| image.pose.is_some()).collect();
         assert_eq!(oriented, [true, true, true, false]);
-        assert_eq!((run.model.points.len(), run.connections.len(), run.input.settings.selection.per_image), (9, 6, 9));
+        assert_eq!((run.model.points.len(), run.connections.len(), run.input.settings.selection.per_image), (12, 6, 9));
         assert_eq!(read(&write_block_project(&run).unwrap()), run);
     }
 

@@ -1,7 +1,8 @@
 //! The project file of version 1: a block without what its run knew beside it.
 
 use crate::{
-    Reconstruction, BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Remark, RunImage, RunInput, SelectOptions,
+    BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, InitialCamera, Reconstruction, Remark, RunImage, RunInput,
+    SelectOptions,
 };
 use serde::Deserialize;
 
