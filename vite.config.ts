@@ -1,27 +1,21 @@
-/** The page for a host: `www/` to `dist/`, with relative addresses, so that it works in any folder. */
+/** The development server, `npm run dev`; `tools/lib/page.mjs` builds the page. */
+import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { defineConfig, type Plugin } from 'vite';
-import { WEB_POLICY } from './tools/lib/policy.mjs';
+import { defineConfig } from 'vite';
+import type { Plugin } from 'vite';
+import { pathOf } from './tools/lib/compose.mjs';
 
-/** The policy stands in the built page itself, for hosts that send no headers. The development server needs inline scripts. */
-const policy: Plugin = {
-  name: 'tiepoint-policy',
-  apply: 'build',
-  transformIndexHtml: () => [{ tag: 'meta', attrs: { 'http-equiv': 'Content-Security-Policy', content: WEB_POLICY }, injectTo: 'head-prepend' }],
+/** What the built page has beside it. */
+const beside: Plugin = {
+  name: 'tiepoint-beside',
+  configureServer: ({ middlewares }) => {
+    middlewares.use('/worker.js', (_, response) => void response.setHeader('Content-Type', 'text/javascript').end("import '/worker.ts';"));
+    middlewares.use('/tiepoint_bg.wasm', (_, response) => void response.setHeader('Content-Type', 'application/wasm').end(readFileSync(pathOf('tiepoint_bg.wasm'))));
+  },
 };
 
 export default defineConfig({
   root: fileURLToPath(new URL('./www', import.meta.url)),
-  base: './',
-  plugins: [policy],
-  worker: { format: 'es' },
+  plugins: [beside],
   server: { fs: { allow: [fileURLToPath(new URL('.', import.meta.url))] } },
-  build: {
-    outDir: fileURLToPath(new URL('./dist', import.meta.url)),
-    emptyOutDir: true,
-    target: 'es2022',
-    assetsInlineLimit: 0,
-    modulePreload: { polyfill: false },
-    reportCompressedSize: false,
-  },
 });

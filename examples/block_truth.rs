@@ -15,7 +15,7 @@ use tiepoint::{
 };
 
 /// Standard error in m of the positions that place the blocks.
-const GPS_SIGMA_M: f64 = 0.1;
+const GNSS_SIGMA_M: f64 = 0.1;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -130,11 +130,10 @@ impl Sums {
             let off = |at: [f64; 3], wanted: [f64; 3]| [0, 1, 2].map(|i| at[i] - wanted[i]);
             let over = |off: [f64; 3], told: [f64; 3]| [0, 1, 2].map(|i| off[i] / told[i]);
             if let Some(told) = told.position_errors {
-                self.positions.add(over(off(image.position, exposure.centre), told));
+                self.positions.add(over(off(image.pose.position, exposure.centre), told));
             }
             if let Some(told) = told.angle_errors_deg {
-                let rows = nalgebra::Matrix3::from_fn(|r, c| image.rotation[r][c]);
-                let turned = off(angles_from_rotation(&rows), angles_from_rotation(&exposure.rotation));
+                let turned = off(image.pose.angles(), angles_from_rotation(&exposure.rotation));
                 let within = |v: f64| v - std::f64::consts::TAU * (v / std::f64::consts::TAU).round();
                 self.angles.add(over(turned.map(|v| within(v).to_degrees()), told));
             }
@@ -155,7 +154,7 @@ impl Sums {
             };
             // Of a point with a ray that does not belong to it the truth is not one place.
             if let (true, Some(owner), Some(told)) = (pure, owner, told.errors) {
-                let (at, wanted) = (model.adjusted.block.points[k].position, block.ground[owner as usize]);
+                let (at, wanted) = (model.adjusted.block.points[k], block.ground[owner as usize]);
                 self.points.add((0..3).map(|i| (at[i] - wanted[i]) / told[i]));
             }
         }
@@ -224,8 +223,8 @@ fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
         name: format!("{k}.jpg"),
         camera: exposure.camera as usize,
         position: Some(ObservedPosition::Local {
-            position: exposure.centre.map(|v| v + GPS_SIGMA_M * normal.next()),
-            sigma: [GPS_SIGMA_M; 3],
+            position: exposure.centre.map(|v| v + GNSS_SIGMA_M * normal.next()),
+            sigma: [GNSS_SIGMA_M; 3],
         }),
     });
     BlockDescription {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 use tiepoint::{
-    BlockFlight, BlockModel, BlockOptions, BlockView, Error, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPose,
-    SelectOptions, SimulatedBlock, TiePoints, export_block, select_points, simulate_block, tie_points,
+    BlockFlight, BlockModel, BlockOptions, BlockView, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, SelectOptions,
+    SimulatedBlock, TiePoints, export_block, select_points, simulate_block, tie_points,
 };
 
 fn main() -> Result<(), Error> {
@@ -30,22 +30,14 @@ fn main() -> Result<(), Error> {
 fn model_of(block: &SimulatedBlock, points: &TiePoints, chosen: &[u32]) -> Result<BlockModel, Error> {
     let (width_px, height_px) = (block.width_px, block.height_px);
     let count = block.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
-    let camera = |number: u32| ModelCamera {
-        width_px,
-        height_px,
-        focal_px: block.exposures.iter().find(|exposure| exposure.camera == number).map_or(1.0, |exposure| exposure.focal_px),
-        principal_point_px: [0.5 * f64::from(width_px), 0.5 * f64::from(height_px)],
-        radial: [0.0; 3],
-        tangential: [0.0; 2],
-        pixel_mm: Some(0.009),
+    let camera = |number: u32| {
+        let focal_px = block.exposures.iter().find(|exposure| exposure.camera == number).map_or(1.0, |exposure| exposure.focal_px);
+        Camera { pixel_mm: Some(0.009), ..Camera::without_distortion(width_px, height_px, focal_px) }
     };
     let image = |(index, exposure): (usize, &tiepoint::Exposure)| ModelImage {
         name: format!("photo_{index:04}.jpg"),
         camera: exposure.camera as usize,
-        pose: Some(ModelPose {
-            rotation: std::array::from_fn(|i| std::array::from_fn(|j| exposure.rotation[(i, j)])),
-            position: exposure.centre,
-        }),
+        pose: Some(Pose::new(&exposure.rotation, exposure.centre)),
     };
     let mut model = BlockModel {
         cameras: (0..count).map(camera).collect(),

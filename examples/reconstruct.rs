@@ -14,7 +14,7 @@ use tiepoint::{
 };
 
 /// Standard errors of a position by a hand-held receiver, to the east, to the north and up.
-const GPS_SIGMA_M: [f64; 3] = [4.0, 4.0, 6.0];
+const GNSS_SIGMA_M: [f64; 3] = [4.0, 4.0, 6.0];
 
 struct Photo {
     name: String,
@@ -114,7 +114,7 @@ fn description(photos: &[Photo]) -> BlockDescription {
             longitude_deg: position.longitude_deg,
             latitude_deg: position.latitude_deg,
             height_m: position.height_m,
-            sigma_m: GPS_SIGMA_M,
+            sigma_m: GNSS_SIGMA_M,
         });
         description.images.push(KnownImage { name: photo.name.clone(), camera, position });
     }
@@ -138,9 +138,9 @@ fn report(reconstruction: &Reconstruction, description: &BlockDescription) {
         }
         adjusted.rmse_by_rays.iter().for_each(|g| println!("  {} rays: {} points, RMSE {:.3} px", g.rays, g.points, g.rmse_px));
         for (image, statistics) in model.images.iter().zip(&adjusted.images) {
-            let gps = statistics.gps.map(|gps| gps.residual.map(|v| (v * 10.0).round() / 10.0));
+            let gnss = statistics.gnss.map(|gnss| gnss.residual.map(|v| (v * 10.0).round() / 10.0));
             println!(
-                "  {}: {} rays, RMSE {:.3} px, GPS off {gps:?} m",
+                "  {}: {} rays, RMSE {:.3} px, GNSS off {gnss:?} m",
                 description.images[*image].name, statistics.rays, statistics.rmse_px
             );
         }
@@ -162,8 +162,8 @@ fn compare(reconstruction: &Reconstruction, description: &BlockDescription, trut
         let Some(reference) = of_image.map(|i| &i["reference"]) else { continue };
         let Some(centre) = numbers(&reference["C"]).and_then(|c| <[f64; 3]>::try_from(c).ok()) else { continue };
         let rows: Vec<Vec<f64>> = reference["R_cw"].as_array().map(|rows| rows.iter().filter_map(numbers).collect()).unwrap_or_default();
-        pairs.push((oriented.position, centre));
-        rotations.push((oriented.rotation, rows));
+        pairs.push((oriented.pose.position, centre));
+        rotations.push((oriented.pose.rotation, rows));
     }
     let Some(onto) = Similarity::between(&pairs) else { return };
     let base = |k: usize| (0..3).map(|i| (pairs[k].1[i] - pairs[0].1[i]) * (pairs[k].1[i] - pairs[0].1[i])).sum::<f64>().sqrt();

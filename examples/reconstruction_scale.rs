@@ -18,11 +18,11 @@ fn main() -> Result<(), tiepoint::Error> {
         let start = Instant::now();
         let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
         let joined = start.elapsed().as_secs_f64();
-        let gps = |centre: [f64; 3]| ObservedPosition::Local { position: centre, sigma: [3.0, 3.0, 5.0] };
+        let gnss = |centre: [f64; 3]| ObservedPosition::Local { position: centre, sigma: [3.0, 3.0, 5.0] };
         let description = BlockDescription {
             cameras: vec![KnownCamera::of_size(block.width_px, block.height_px, Some(1.02 * block.exposures[0].focal_px))],
             images: (block.exposures.iter().enumerate())
-                .map(|(k, e)| KnownImage { name: format!("{k}.jpg"), camera: 0, position: Some(gps(e.centre)) })
+                .map(|(k, e)| KnownImage { name: format!("{k}.jpg"), camera: 0, position: Some(gnss(e.centre)) })
                 .collect(),
             control: Vec::new(),
         };
@@ -33,7 +33,7 @@ fn main() -> Result<(), tiepoint::Error> {
         let seconds = start.elapsed().as_secs_f64();
         let Some(model) = reconstruction.models.first() else { continue };
         let positions = model.images.iter().zip(&model.adjusted.block.images);
-        let pairs: Vec<_> = positions.map(|(k, image)| (image.position, block.exposures[*k].centre)).collect();
+        let pairs: Vec<_> = positions.map(|(k, image)| (image.pose.position, block.exposures[*k].centre)).collect();
         let onto = Similarity::between(&pairs);
         let square = |(from, to): &([f64; 3], [f64; 3])| {
             let at = onto.map_or(*from, |onto| onto.point(from));

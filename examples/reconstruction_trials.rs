@@ -25,7 +25,7 @@ fn main() -> Result<(), tiepoint::Error> {
                 continue;
             };
             let pairs: Vec<_> = (model.images.iter().zip(&model.adjusted.block.images))
-                .map(|(k, image)| (image.position, block.exposures[*k].centre))
+                .map(|(k, image)| (image.pose.position, block.exposures[*k].centre))
                 .collect();
             let square = |onto: Similarity| {
                 let off = |(from, to): &([f64; 3], [f64; 3])| {

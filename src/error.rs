@@ -60,6 +60,11 @@ pub enum Error {
     NotWritten { what: &'static str },
 }
 
+/// Refuses an input: see [`Error::InvalidInput`].
+pub(crate) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
+    Err(Error::InvalidInput { what, got, allowed: allowed.into() })
+}
+
 impl Error {
     /// A name for programs; it does not change between versions.
     pub fn code(&self) -> &'static str {

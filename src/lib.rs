@@ -13,6 +13,7 @@ mod image;
 mod json;
 mod matching;
 mod math;
+mod model;
 mod orientation;
 mod outputs;
 mod pair;
@@ -30,13 +31,13 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, CameraLabel, CameraParameter,
-    CameraStatistics, ControlPoint, Datum, FixedParameter, FreeParameters, ImageStatistics, Loss, ObjectPointStatistics,
-    ObservationStatistics, ObservationVerdict, OrientedPart, PositionPrior, PriorStatistics, RayCountRmse, Similarity, adjust_block,
+    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, CameraParameter, CameraStatistics, ControlPoint, Datum,
+    FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
+    PriorStatistics, RayCountRmse, Similarity, adjust_block,
 };
 pub use camera::{
-    Camera, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, Interior, angles_from_rotation,
-    orient_fiducials, rotation_from_angles,
+    Camera, CameraMm, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose,
+    angles_from_rotation, orient_fiducials, rotation_from_angles,
 };
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
@@ -44,9 +45,8 @@ pub use descriptors::{
 };
 pub use error::Error;
 pub use formats::{
-    BlockModel, CameraRule, ColmapFeature, ExportFormat, GeographicOrigin, GroundControlRow, ImageMeasurementRow, ModelCamera, ModelImage,
-    ModelPoint, ModelPose, ModelRay, colmap_features, colmap_matches, export_block, parse_camera_rules, parse_ground_control_points,
-    parse_image_measurements, read_colmap_model,
+    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
+    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matching::{
@@ -56,6 +56,10 @@ pub use matching::{
     match_images, match_points, nearest, nearest_matches, nearest_of,
 };
 pub use math::{geographic_from_local, local_from_geographic};
+pub use model::{
+    BlockDescription, BlockModel, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage, ObjectPoint,
+    ObservedPosition,
+};
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
     RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
@@ -85,8 +89,8 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
-    BlockDescription, GroundControlPoint, ImageMeasurement, KnownCamera, KnownImage, ObservationSource, ObservedPosition, PointSource,
-    ReconstructedModel, Reconstruction, ReconstructionOptions, RejectedObservation, UnorientedImage, UnorientedReason, reconstruct_block,
+    ObservationSource, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions, RejectedObservation, UnorientedImage,
+    UnorientedReason, reconstruct_block,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{

@@ -2,7 +2,7 @@
 
 use crate::json;
 use crate::text::{Row, records, shorten, table};
-use crate::{Camera, Error, Fiducial, Observation};
+use crate::{CameraMm, Error, Fiducial, Observation};
 use csv::StringRecord;
 
 /// Reads fiducial marks: columns `col`, `row` (px, the centre of the top-left pixel at (0.5, 0.5)), `x_mm`, `y_mm`.
@@ -31,9 +31,9 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
 ///
 /// # Errors
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
-pub fn parse_camera(json: &str) -> Result<Camera, Error> {
+pub fn parse_camera(json: &str) -> Result<CameraMm, Error> {
     let text = json.trim_start_matches('\u{feff}');
-    let camera: Camera = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the camera", reason })?;
+    let camera: CameraMm = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the camera", reason })?;
     camera.check().map(|()| camera)
 }
 

@@ -22,19 +22,19 @@ fn angles(rotation: &[[f64; 3]; 3]) -> [f64; 3] {
 fn standardised(result: &AdjustmentResult, truth: &Block) -> [Vec<f64>; 3] {
     let (mut turns, mut positions, mut points) = (Vec::new(), Vec::new(), Vec::new());
     for ((image, true_image), statistics) in result.block.images.iter().zip(&truth.images).zip(&result.images) {
-        let (got, wanted) = (angles(&image.rotation), angles(&true_image.rotation));
+        let (got, wanted) = (angles(&image.pose.rotation), angles(&true_image.pose.rotation));
         let errors = statistics.angle_errors_deg.unwrap();
         for k in 0..3 {
             let turn = (got[k] - wanted[k]).to_degrees();
             turns.push((turn + 540.0).rem_euclid(360.0) - 180.0);
             *turns.last_mut().unwrap() /= errors[k];
-            positions.push((image.position[k] - true_image.position[k]) / statistics.position_errors.unwrap()[k]);
+            positions.push((image.pose.position[k] - true_image.pose.position[k]) / statistics.position_errors.unwrap()[k]);
         }
     }
     for ((point, true_point), statistics) in result.block.points.iter().zip(&truth.points).zip(&result.points) {
         if let Some(statistics) = statistics {
             let errors = statistics.errors.unwrap();
-            points.extend((0..3).map(|k| (point.position[k] - true_point.position[k]) / errors[k]));
+            points.extend((0..3).map(|k| (point[k] - true_point[k]) / errors[k]));
         }
     }
     [turns, positions, points]
@@ -82,10 +82,10 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
         kind: NetworkKind::TwoHeights,
         radial: [-0.05, 0.02, 0.0],
         tangential: [0.001, -0.0005],
-        gps_sigma_m: 0.03,
+        gnss_sigma_m: 0.03,
         ..NetworkFlight::default()
     };
-    let options = AdjustmentOptions { datum: Datum::GpsAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
+    let options = AdjustmentOptions { datum: Datum::GnssAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
     let mut all: [Vec<f64>; 4] = Default::default();
     for seed in 1..=4 * RUNS {
         let mut simulated = simulate_network(&NetworkFlight { seed, control_points: 5, ..flight.clone() }).unwrap();
@@ -120,16 +120,16 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
 
 #[test]
 fn redundancies_sum_up_to_the_degrees_of_freedom() {
-    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, gps_sigma_m: 0.05, control_points: 4, ..NetworkFlight::default() };
+    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, gnss_sigma_m: 0.05, control_points: 4, ..NetworkFlight::default() };
     let mut simulated = simulate_network(&flight).unwrap();
     simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: true, radial: 1, tangential: false };
-    for datum in [Datum::Free, Datum::Gps, Datum::Control, Datum::GpsAndControl] {
+    for datum in [Datum::Free, Datum::Gnss, Datum::Control, Datum::GnssAndControl] {
         let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum, sigma0_px: Some(0.4), ..squares() }).unwrap();
         let rays: f64 = result.rays.iter().filter_map(|ray| ray.redundancy).flatten().sum();
-        let gps: f64 = result.images.iter().filter_map(|image| image.gps?.redundancy).flatten().sum();
+        let gnss: f64 = result.images.iter().filter_map(|image| image.gnss?.redundancy).flatten().sum();
         let control: f64 = result.control.iter().filter_map(|c| (*c)?.redundancy).flatten().sum();
         let freedom = result.degrees_of_freedom as f64;
-        assert!((rays + gps + control - freedom).abs() < 1e-6 * freedom, "{datum:?}: {rays} + {gps} + {control}, {freedom}");
+        assert!((rays + gnss + control - freedom).abs() < 1e-6 * freedom, "{datum:?}: {rays} + {gnss} + {control}, {freedom}");
         let tests: Vec<f64> = result.rays.iter().filter_map(|ray| ray.w).flatten().collect();
         assert!((0.95..1.05).contains(&mean_square(&tests)), "{datum:?}: {}", mean_square(&tests));
     }
@@ -147,7 +147,7 @@ fn a_free_network_keeps_its_shape_whatever_the_start() {
     let redundancy = near.rays.iter().zip(&far.rays).map(|(a, b)| (a.redundancy.unwrap()[0] - b.redundancy.unwrap()[0]).abs());
     assert!(redundancy.fold(0.0, f64::max) < 1e-5);
     let distance = |result: &AdjustmentResult, a: usize, b: usize| {
-        let (a, b) = (result.block.images[a].position, result.block.images[b].position);
+        let (a, b) = (result.block.images[a].pose.position, result.block.images[b].pose.position);
         (0..3).map(|k| (a[k] - b[k]) * (a[k] - b[k])).sum::<f64>().sqrt()
     };
     let ratio = distance(&near, 0, 29) / distance(&near, 3, 17) * distance(&far, 3, 17) / distance(&far, 0, 29);
@@ -159,16 +159,16 @@ fn a_free_network_stays_in_the_middle_of_its_start() {
     let simulated = simulate_network(&NetworkFlight::default()).unwrap();
     let result = adjust_block(&simulated.observed, &squares()).unwrap();
     for k in 0..3 {
-        let mean = |block: &Block| block.images.iter().map(|image| image.position[k]).sum::<f64>() / 30.0;
+        let mean = |block: &Block| block.images.iter().map(|image| image.pose.position[k]).sum::<f64>() / 30.0;
         assert!((mean(&result.block) - mean(&simulated.observed)).abs() < 1e-9);
     }
 }
 
 #[test]
 fn errors_of_a_block_held_by_gps_are_as_large_as_told() {
-    let flight = NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() };
-    let options = AdjustmentOptions { datum: Datum::Gps, ..squares() };
-    within("GPS", mean_squares(&flight, &options, 60));
+    let flight = NetworkFlight { gnss_sigma_m: 0.05, ..NetworkFlight::default() };
+    let options = AdjustmentOptions { datum: Datum::Gnss, ..squares() };
+    within("GNSS", mean_squares(&flight, &options, 60));
 }
 
 #[test]
@@ -179,11 +179,11 @@ fn errors_of_a_block_held_by_control_points_are_as_large_as_told() {
 }
 
 #[test]
-fn gps_with_a_gross_error_shows_it_in_its_test() {
-    let mut simulated = simulate_network(&NetworkFlight { gps_sigma_m: 0.05, ..NetworkFlight::default() }).unwrap();
-    simulated.observed.images[11].gps.as_mut().unwrap().position[2] += 0.6;
-    let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap();
-    let size = |image: usize| result.images[image].gps.unwrap().w.unwrap().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
+fn gnss_with_a_gross_error_shows_it_in_its_test() {
+    let mut simulated = simulate_network(&NetworkFlight { gnss_sigma_m: 0.05, ..NetworkFlight::default() }).unwrap();
+    simulated.observed.images[11].gnss.as_mut().unwrap().position[2] += 0.6;
+    let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gnss, ..squares() }).unwrap();
+    let size = |image: usize| result.images[image].gnss.unwrap().w.unwrap().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
     let worst = (0..result.images.len()).max_by(|a, b| size(*a).total_cmp(&size(*b))).unwrap();
     assert!(worst == 11 && size(11) > 3.29, "{worst}: {}", size(worst));
 }
@@ -261,14 +261,14 @@ fn rays_of_two_photos_are_kept() {
 
 #[test]
 fn a_rejected_ray_is_told_the_test_it_had() {
-    let flight = NetworkFlight { gps_sigma_m: 3.0, ..NetworkFlight::default() };
+    let flight = NetworkFlight { gnss_sigma_m: 3.0, ..NetworkFlight::default() };
     let mut simulated = simulate_network(&flight).unwrap();
     let rays_of = |point: usize| simulated.observed.rays.iter().filter(|ray| ray.point == point).count();
     let wrong = simulated.observed.rays.iter().position(|ray| rays_of(ray.point) >= 4).unwrap();
     simulated.observed.rays[wrong].y_px += 12.0 * flight.noise_px;
     let sigma0_px = Some(flight.noise_px);
     let mut tests = Vec::new();
-    for datum in [Datum::Free, Datum::Gps] {
+    for datum in [Datum::Free, Datum::Gnss] {
         let options = AdjustmentOptions { datum, sigma0_px, loss: Loss::Squares, ..AdjustmentOptions::default() };
         let kept = adjust_block(&simulated.observed, &AdjustmentOptions { snooping: false, ..options.clone() }).unwrap();
         let snooped = adjust_block(&simulated.observed, &options).unwrap();
@@ -284,9 +284,9 @@ fn a_rejected_ray_is_told_the_test_it_had() {
 /// How far a ray was observed from where the truth has it, in px.
 fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
     let ray = simulated.truth.rays[ray];
-    let (image, point) = (&simulated.truth.images[ray.image], simulated.truth.points[ray.point].position);
-    let d = [0, 1, 2].map(|k| point[k] - image.position[k]);
-    let [u, v, w] = image.rotation.map(|row| (0..3).map(|k| row[k] * d[k]).sum::<f64>());
+    let (image, point) = (&simulated.truth.images[ray.image], simulated.truth.points[ray.point]);
+    let d = [0, 1, 2].map(|k| point[k] - image.pose.position[k]);
+    let [u, v, w] = image.pose.rotation.map(|row| (0..3).map(|k| row[k] * d[k]).sum::<f64>());
     let at = simulated.truth.cameras[image.camera].project(-u / w, v / w);
     ((at[0] - ray.x_px) * (at[0] - ray.x_px) + (at[1] - ray.y_px) * (at[1] - ray.y_px)).sqrt()
 }
@@ -320,12 +320,13 @@ fn a_lens_that_bends_is_calibrated_by_a_free_network() {
 }
 
 #[test]
-fn gps_in_a_single_strip_does_not_hold_a_block() {
-    let mut simulated = simulate_network(&NetworkFlight { strips: 1, stations: 8, gps_sigma_m: 0.02, ..NetworkFlight::default() }).unwrap();
+fn gnss_in_a_single_strip_does_not_hold_a_block() {
+    let mut simulated =
+        simulate_network(&NetworkFlight { strips: 1, stations: 8, gnss_sigma_m: 0.02, ..NetworkFlight::default() }).unwrap();
     for (k, image) in simulated.observed.images.iter_mut().enumerate() {
-        image.gps.as_mut().unwrap().position = [k as f64 * 20.0, 0.0, 100.0];
+        image.gnss.as_mut().unwrap().position = [k as f64 * 20.0, 0.0, 100.0];
     }
-    let error = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    let error = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gnss, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "degenerate");
 }
 
@@ -347,7 +348,7 @@ fn rays_without_errors_give_the_truth() {
 #[test]
 fn a_block_that_falls_apart_is_refused() {
     let mut simulated = simulate_network(&NetworkFlight::default()).unwrap();
-    let side: Vec<bool> = simulated.observed.points.iter().map(|p| p.position[1] < 0.0).collect();
+    let side: Vec<bool> = simulated.observed.points.iter().map(|p| p[1] < 0.0).collect();
     simulated.observed.rays.retain(|ray| (ray.image < 15) == side[ray.point]);
     let error = adjust_block(&simulated.observed, &squares()).unwrap_err();
     assert!(error.code() == "degenerate" && error.to_string().contains("parts"), "{error}");
@@ -366,7 +367,7 @@ fn wrong_blocks_are_refused_by_what_is_wrong() {
     assert!(code == "invalid-input" && text.contains("99") && text.contains("ray 7"), "{text}");
     let (code, text) = refused(&|b| b.rays[3].x_px = f64::NAN);
     assert!(code == "invalid-input" && text.contains("ray 3"), "{text}");
-    let (code, text) = refused(&|b| b.images[2].rotation[0] = [0.0; 3]);
+    let (code, text) = refused(&|b| b.images[2].pose.rotation[0] = [0.0; 3]);
     assert!(code == "invalid-input" && text.contains("image 2"), "{text}");
     let (code, text) = refused(&|b| b.rays.push(b.rays[0]));
     assert!(code == "invalid-input" && text.contains("two rays"), "{text}");
@@ -376,7 +377,7 @@ fn wrong_blocks_are_refused_by_what_is_wrong() {
     assert_eq!(code, "too-few");
     let error = adjust_block(&block, &AdjustmentOptions { alpha0: 0.0, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "invalid-option");
-    let error = adjust_block(&block, &AdjustmentOptions { datum: Datum::Gps, ..squares() }).unwrap_err();
+    let error = adjust_block(&block, &AdjustmentOptions { datum: Datum::Gnss, ..squares() }).unwrap_err();
     assert_eq!(error.code(), "too-few");
 }
 

@@ -9,13 +9,13 @@ const EXPECTED: u64 = 0xb060_f8cc_481d_db6e;
 #[cfg_attr(not(target_arch = "wasm32"), test)]
 fn blocks_are_adjusted_to_the_same_bits_on_every_machine() {
     let mut hash = Hash::default();
-    for datum in [Datum::Free, Datum::Gps, Datum::GpsAndControl] {
+    for datum in [Datum::Free, Datum::Gnss, Datum::GnssAndControl] {
         let flight = NetworkFlight {
             kind: NetworkKind::TwoHeights,
             strips: 3,
             stations: 4,
             gross_share: 0.03,
-            gps_sigma_m: 0.05,
+            gnss_sigma_m: 0.05,
             control_points: 5,
             radial: [-0.05, 0.02, 0.0],
             ..NetworkFlight::default()
@@ -49,13 +49,13 @@ impl Hash {
 
     fn add_result(&mut self, result: &AdjustmentResult) {
         for (image, statistics) in result.block.images.iter().zip(&result.images) {
-            self.add_all(image.rotation.as_flattened());
-            self.add_all(&image.position);
+            self.add_all(image.pose.rotation.as_flattened());
+            self.add_all(&image.pose.position);
             self.add_all(&statistics.position_errors.unwrap());
             self.add_all(&statistics.angle_errors_deg.unwrap());
         }
         for (point, statistics) in result.block.points.iter().zip(&result.points) {
-            self.add_all(&point.position);
+            self.add_all(point);
             self.add_all(statistics.iter().flat_map(|s| s.errors.as_ref().unwrap()));
         }
         for ray in &result.rays {

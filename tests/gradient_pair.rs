@@ -1,7 +1,7 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
 use tiepoint::{
-    Camera, Degeneracy, Expectation, GreyImage, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput,
+    CameraMm, Degeneracy, Expectation, GreyImage, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput,
     PointOptions, Refinement, Rule, SAMPLE_SEED, Sample, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,
 };
 
@@ -96,7 +96,7 @@ fn every_operator_can_be_described_by_gradients() {
 #[test]
 fn an_image_and_itself_differ_by_a_rotation_alone() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let camera = Camera { focal_mm: 150.0, principal_point_mm: [0.0; 2], pixel_mm: Some(0.1), radial_distortion: [0.0; 3] };
+    let camera = CameraMm { focal_mm: 150.0, principal_point_mm: [0.0; 2], pixel_mm: Some(0.1), radial_distortion: [0.0; 3] };
     let result = matched(&sample.left, &turned(&sample.left), &PairInput { camera: Some(camera), ..PairInput::default() }, &settings());
     let geometry = result.geometry.unwrap().unwrap();
     assert_eq!(geometry.degenerate, Some(Degeneracy::PureRotation));

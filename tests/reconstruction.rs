@@ -7,9 +7,9 @@ mod scene;
 use normal::Normal;
 use scene::{Scene, scene, selected};
 use tiepoint::{
-    AdjustmentOptions, BlockDescription, BlockFlight, BlockOptions, BlockView, Datum, FreeParameters, GroundControlPoint, ImageMeasurement,
-    ObservationVerdict, ObservedPosition, OrientedPart, PointSource, Reconstruction, ReconstructionOptions, TiePoints, UnorientedReason,
-    adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
+    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, Datum, FreeParameters, GroundControlPoint,
+    ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction, ReconstructionOptions, TiePoints,
+    UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
 };
 
 /// One model of all images, as precise as the rays: σ₀ is the noise of the features.
@@ -142,7 +142,7 @@ fn errors_of_assembled_blocks_are_as_large_as_told() {
         variances.push((model.adjusted.sigma0_px.unwrap() / 0.3).powi(2));
         for ((k, image), statistics) in model.images.iter().zip(&model.adjusted.block.images).zip(&model.adjusted.images) {
             let told = statistics.position_errors.unwrap();
-            squares[0].extend((0..3).map(|i| ((image.position[i] - scene.block.exposures[*k].centre[i]) / told[i]).powi(2)));
+            squares[0].extend((0..3).map(|i| ((image.pose.position[i] - scene.block.exposures[*k].centre[i]) / told[i]).powi(2)));
         }
         for ((point, known), statistics) in model.adjusted.block.points.iter().zip(&model.points).zip(&model.adjusted.points) {
             let (Some(statistics), PointSource::TiePoint(index)) = (statistics, known) else { continue };
@@ -152,7 +152,7 @@ fn errors_of_assembled_blocks_are_as_large_as_told() {
             let Some(owner) = owners[0].filter(|_| owners.iter().all(|owner| *owner == owners[0])) else { continue };
             let told = statistics.errors.unwrap();
             let wanted = scene.block.ground[owner as usize];
-            squares[1].extend((0..3).map(|i| ((point.position[i] - wanted[i]) / told[i]).powi(2)));
+            squares[1].extend((0..3).map(|i| ((point[i] - wanted[i]) / told[i]).powi(2)));
         }
     }
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
@@ -178,25 +178,25 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let [longitude_deg, latitude_deg, height_m] = geographic_from_local(scene.block.ground[owner as usize], origin);
     let ray = |ray: &tiepoint::FeatureObservation| {
         let [x, y] = scene.block.features[ray.image as usize][ray.feature as usize];
-        ImageMeasurement { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y) }
+        ImageObservation { image: ray.image as usize, x_px: f64::from(x), y_px: f64::from(y), confidence: 1.0 }
     };
     let control = GroundControlPoint {
         name: "church".into(),
         position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
-        rays: rays.iter().map(ray).collect(),
+        measurements: rays.iter().map(ray).collect(),
     };
     scene.description.control.push(control);
     let reconstruction = scene.reconstruct(&selected());
     scene.report("on the earth", &reconstruction);
     assert_whole(&scene, &reconstruction, 1.5);
     let model = &reconstruction.models[0];
-    assert!(model.in_system && model.adjusted.datum == Datum::GpsAndControl);
+    assert!(model.in_system && model.adjusted.datum == Datum::GnssAndControl);
     assert_eq!(model.points.last(), Some(&PointSource::GroundControl(0)));
     // The model's place of an image on the earth is that of the exposure.
     let from = reconstruction.origin.unwrap();
     let from = [from.longitude_deg, from.latitude_deg, from.height_m];
     for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
-        let at = local_from_geographic(geographic_from_local(image.position, from), origin);
+        let at = local_from_geographic(geographic_from_local(image.pose.position, from), origin);
         let off = (0..3).map(|i| (at[i] - scene.block.exposures[*k].centre[i]).powi(2)).sum::<f64>().sqrt();
         assert!(off < 4.0, "image {k} is off by {off} m");
     }
@@ -206,7 +206,7 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     let accepted = model.adjusted.rays.iter().filter(|ray| ray.verdict == ObservationVerdict::Accepted).count();
     assert_eq!(exported.points.iter().map(|point| point.rays.len()).sum::<usize>(), accepted);
     // There and back: alone, the chosen points adjust to somewhat smaller residuals than with those that determined the block, too.
-    let again = adjust_block(&OrientedPart::of_model(&exported).unwrap().block, &AdjustmentOptions::default()).unwrap();
+    let again = adjust_block(&Block::of_model(&exported).unwrap(), &AdjustmentOptions::default()).unwrap();
     let smaller = model.adjusted.rmse_px - again.rmse_px;
     assert!((0.0..0.1 * model.adjusted.rmse_px).contains(&smaller), "{} {}", again.rmse_px, model.adjusted.rmse_px);
     assert!(model.adjusted.degrees_of_freedom > 2 * again.degrees_of_freedom);
@@ -244,18 +244,18 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|_, o| o.least_angle_deg = f64::NAN, "reconstruction.least_angle_deg is NaN");
     refused(&|_, o| o.least_rays = 2, "reconstruction.least_rays is 2");
     refused(&|_, o| o.adjustment.alpha0 = 2.0, "adjustment.alpha0");
-    refused(&|_, o| o.datum = Some(Datum::Gps), "GPS positions or control points");
-    let ray = ImageMeasurement { image: 9, x_px: 1.0, y_px: 1.0 };
-    let control = GroundControlPoint { name: "a".into(), position: local(0.0).unwrap(), rays: vec![ray] };
+    refused(&|_, o| o.datum = Some(Datum::Gnss), "GNSS positions or control points");
+    let ray = ImageObservation { image: 9, x_px: 1.0, y_px: 1.0, confidence: 1.0 };
+    let control = GroundControlPoint { name: "a".into(), position: local(0.0).unwrap(), measurements: vec![ray] };
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of surveyed point a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
-        let ray = ImageMeasurement { image: 1, x_px, y_px };
+        let ray = ImageObservation { image: 1, x_px, y_px, confidence: 1.0 };
         let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: places within its 4000 x 3000 px");
-        refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray], ..control.clone() }), &got);
+        refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray], ..control.clone() }), &got);
     }
-    let ray = ImageMeasurement { image: 1, x_px: 4000.0, y_px: 0.0 };
-    refused(&|d, _| d.control.push(GroundControlPoint { rays: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
-    let earth = GroundControlPoint { position: geographic, rays: Vec::new(), ..control.clone() };
+    let ray = ImageObservation { image: 1, x_px: 4000.0, y_px: 0.0, confidence: 1.0 };
+    refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
+    let earth = GroundControlPoint { position: geographic, measurements: Vec::new(), ..control.clone() };
     refused(&|d, _| (d.images[0].position, d.control) = (local(1.0), vec![earth.clone(); 2]), "2 geographic and 1 local");
 }
 

@@ -4,7 +4,7 @@ mod scene;
 
 use scene::{Scene, scene, selected};
 use tiepoint::{
-    BlockFlight, Datum, GroundControlPoint, ImageMeasurement, KnownCamera, ObservedPosition, Reconstruction, geographic_from_local,
+    BlockFlight, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction, geographic_from_local,
 };
 
 /// Where the simulated blocks lie on the earth.
@@ -56,7 +56,7 @@ impl Scene {
         let model = &reconstruction.models[0];
         let mut sums = [0.0; 2];
         for (k, image) in model.images.iter().zip(&model.adjusted.block.images) {
-            let d = [0, 1, 2].map(|i| image.position[i] - self.block.exposures[*k].centre[i]);
+            let d = [0, 1, 2].map(|i| image.pose.position[i] - self.block.exposures[*k].centre[i]);
             sums[0] += d[0] * d[0] + d[1] * d[1];
             sums[1] += d[2] * d[2];
         }
@@ -74,14 +74,14 @@ fn positions_without_heights_place_a_block_that_is_taken_as_level() {
     scene.record_places(|_| false);
     let reconstruction = scene.assert_all("no heights", 2.0);
     let model = &reconstruction.models[0];
-    assert!(model.in_system && model.adjusted.datum == Datum::Gps);
+    assert!(model.in_system && model.adjusted.datum == Datum::Gnss);
     assert!(says(&reconstruction, &["no heights", "level"]), "{:?}", model.weaknesses);
     // Heights count from the mean of the flight; what is told of them is that they are uncertain.
-    let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.position[2]).collect();
+    let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.pose.position[2]).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
     assert!(mean.abs() < 5.0 && heights.iter().all(|z| (z - mean).abs() < 60.0), "{heights:?}");
     assert!(model.adjusted.images.iter().all(|image| image.position_errors.unwrap()[2] > 10.0));
-    assert!(model.adjusted.images.iter().all(|image| image.gps.unwrap().residual[0].abs() < 10.0));
+    assert!(model.adjusted.images.iter().all(|image| image.gnss.unwrap().residual[0].abs() < 10.0));
 }
 
 #[test]
@@ -91,10 +91,10 @@ fn a_height_that_is_missing_leaves_the_block_in_its_system() {
         scene.record_places(|image| !missing.contains(&image));
         let reconstruction = scene.assert_all("a height missing", 2.0);
         let model = &reconstruction.models[0];
-        assert!(model.in_system && model.adjusted.datum == Datum::Gps, "{:?}", model.weaknesses);
+        assert!(model.in_system && model.adjusted.datum == Datum::Gnss, "{:?}", model.weaknesses);
         assert!(!says(&reconstruction, &["level"]), "{:?}", model.weaknesses);
-        let gps = model.adjusted.images[missing[0]].gps.unwrap();
-        assert!(gps.residual[2] == 0.0 && gps.residual[0] != 0.0);
+        let gnss = model.adjusted.images[missing[0]].gnss.unwrap();
+        assert!(gnss.residual[2] == 0.0 && gnss.residual[0] != 0.0);
     }
 }
 
@@ -107,11 +107,11 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
         let reconstruction = scene.assert_all(&format!("a position {by:?} off"), 1.5);
         let model = &reconstruction.models[0];
         assert!(model.in_system && says(&reconstruction, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
-        let gps = model.adjusted.images[6].gps.unwrap();
+        let gnss = model.adjusted.images[6].gnss.unwrap();
         let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let residual = gps.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
-        assert!(!gps.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
-        let refused = model.adjusted.images.iter().filter(|image| !image.gps.unwrap().accepted).count();
+        let residual = gnss.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
+        assert!(!gnss.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
+        let refused = model.adjusted.images.iter().filter(|image| !image.gnss.unwrap().accepted).count();
         assert_eq!(refused, 1);
         assert!(says(&reconstruction, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
         let off = scene.off_in_system(&reconstruction);
@@ -139,7 +139,7 @@ fn good_recorded_positions_are_all_kept() {
         let mut scene = scene(&BlockFlight { seed, ..BlockFlight::default() }, 1.0);
         scene.record_positions();
         let reconstruction = scene.assert_all("good positions", 1.5);
-        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gps.unwrap().accepted));
+        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gnss.unwrap().accepted));
     }
 }
 
@@ -158,7 +158,7 @@ fn a_camera_for_every_image_is_calibrated_as_far_as_the_block_determines_it() {
         assert_eq!(reconstruction.models[0].cameras.len(), 30);
         assert!(reconstruction.models[0].in_system == recorded);
         // Cameras that are not determined contradict good positions.
-        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gps.is_none_or(|gps| gps.accepted)));
+        assert!(reconstruction.models[0].adjusted.images.iter().all(|image| image.gnss.is_none_or(|gnss| gnss.accepted)));
     }
 }
 
@@ -176,13 +176,13 @@ fn surveyed(scene: &Scene, most_px: f64) -> Vec<GroundControlPoint> {
         for (image, exposure) in scene.block.exposures.iter().enumerate() {
             if let Some([x, y]) = exposure.project(position, scene.block.width_px, scene.block.height_px) {
                 let off = [0, 1].map(|k| most_px * error(image * 5 + index, k));
-                rays.push(ImageMeasurement { image, x_px: x + off[0], y_px: y + off[1] });
+                rays.push(ImageObservation { image, x_px: x + off[0], y_px: y + off[1], confidence: 1.0 });
             }
         }
         control.push(GroundControlPoint {
             name: format!("gcp {index}"),
             position: ObservedPosition::Local { position, sigma: [0.02, 0.02, 0.03] },
-            rays,
+            measurements: rays,
         });
     }
     control
@@ -193,7 +193,7 @@ fn marks_are_judged_by_their_own_precision() {
     let mut scene = scene(&BlockFlight::default(), 1.0);
     for most_px in [1.0, 2.0] {
         scene.description.control = surveyed(&scene, most_px);
-        let marks: usize = scene.description.control.iter().map(|control| control.rays.len()).sum();
+        let marks: usize = scene.description.control.iter().map(|control| control.measurements.len()).sum();
         let reconstruction = scene.assert_all(&format!("marks off by up to {most_px} px"), 1.5);
         let model = &reconstruction.models[0];
         assert!(marks >= 25 && model.in_system && model.adjusted.datum == Datum::Control);
@@ -208,9 +208,9 @@ fn marks_are_judged_by_their_own_precision() {
 fn marks_that_do_not_fit_are_told_by_name() {
     let mut scene = scene(&BlockFlight::default(), 1.0);
     scene.description.control = surveyed(&scene, 0.3);
-    let image = scene.description.control[2].rays[1].image;
-    scene.description.control[2].rays[1].x_px += 60.0;
-    for (index, ray) in scene.description.control[3].rays.iter_mut().enumerate() {
+    let image = scene.description.control[2].measurements[1].image;
+    scene.description.control[2].measurements[1].x_px += 60.0;
+    for (index, ray) in scene.description.control[3].measurements.iter_mut().enumerate() {
         ray.x_px += 200.0 * error(index, 0);
         ray.y_px += 200.0 * error(index, 1);
     }
@@ -246,7 +246,7 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
         let model = &reconstruction.models[0];
         assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.weaknesses);
         assert!(reconstruction.origin.is_none(), "what the surveyed points are of has no place on the earth");
-        assert!(model.adjusted.images.iter().all(|image| image.gps.is_none()));
+        assert!(model.adjusted.images.iter().all(|image| image.gnss.is_none()));
         assert_eq!(says(&reconstruction, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
         assert!(told.is_none_or(|words| says(&reconstruction, &words)), "{scale}: {:?}", model.weaknesses);
     }

@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { parseArgs } from 'node:util';
 import { DIST } from './lib/paths.mjs';
-import { serve } from './lib/static-server.mjs';
+import { servePage } from './lib/page-server.mjs';
 
 const { values } = parseArgs({ options: { port: { type: 'string', default: '8080' } } });
 const port = Number(values.port);
@@ -20,7 +20,7 @@ try {
     const { buildMissing } = await import('./build.mjs');
     await buildMissing();
   }
-  const { url } = await serve(DIST, { port });
+  const { url } = await servePage({ port });
   console.log(`Tiepoint is at ${url} (Ctrl+C ends it)`);
 } catch (error) {
   console.error(error instanceof Error ? error.message : String(error));

@@ -6,6 +6,7 @@
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
+import { TEXTS } from './lib/compose.mjs';
 import { compareFolders } from './lib/compare.mjs';
 import { cargoCounts, tapCounts } from './lib/counts.mjs';
 import { DIST, PKG_WASM, readJson, ROOT, TARGET } from './lib/paths.mjs';
@@ -71,14 +72,16 @@ async function rebuild(steps, toolchain, programs) {
     const { buildPage } = await import('./lib/page.mjs');
     const out = join(TARGET, 'rebuilt', 'dist');
     await buildPage(out);
-    return compareFolders('dist', DIST, out);
+    return compareFolders('dist', DIST, out, (file) => TEXTS.includes(file));
   });
 }
 
 /** @param {Steps} steps */
 async function typeChecks(steps) {
-  const tsc = (/** @type {string} */ project) => async () =>
-    void (await must(process.execPath, [join(ROOT, 'node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]));
+  const program = (/** @type {string[]} */ path, /** @type {string[]} */ ...args) => async () =>
+    void (await must(process.execPath, [join(ROOT, 'node_modules', ...path), ...args]));
+  const tsc = (/** @type {string} */ project) => program(['typescript', 'bin', 'tsc'], '--noEmit', '-p', project);
+  await steps.check('types', 'lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'lint', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
   await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
@@ -100,7 +103,7 @@ async function nodeTest(files, env = {}) {
 
 /** What is run again and again while one works: no wasm, no browser.  @param {Steps} steps */
 async function quick(steps) {
-  await steps.prepare('npm packages', async () => (await ensurePackages(), true));
+  await steps.prepare('npm packages', () => ensurePackages().then(() => true));
   const toolchain = await steps.prepare('Rust', ensureToolchain);
   await typeChecks(steps);
   if (!toolchain) return;
@@ -111,7 +114,7 @@ async function quick(steps) {
 /** @param {Steps} steps */
 async function everything(steps) {
   const needs = (/** @type {string[]} */ ...groups) => groups.some((group) => steps.wanted(group));
-  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', async () => (await ensurePackages(), true)));
+  const packages = needs('build', 'types', 'page') && (await steps.prepare('npm packages', () => ensurePackages().then(() => true)));
   const toolchain = needs('rust', 'wasm', 'build', 'package') ? await steps.prepare('Rust', ensureToolchain) : null;
 
   // Linking the module and optimising it keep one core busy for minutes: the native tests take the other one.

@@ -107,7 +107,7 @@ export function pairCameras(left, right) {
   return [of(left), of(right)];
 }
 
-/** A camera as a block holds it; null where its focal length is not known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').ModelCamera | null} */
+/** A camera as a block holds it; null where its focal length is not known.  @param {GroupedCamera} camera @returns {import('../wasm/tiepoint.js').Camera | null} */
 export function knownCamera({ width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm }) {
   return focal_px === null ? null : { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm };
 }

@@ -63,7 +63,7 @@ function controlOf({ points, marks }, images, { surveyed_across_m, surveyed_up_m
   const places = new Map(images.map(({ name }, index) => [name, index]));
   const surveyed = parse_ground_control_points(points).map(({ name, position, standard_errors }) => {
     const [across, up] = standard_errors ?? [surveyed_across_m, surveyed_up_m];
-    return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), rays: /** @type {GroundControlPoint['rays']} */ ([]) };
+    return { name, position: /** @type {ObservedPosition} */ ({ system: 'local', position, sigma: [across, across, up] }), measurements: /** @type {GroundControlPoint['measurements']} */ ([]) };
   });
   const byName = new Map(surveyed.map((point) => [point.name, point]));
   /** @type {Set<string>} */
@@ -74,10 +74,10 @@ function controlOf({ points, marks }, images, { surveyed_across_m, surveyed_up_m
     const place = places.get(image);
     // An image that was left out, or is of another block.
     if (place === undefined) strays.add(image);
-    else of.rays.push({ image: place, x_px, y_px });
+    else of.measurements.push({ image: place, x_px, y_px });
   }
   const strayMarks = [...strays].sort();
-  const seen = surveyed.filter(({ rays }) => rays.length >= 2).length;
+  const seen = surveyed.filter(({ measurements }) => measurements.length >= 2).length;
   if (seen < LEAST_SURVEYED) {
     const unknown = strayMarks.length > 0 ? `; the marks name ${strayMarks.slice(0, 3).join(', ')}${strayMarks.length > 3 ? ' …' : ''}, which the block has not` : '';
     throw new BlockError(`${seen} of ${surveyed.length} surveyed points are marked in two images or more${unknown}; allowed: ${LEAST_SURVEYED} or more, or none at all`);

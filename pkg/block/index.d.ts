@@ -1,4 +1,4 @@
-import type { ModelCamera } from '../wasm/tiepoint.js';
+import type { Camera } from '../wasm/tiepoint.js';
 import type { BlockRun, GroupedCamera, ReadImage, RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
@@ -10,7 +10,7 @@ export class BlockError extends Error {}
 export function groupCameras(images: readonly Pick<ReadImage, 'name' | 'head'>[], rulesText?: string): { cameras: GroupedCamera[]; of: number[] };
 
 /** A camera as a block holds it; null where its focal length is not known. */
-export function knownCamera(camera: GroupedCamera): ModelCamera | null;
+export function knownCamera(camera: GroupedCamera): Camera | null;
 
 /**
  * Runs a block from its image files to its tie points and orientation. What the store holds from an earlier run with the same images and

@@ -1,7 +1,7 @@
 // @ts-check
 /** What a worker does, of whatever kind it is: jobs by name, on the module that its host has initialised. */
 
-import { ideal_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
+import { undistorted_positions, match_descriptors, match_features, Photo, read_exif } from '../wasm/tiepoint.js';
 import { descriptorsOf, readFeatures, writeFeatures, writePair } from './records.js';
 import { refine, windows } from './refinement-jobs.js';
 
@@ -96,7 +96,7 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
  */
 function usable({ count, positions, descriptors }, { lens }) {
   const measured = Float64Array.from(positions);
-  const ideal = lens ? ideal_positions(lens, measured) : measured;
+  const ideal = lens ? undistorted_positions(lens, measured) : measured;
   const numbers = Uint32Array.from({ length: count }, (_, i) => i).filter((i) => Number.isFinite(ideal[2 * i]));
   if (numbers.length === count) return { numbers, positions: ideal, descriptors };
   const places = new Float64Array(2 * numbers.length);

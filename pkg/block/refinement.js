@@ -106,7 +106,7 @@ async function readAgain(source) {
 function raysByImage(image, images) {
   /** @type {number[][]} */
   const own = Array.from({ length: images }, () => []);
-  image.forEach((index, ray) => own[index]?.push(ray));
+  image.forEach((index, ray) => void own[index]?.push(ray));
   return own;
 }
 

@@ -1,7 +1,7 @@
 /** The types that the stages of a block share. */
 
 import type {
-  Reconstruction, BlockModel, BlockSettings, Connection, ExifImage, FinishedBlock, Given, JoinCounts, ModelCamera, PairOutcome, Pinhole, Remark, RefinementOutcome, TwoViewResult,
+  Reconstruction, BlockModel, BlockSettings, Connection, ExifImage, FinishedBlock, Given, JoinCounts, Camera, PairOutcome, Pinhole, Remark, RefinementOutcome, TwoViewResult,
 } from '../wasm/tiepoint.js';
 
 /** An image file that can be read any number of times. */
@@ -43,7 +43,7 @@ export interface PairJob {
 export interface PairCamera {
   pinhole: Pinhole;
   /** Whose distortion positions are freed of; null where none is known. */
-  lens: ModelCamera | null;
+  lens: Camera | null;
 }
 
 /** Counts, for one image, the mutual matches of its coarse features with those of others. */

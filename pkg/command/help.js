@@ -33,6 +33,6 @@ export function helpOf(command) {
 function describe(option) {
   const facts = [['allowed', allowedText(option)], ['default', defaultText(option)]].filter(([, text]) => text !== '');
   const text = facts.length > 0 ? `${option.help} (${facts.map((fact) => fact.join(': ')).join('; ')})` : option.help;
-  return `  --${option.name} ${option.placeholder}`.trimEnd() + `\n${wrap(text, WIDTH, '      ')}\n`;
+  return `${`  --${option.name} ${option.placeholder}`.trimEnd()}\n${wrap(text, WIDTH, '      ')}\n`;
 }
 

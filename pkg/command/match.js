@@ -88,7 +88,7 @@ function resultOf(output, settings) {
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
     orientation: output.orientation && { ...output.orientation, points: rows(output.orientation.points, 9) },
     orientation_reason: output.orientation_reason,
-    offset_px: output.offset && output.offset.median_px,
+    offset_px: output.offset?.median_px,
     geometry: output.match.geometry,
     geometry_reason: output.match.geometry_reason,
     interior: output.interior,

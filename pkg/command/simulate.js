@@ -113,7 +113,7 @@ const truthOf = (made, flight) => ({
 });
 
 /** @param {SamplePair['left_fiducials']} fiducials */
-const fiducialCsv = (fiducials) => ['col,row,x_mm,y_mm', ...fiducials.map((f) => [f.col, f.row, f.x_mm, f.y_mm].join(','))].join('\n') + '\n';
+const fiducialCsv = (fiducials) => `${['col,row,x_mm,y_mm', ...fiducials.map((f) => [f.col, f.row, f.x_mm, f.y_mm].join(','))].join('\n')}\n`;
 
 /** @param {Record<string, string>} files @param {SamplePair} made @returns {string[]} */
 function matchCommand(files, made) {

@@ -2,7 +2,6 @@
 
 use super::block::Block;
 use super::check::check_block;
-use super::datum::observed;
 use super::options::AdjustmentOptions;
 use super::precision::image_errors;
 use super::reliability::of_position;
@@ -11,13 +10,14 @@ use super::result::{
 };
 use super::snooping::{Settled, settle};
 use super::squares::{Squares, Sums};
+use super::weighted::observed;
 use crate::Error;
 use crate::math::normal_spread_within;
 
 /// Adjusts all images, cameras and points of a block at once.
 ///
 /// The block brings approximate values, good enough that the rays of most points meet about where the points are. Gross errors are found
-/// by a robust adjustment and data snooping; the rest is adjusted by least squares. With GPS positions or control points the block is
+/// by a robust adjustment and data snooping; the rest is adjusted by least squares. With GNSS positions or control points the block is
 /// taken into their system first.
 ///
 /// ```
@@ -76,7 +76,7 @@ impl<'a> Description<'a> {
             of_rays.filter(|(_, verdict)| **verdict == ObservationVerdict::Accepted).map(|((ray, residual), _)| (ray, *residual));
         let sums = Sums::new(block, accepted);
         let (of_images, of_points) = (&sums.of_images, &sums.of_points);
-        let (gps, control) = observed(block, self.options.datum, settled.weighted_by);
+        let (gnss, control) = observed(block, self.options.datum, settled.weighted_by);
         let state = &settled.adjusted.state;
         let of_control = |c: &super::block::ControlPoint| {
             let q = settled.statistics.as_ref().and_then(|s| s.points[c.point]).map(|q| [q[0][0], q[1][1], q[2][2]]);
@@ -96,7 +96,7 @@ impl<'a> Description<'a> {
             last_step: settled.adjusted.last_step,
             rounds: settled.rounds,
             cameras: self.cameras(),
-            images: (0..block.images.len()).map(|image| self.image(image, of_images[image], gps[image])).collect(),
+            images: (0..block.images.len()).map(|image| self.image(image, of_images[image], gnss[image])).collect(),
             points: of_points.iter().enumerate().map(|(point, squares)| self.point(point, *squares)).collect(),
             rays: (0..block.rays.len()).map(|ray| self.ray(ray)).collect(),
             control: block.control.iter().map(of_control).collect(),
@@ -114,7 +114,7 @@ impl<'a> Description<'a> {
         cameras
     }
 
-    fn image(&self, image: usize, squares: Squares, gps: Option<super::datum::Weighted>) -> ImageStatistics {
+    fn image(&self, image: usize, squares: Squares, gnss: Option<super::weighted::Weighted>) -> ImageStatistics {
         let pose = &self.settled.adjusted.state.images[image];
         let statistics = self.settled.statistics.as_ref();
         let errors = statistics.map(|s| image_errors(pose, &s.images[image], self.sigma));
@@ -123,7 +123,7 @@ impl<'a> Description<'a> {
             rmse_px: squares.rmse(),
             angle_errors_deg: errors.and_then(|(angles, _)| angles),
             position_errors: errors.map(|(_, position)| position),
-            gps: gps.map(|prior| {
+            gnss: gnss.map(|prior| {
                 let cofactors = statistics.map(|s| s.of_position(image));
                 of_position(&prior, &pose.position, cofactors, self.sigma, self.settled.placed[image])
             }),

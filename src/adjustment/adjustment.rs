@@ -1,12 +1,13 @@
 //! One adjustment of a given set of rays: damped Gauss-Newton steps until they vanish.
 
 use super::collinearity::project;
-use super::datum::{Freedoms, Weighted};
+use super::datum::Freedoms;
 use super::loss::Robust;
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
+use super::weighted::Weighted;
 use crate::Error;
 use crate::math::{MEDIAN_LENGTH, median};
 
@@ -103,7 +104,7 @@ impl Problem<'_> {
         let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
             prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
         };
-        let images: f64 = self.gps.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
+        let images: f64 = self.gnss.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
         images + self.control.iter().zip(&state.points).map(square).sum::<f64>()
     }
 
@@ -124,7 +125,7 @@ impl Problem<'_> {
 
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
     pub fn redundancy(&self) -> i64 {
-        let positions: usize = self.gps.iter().chain(self.control).flatten().map(Weighted::observed).sum();
+        let positions: usize = self.gnss.iter().chain(self.control).flatten().map(Weighted::observed).sum();
         (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
     }
 

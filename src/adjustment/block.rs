@@ -3,8 +3,8 @@
 //! The system of the images is that of the whole crate: photo = M·(X - X₀), x to the right, y up, the viewing direction -z. Lengths of the
 //! object space have one unit throughout, metres say.
 
-use super::collinearity::distorted;
-use super::state::values_of;
+use crate::camera::{Camera, FreeParameters, Pose};
+use crate::{BlockModel, Error};
 use serde::{Deserialize, Serialize};
 
 /// A block of images with approximate values, or an adjusted one.
@@ -12,63 +12,44 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Block {
-    pub cameras: Vec<BlockCamera>,
+    pub cameras: Vec<Camera>,
     pub images: Vec<BlockImage>,
-    pub points: Vec<BlockPoint>,
+    pub points: Vec<[f64; 3]>,
     /// In any order; an image sees a point at most once.
     pub rays: Vec<BlockObservation>,
     #[serde(default)]
     pub control: Vec<ControlPoint>,
 }
 
-/// The camera of one or more images.
-///
-/// With x = -U/W, y = V/W of photo = (U, V, W), so that y goes down as rows do, and r² = x² + y²:
-/// col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
-///
-/// # Source
-/// Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BlockCamera {
-    /// Principal distance f in px, 1 to 10,000,000; in mm it is this times the side of a pixel.
-    pub focal_px: f64,
-    /// Principal point `[col, row]` in px; the centre of the top-left pixel is (0.5, 0.5).
-    pub principal_point_px: [f64; 2],
-    /// `[k1, k2, k3]`, without unit.
-    #[serde(default)]
-    pub radial: [f64; 3],
-    /// `[p1, p2]`, without unit.
-    #[serde(default)]
-    pub tangential: [f64; 2],
-    /// What the adjustment estimates.
-    #[serde(default)]
-    pub free: FreeParameters,
-}
-
-impl BlockCamera {
-    /// Where a direction (x, y) of the photo's system is seen: column and row in px.
-    pub fn project(&self, x: f64, y: f64) -> [f64; 2] {
-        distorted(&values_of(self), x, y)
+impl Block {
+    /// The oriented images of a model and its intersected points with their observations in these images; nothing of the cameras is free.
+    ///
+    /// # Errors
+    /// As [`BlockModel::check`].
+    pub fn of_model(model: &BlockModel) -> Result<Self, Error> {
+        model.check()?;
+        let free = FreeParameters::default();
+        let mut block = Self { cameras: model.cameras.iter().map(|camera| Camera { free, ..*camera }).collect(), ..Self::default() };
+        let mut places = vec![None; model.images.len()];
+        for (image, place) in model.images.iter().zip(&mut places) {
+            let Some(pose) = image.pose else { continue };
+            *place = Some(block.images.len());
+            block.images.push(BlockImage { camera: image.camera, pose, gnss: None });
+        }
+        for (point, position) in model.points.iter().filter_map(|point| Some((point, point.position?))) {
+            let index = block.points.len();
+            let seen = point.rays.iter().filter_map(|ray| Some((places[ray.image]?, ray)));
+            block.rays.extend(seen.map(|(image, ray)| BlockObservation {
+                image,
+                point: index,
+                x_px: ray.x_px,
+                y_px: ray.y_px,
+                weight: 1.0,
+            }));
+            block.points.push(position);
+        }
+        Ok(block)
     }
-}
-
-/// The parameters of a camera that the adjustment estimates, where the block determines them; the others stay as they are given.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct FreeParameters {
-    pub focal: bool,
-    pub principal_point: bool,
-    /// How many of k1, k2, k3, from the first on: 0 to 3.
-    pub radial: usize,
-    pub tangential: bool,
-}
-
-impl FreeParameters {
-    /// All eight.
-    pub const ALL: Self = Self { focal: true, principal_point: true, radial: 3, tangential: true };
 }
 
 /// One image.
@@ -78,13 +59,10 @@ impl FreeParameters {
 pub struct BlockImage {
     /// Index of its camera.
     pub camera: usize,
-    /// Rows of M, from object to photo; see [`rotation_from_angles`](crate::rotation_from_angles).
-    pub rotation: [[f64; 3]; 3],
-    /// Perspective centre X₀.
-    pub position: [f64; 3],
-    /// Where GPS has the perspective centre.
+    pub pose: Pose,
+    /// Where GNSS has the projection centre.
     #[serde(default)]
-    pub gps: Option<PositionPrior>,
+    pub gnss: Option<PositionPrior>,
 }
 
 /// An observed position with the standard error of each of its coordinates.
@@ -97,15 +75,7 @@ pub struct PositionPrior {
     pub sigma: [Option<f64>; 3],
 }
 
-/// A point of the object.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BlockPoint {
-    pub position: [f64; 3],
-}
-
-/// A point as one image sees it.
+/// The measured position of a point in one image.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -127,7 +97,7 @@ fn one() -> f64 {
     1.0
 }
 
-/// A point whose position was surveyed.
+/// A point with known coordinates.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]

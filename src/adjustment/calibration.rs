@@ -1,10 +1,10 @@
 //! Which camera parameters a block determines: the others are fixed, the weakest first.
 
-use super::collinearity::CAMERA_PARAMETERS;
 use super::network::Network;
 use super::result::CameraParameter;
 use super::sparse::DenseFactor;
 use super::state::State;
+use crate::camera::CAMERA_PARAMETERS;
 
 /// Of each camera that has any the column of the parameter that is determined worst, and by how much in px its standard error moves a ray at
 /// the edge. `of_camera` are the parameters of each camera with their columns.

@@ -1,10 +1,11 @@
 //! What cannot be adjusted, and why.
 
-use super::block::{Block, BlockCamera};
+use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
 use crate::Error;
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::camera::orthonormal;
+use crate::parameters::check_values;
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -17,22 +18,22 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     if block.images.len() < 2 {
         return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed: 2 });
     }
-    block.cameras.iter().enumerate().try_for_each(|(index, camera)| check_camera(index, camera))?;
+    block.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
     for (index, image) in block.images.iter().enumerate() {
         let place = |what: &str| format!("{what} of image {index} (counted from 0)");
         check_index("camera of an image", image.camera, block.cameras.len(), || place("camera"))?;
-        check_values("rotation of an image", image.rotation.as_flattened(), -1.01..=1.01, || place("rotation"))?;
-        check_rotation(&image.rotation, || place("rotation"))?;
-        check_position(&image.position, || place("position"))?;
-        if let Some(gps) = image.gps {
-            for (value, sigma) in gps.position.iter().zip(gps.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
-                check_values("position", &[*value], -LARGEST..=LARGEST, || place("GPS position"))?;
-                check_values("sigma of a position", &[sigma], 1e-9..=1e9, || place("GPS sigma"))?;
+        check_values("rotation of an image", image.pose.rotation.as_flattened(), -1.01..=1.01, || place("rotation"))?;
+        check_rotation(&image.pose.rotation, || place("rotation"))?;
+        check_position(&image.pose.position, || place("position"))?;
+        if let Some(gnss) = image.gnss {
+            for (value, sigma) in gnss.position.iter().zip(gnss.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
+                check_values("position", &[*value], -LARGEST..=LARGEST, || place("GNSS position"))?;
+                check_values("sigma of a position", &[sigma], 1e-9..=1e9, || place("GNSS sigma"))?;
             }
         }
     }
     for (index, point) in block.points.iter().enumerate() {
-        check_position(&point.position, || format!("point {index} (counted from 0)"))?;
+        check_position(point, || format!("point {index} (counted from 0)"))?;
     }
     for (index, ray) in block.rays.iter().enumerate() {
         let place = |what: &str| format!("{what} of ray {index} (counted from 0)");
@@ -43,21 +44,8 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     }
     check_control(block)?;
     check_once(block)?;
-    if datum.uses_control() && block.control.is_empty() && !datum.uses_gps() {
+    if datum.uses_control() && block.control.is_empty() && !datum.uses_gnss() {
         return Err(Error::TooFew { what: "control points, for the datum", got: 0, needed: 3 });
-    }
-    Ok(())
-}
-
-fn check_camera(index: usize, camera: &BlockCamera) -> Result<(), Error> {
-    let place = |what: &str| format!("{what} of camera {index} (counted from 0)");
-    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || place("focal_px"))?;
-    check_values("principal point of a camera", &camera.principal_point_px, -1e7..=1e7, || place("principal_point_px"))?;
-    check_values("distortion of a camera", &camera.radial, -1e3..=1e3, || place("radial"))?;
-    check_values("distortion of a camera", &camera.tangential, -1e3..=1e3, || place("tangential"))?;
-    if camera.free.radial > 3 {
-        let got = format!("{} free radial coefficients {}", camera.free.radial, place(""));
-        return Err(Error::InvalidInput { what: "free parameters of a camera", got, allowed: "0 to 3".into() });
     }
     Ok(())
 }
@@ -104,8 +92,8 @@ fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(),
 
 /// Refuses rows that are not at right angles and of length 1, and a reflection.
 fn check_rotation(m: &[[f64; 3]; 3], place: impl Fn() -> String) -> Result<(), Error> {
-    let orthonormal = super::state::orthonormal(*m);
-    let off = m.iter().flatten().zip(orthonormal.iter().flatten()).map(|(a, b)| (a - b).abs());
+    let right = orthonormal(*m);
+    let off = m.iter().flatten().zip(right.iter().flatten()).map(|(a, b)| (a - b).abs());
     if off.clone().all(|off| off < 1e-3) {
         return Ok(());
     }

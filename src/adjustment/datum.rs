@@ -1,49 +1,18 @@
 //! Where the block lies: observed positions, or the seven freedoms of a free network and the constraints that settle them.
 
-use super::block::{Block, PositionPrior};
+use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
-use super::reduced::{Problem, dot3};
+use super::reduced::Problem;
 use super::robust_similarity::{Pair, robust_similarity};
-use super::similarity::{Similarity, middle, minus};
+use super::similarity::{Similarity, middle};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
-use super::state::{Pose, State, turn_of};
+use super::state::State;
+use super::weighted::{Weighted, observed};
 use crate::Error;
-
-/// An observed position with the weights of its coordinates; 0 for one that was not observed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Weighted {
-    pub position: [f64; 3],
-    pub weight: [f64; 3],
-}
-
-impl Weighted {
-    fn new(prior: &PositionPrior, sigma0: f64) -> Self {
-        let weight = prior.sigma.map(|sigma| sigma.map_or(0.0, |sigma| sigma0 / sigma * (sigma0 / sigma)));
-        Self { position: [0, 1, 2].map(|k| if weight[k] > 0.0 { prior.position[k] } else { 0.0 }), weight }
-    }
-
-    /// Number of its coordinates.
-    pub fn observed(&self) -> usize {
-        self.weight.iter().filter(|weight| **weight > 0.0).count()
-    }
-
-    /// Standard error of its length, for standard errors that were weighted by 1; `None` where a coordinate was not observed.
-    fn length_error(&self) -> Option<f64> {
-        (self.observed() == 3).then(|| self.weight.iter().map(|weight| 1.0 / weight).sum::<f64>().sqrt())
-    }
-}
-
-/// What a datum observes, for a standard error `sigma0` of a ray of weight 1: images, then points.
-pub(super) fn observed(block: &Block, datum: Datum, sigma0: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
-    let gps = block.images.iter().map(|i| i.gps.filter(|_| datum.uses_gps()).map(|prior| Weighted::new(&prior, sigma0))).collect();
-    let mut control = vec![None; block.points.len()];
-    for c in block.control.iter().filter(|_| datum.uses_control()) {
-        control[c.point] = Some(Weighted::new(&PositionPrior { position: c.position, sigma: c.sigma.map(Some) }, sigma0));
-    }
-    (gps, control)
-}
+use crate::camera::{Pose, turn_of};
+use crate::math::{dot3, minus};
 
 /// Least width of the observed positions across the line through them, as a share of their length.
 const LEAST_WIDTH: f64 = 1e-3;
@@ -54,18 +23,18 @@ const LEAST_WIDTH: f64 = 1e-3;
 /// # Errors
 /// [`Error::TooFew`] below three observed positions; [`Error::Degenerate`] where they lie on a line.
 pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State, datum: Datum) -> Result<(State, Vec<bool>), Error> {
-    let (gps, control) = observed(block, datum, 1.0);
+    let (gnss, control) = observed(block, datum, 1.0);
     let pair = |from: [f64; 3], prior: &Option<Weighted>| {
         let prior = prior.as_ref()?;
         Some(Pair { from, to: prior.position, sigma: prior.length_error()? })
     };
-    let of_images: Vec<Option<Pair>> = gps.iter().zip(&state.images).map(|(prior, pose)| pair(pose.position, prior)).collect();
+    let of_images: Vec<Option<Pair>> = gnss.iter().zip(&state.images).map(|(prior, pose)| pair(pose.position, prior)).collect();
     let seen = |point: usize| network.of_point(point).len() >= 2;
     let of_points = control.iter().enumerate().filter(|(point, _)| seen(*point));
     let of_points = of_points.filter_map(|(point, prior)| pair(state.points[point], prior));
     let pairs: Vec<Pair> = of_images.iter().flatten().copied().chain(of_points).collect();
     if pairs.len() < 3 {
-        return Err(Error::TooFew { what: "GPS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
+        return Err(Error::TooFew { what: "GNSS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
     }
     let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
     let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;
@@ -73,7 +42,7 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
     let width = relative_width(&agreeing);
     if !(width >= LEAST_WIDTH) {
         let reason =
-            format!("the GPS positions and control points lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
+            format!("the GNSS positions and control points lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
         return Err(Error::Degenerate { what: "the datum", reason });
     }
     let mut judged = agree.iter();

@@ -12,7 +12,6 @@ mod collinearity;
 mod datum;
 mod gradients;
 mod loss;
-mod model;
 mod network;
 mod options;
 mod part;
@@ -30,18 +29,15 @@ mod squares;
 mod start;
 mod state;
 mod statistics;
+mod weighted;
 
 pub use adjust::adjust_block;
-pub use block::{Block, BlockCamera, BlockImage, BlockObservation, BlockPoint, ControlPoint, FreeParameters, PositionPrior};
-pub(crate) use collinearity::{CAMERA_PARAMETERS, in_photo, linearise, project};
-pub use model::{CameraLabel, OrientedPart};
+pub use block::{Block, BlockImage, BlockObservation, ControlPoint, PositionPrior};
+pub(crate) use collinearity::{linearise, project};
 pub use options::{AdjustmentOptions, Datum, Loss};
-pub(crate) use reduced::dot3;
 pub use result::{
     AdjustmentResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics,
     ObservationVerdict, PriorStatistics, RayCountRmse,
 };
 pub use similarity::Similarity;
-pub(crate) use similarity::minus;
 pub(crate) use start::{Start, adjust_start};
-pub(crate) use state::{Pose, free_of, values_of};

@@ -1,8 +1,8 @@
 //! The rays that take part, in the order in which the normal equations are summed, and the couplings that they make.
 
 use super::block::Block;
-use super::collinearity::CAMERA_PARAMETERS;
 use super::sparse::Pattern;
+use crate::camera::CAMERA_PARAMETERS;
 use std::rc::Rc;
 
 /// A ray that takes part.
@@ -56,7 +56,7 @@ impl Network {
         let image_start = starts(block.images.len(), by_image.iter().map(|s| sights[*s as usize].image));
         let neighbours = neighbours(&sights, &point_start, &by_image, &image_start, &fixed);
         let pattern = earlier.filter(|pattern| pattern.serves(&neighbours)).cloned().unwrap_or_else(|| {
-            let places: Vec<[f64; 3]> = block.images.iter().map(|image| image.position).collect();
+            let places: Vec<[f64; 3]> = block.images.iter().map(|image| image.pose.position).collect();
             Rc::new(Pattern::of(neighbours, &places))
         });
         Self { sights, point_start, by_image, image_start, fixed, pattern }

@@ -12,12 +12,12 @@ use serde::{Deserialize, Serialize};
 pub enum Datum {
     /// The approximate values: a free network with seven inner constraints on the orientations of all images.
     Free,
-    /// The images' GPS positions.
-    Gps,
+    /// The images' GNSS positions.
+    Gnss,
     /// The control points.
     Control,
     /// Both.
-    GpsAndControl,
+    GnssAndControl,
 }
 
 /// How rays with large residuals are weighted down until the gross errors are found.
@@ -87,11 +87,11 @@ impl AdjustmentOptions {
 }
 
 impl Datum {
-    pub(crate) fn uses_gps(self) -> bool {
-        matches!(self, Self::Gps | Self::GpsAndControl)
+    pub(crate) fn uses_gnss(self) -> bool {
+        matches!(self, Self::Gnss | Self::GnssAndControl)
     }
 
     pub(crate) fn uses_control(self) -> bool {
-        matches!(self, Self::Control | Self::GpsAndControl)
+        matches!(self, Self::Control | Self::GnssAndControl)
     }
 }

@@ -4,7 +4,8 @@ use super::datum::{Freedoms, Seven};
 use super::reduced::{Problem, Reduced, backward3};
 use super::solution::Factored;
 use super::sparse::{Block6, Inverse, N, inverse};
-use super::state::{Pose, State};
+use super::state::State;
+use crate::camera::Pose;
 
 /// Cofactors of images and cameras: the inverse at the places of the factor, with what the cameras add.
 pub(super) struct Orientations {

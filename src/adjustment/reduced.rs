@@ -7,18 +7,19 @@
 //! Brown 1976, The bundle adjustment: progress and prospects.
 
 use super::collinearity::{Linearised, linearise};
-use super::datum::Weighted;
 use super::loss::Robust;
 use super::network::{Columns, Network, Sight};
 use super::sparse::{Block6, N, SparseMatrix, subtract_product3};
 use super::state::State;
+use super::weighted::Weighted;
+use crate::math::dot3;
 
 /// Everything of an adjustment that does not change with the values of the unknowns.
 pub(super) struct Problem<'a> {
     pub network: &'a Network,
     pub columns: &'a Columns,
     /// Observed positions of images and of points; none in a free network.
-    pub gps: &'a [Option<Weighted>],
+    pub gnss: &'a [Option<Weighted>],
     pub control: &'a [Option<Weighted>],
     /// The image that is held, and the one that is held along the base: they take the seven freedoms out of a free network.
     pub held: Option<[usize; 2]>,
@@ -240,7 +241,7 @@ impl Problem<'_> {
     }
 
     fn add_gps(&self, state: &State, reduced: &mut Reduced) {
-        for (image, prior) in self.gps.iter().enumerate() {
+        for (image, prior) in self.gnss.iter().enumerate() {
             let Some(Weighted { position, weight }) = prior else { continue };
             let at = self.network.pattern.place[image] as usize;
             for k in 0..3 {
@@ -344,10 +345,6 @@ impl Line {
             right[r] += a[r] * vx + b[r] * vy - (z[r] * y[0] + z[6 + r] * y[1] + z[12 + r] * y[2]);
         }
     }
-}
-
-pub(crate) fn dot3(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// L of a symmetric matrix, both as its lower rows. `None` where a pivot is rounding.

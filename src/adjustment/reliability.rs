@@ -4,12 +4,12 @@
 //! Baarda 1968, A testing procedure for use in geodetic networks; Förstner & Wrobel 2016, Photogrammetric Computer Vision, 4.6.
 
 use super::collinearity::{Linearised, linearise};
-use super::datum::Weighted;
 use super::precision::{Cofactors, Matrix3, PointCofactors};
 use super::reduced::forward3;
 use super::result::PriorStatistics;
 use super::sparse::{Block6, N};
 use super::state::State;
+use super::weighted::Weighted;
 
 /// Below this share an observation has no redundancy to judge it by.
 const LEAST_REDUNDANCY: f64 = 1e-6;

@@ -83,8 +83,8 @@ pub struct ImageStatistics {
     pub angle_errors_deg: Option<[f64; 3]>,
     /// Standard errors of X₀; absent without statistics.
     pub position_errors: Option<[f64; 3]>,
-    /// Of its GPS position, where the datum uses it.
-    pub gps: Option<PriorStatistics>,
+    /// Of its GNSS position, where the datum uses it.
+    pub gnss: Option<PriorStatistics>,
 }
 
 /// What the adjustment says of an observed position; 0 for a coordinate that was not observed.

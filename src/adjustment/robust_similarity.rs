@@ -1,8 +1,7 @@
 //! The similarity on which most positions agree: wrong ones do not take part in it.
 
-use super::reduced::dot3;
-use super::similarity::{Similarity, minus};
-use crate::math::{Random, median, smallest};
+use super::similarity::Similarity;
+use crate::math::{Random, dot3, median, minus, smallest};
 
 /// A position with the one that was observed for it.
 #[derive(Debug, Clone, Copy)]
@@ -84,7 +83,7 @@ fn distance(similarity: &Similarity, pair: &Pair) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjustment::state::turn_of;
+    use crate::camera::turn_of;
 
     #[test]
     fn two_wrong_positions_in_five_do_not_move_the_similarity() {

@@ -1,7 +1,8 @@
 //! Similarity transformations of a block, and the one that takes positions onto others.
 
-use super::reduced::dot3;
-use super::state::{Pose, State, orthonormal, product};
+use super::state::State;
+use crate::camera::{Pose, orthonormal, product};
+use crate::math::{dot3, minus};
 use nalgebra::Matrix4;
 
 /// A similarity transformation: X becomes `to` + scale · R (X - `from`).
@@ -69,10 +70,6 @@ impl Similarity {
     }
 }
 
-pub(crate) fn minus(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
 fn turned(rotation: &[[f64; 3]; 3], vector: &[f64; 3]) -> [f64; 3] {
     rotation.map(|row| dot3(&row, vector))
 }
@@ -90,7 +87,7 @@ pub(super) fn middle(positions: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjustment::state::turn_of;
+    use crate::camera::turn_of;
 
     #[test]
     fn a_similarity_is_found_again() {

@@ -4,6 +4,7 @@ use super::network::Columns;
 use super::reduced::{Problem, Reduced, backward3};
 use super::sparse::{DenseFactor, Factor, N, Pattern, Refused};
 use super::state::State;
+use crate::math::dot3;
 
 /// Why the normal equations could not be solved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,7 +84,7 @@ impl Step {
     pub fn of(problem: &Problem<'_>, reduced: &Reduced, images: Vec<f64>, cameras: Vec<f64>) -> Self {
         let pattern = &problem.network.pattern;
         let mut square = dot(&images, &reduced.right) + dot(&cameras, &reduced.corner_right);
-        square += reduced.points.iter().map(|p| super::reduced::dot3(&p.right, &p.right)).sum::<f64>();
+        square += reduced.points.iter().map(|p| dot3(&p.right, &p.right)).sum::<f64>();
         let points = (0..problem.network.points())
             .map(|point| reduced.back_substitute(problem, point, reduced.points[point].right, &images, &cameras))
             .collect();

@@ -2,13 +2,13 @@
 
 use super::adjustment::Demand;
 use super::block::Block;
-use super::collinearity::CAMERA_PARAMETERS;
 use super::datum::held_images;
 use super::network::{Columns, Network};
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
 use super::state::State;
 use crate::Error;
+use crate::camera::CAMERA_PARAMETERS;
 
 /// A part of a block with what its adjustment leaves alone.
 pub(crate) struct Start<'a> {
@@ -40,9 +40,9 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
             KnownParameter { value, weight: start.sigma_px / sigma * (start.sigma_px / sigma) }
         })
         .collect();
-    let (gps, control) = (vec![None; block.images.len()], vec![None; block.points.len()]);
+    let (gnss, control) = (vec![None; block.images.len()], vec![None; block.points.len()]);
     let held = start.fixed.iter().all(|fixed| !fixed).then(|| held_images(&network, &state));
-    let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &known };
+    let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &known };
     let demand = Demand {
         loss: Loss::Cauchy,
         sigma: start.sigma_px,
@@ -57,7 +57,7 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjustment::{FreeParameters, free_of, values_of};
+    use crate::camera::FreeParameters;
     use crate::{NetworkFlight, SimulatedNetwork, simulate_network};
 
     fn simulated() -> SimulatedNetwork {
@@ -66,7 +66,8 @@ mod tests {
 
     fn distance(a: &Block, b: &Block, image: usize) -> f64 {
         let square = |k: usize| {
-            (a.images[image].position[k] - b.images[image].position[k]) * (a.images[image].position[k] - b.images[image].position[k])
+            (a.images[image].pose.position[k] - b.images[image].pose.position[k])
+                * (a.images[image].pose.position[k] - b.images[image].pose.position[k])
         };
         (0..3).map(square).sum::<f64>().sqrt()
     }
@@ -77,7 +78,7 @@ mod tests {
         let (fixed, accepted) = ((0..30).map(|image| image % 6 < 4).collect::<Vec<_>>(), vec![true; observed.rays.len()]);
         let mut block = observed.clone();
         (0..30).filter(|image| fixed[*image]).for_each(|image| block.images[image] = truth.images[image].clone());
-        let cameras = [values_of(&block.cameras[0]).map(|value| (value, 0.0))];
+        let cameras = [block.cameras[0].values().map(|value| (value, 0.0))];
         let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px: 0.2, max_iterations: 12 };
         let adjusted = adjust_start(block, &start).unwrap();
         for image in 0..30 {
@@ -95,7 +96,7 @@ mod tests {
             let mut block = observed.clone();
             block.cameras[0].focal_px *= 1.03;
             block.cameras[0].free = FreeParameters { focal: true, ..FreeParameters::default() };
-            let (values, free) = (values_of(&block.cameras[0]), free_of(&block.cameras[0]));
+            let (values, free) = (block.cameras[0].values(), block.cameras[0].free.flags());
             let cameras = [std::array::from_fn(|k| (values[k], if free[k] { sigma } else { 0.0 }))];
             let start = Start { accepted: &accepted, fixed: &fixed, cameras: &cameras, sigma_px: 0.4, max_iterations: 30 };
             adjust_start(block, &start).unwrap().cameras[0].focal_px / truth.cameras[0].focal_px

@@ -1,23 +1,77 @@
-//! Directions freed of a lens's distortion.
+//! Brown's distortion of a lens: forward, with its derivatives, and inverse.
+//!
+//! With r² = x² + y² a direction (x, y), y down, is seen at x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²) and
+//! y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy, in units of the focal length.
+//!
+//! # Source
+//! Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
 
-/// Steps of the iteration, and the change in units of the focal length at which it ends.
-pub(crate) const MOST_STEPS: usize = 100;
+/// Number of parameters of a camera: f, c_x, c_y, k₁, k₂, k₃, p₁, p₂.
+pub(crate) const CAMERA_PARAMETERS: usize = 8;
+
+/// Parameters of a camera in that order.
+pub(crate) type CameraValues = [f64; CAMERA_PARAMETERS];
+
+/// Steps of the inverse's iteration, and the change in units of the focal length at which it ends.
+pub(super) const MOST_STEPS: usize = 100;
 const SETTLED: f64 = 1e-14;
 
-/// The direction (x, y), y down, that the distortion moves to `measured`: with r² = x² + y², x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy +
-/// p₂(r² + 2x²) and y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy. `None` where the distortion folds the image at that place.
-///
-/// # Source
-/// Brown 1971, Close-range camera calibration, in the direction from object to image; inverted by fixed-point iteration.
-pub(crate) fn undistorted(measured: [f64; 2], radial: [f64; 3], tangential: [f64; 2]) -> Option<[f64; 2]> {
-    let ([k1, k2, k3], [p1, p2]) = (radial, tangential);
+/// 1 + k₁r² + k₂r⁴ + k₃r⁶.
+pub(super) fn radial_factor([k1, k2, k3]: [f64; 3], r2: f64) -> f64 {
+    1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))
+}
+
+/// The pixel of a direction.
+pub(crate) fn distorted(camera: &CameraValues, x: f64, y: f64) -> [f64; 2] {
+    let [f, cx, cy, k1, k2, k3, p1, p2] = *camera;
+    let r2 = x * x + y * y;
+    let radial = radial_factor([k1, k2, k3], r2);
+    let across = 2.0 * x * y;
+    [cx + f * (x * radial + p1 * across + p2 * (r2 + 2.0 * x * x)), cy + f * (y * radial + p1 * (r2 + 2.0 * y * y) + p2 * across)]
+}
+
+/// The pixel of a direction with its derivatives: rows are column and row of the pixel.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LinearisedLens {
+    pub at: [f64; 2],
+    pub by_direction: [[f64; 2]; 2],
+    pub by_camera: [CameraValues; 2],
+}
+
+/// As [`distorted`], with the derivatives.
+pub(crate) fn linearised_lens(camera: &CameraValues, x: f64, y: f64) -> LinearisedLens {
+    let [f, cx, cy, k1, k2, k3, p1, p2] = *camera;
+    let r2 = x * x + y * y;
+    let radial = radial_factor([k1, k2, k3], r2);
+    let slope = k1 + r2 * (2.0 * k2 + 3.0 * r2 * k3);
+    let across = 2.0 * x * y;
+    let (along_x, along_y) = (r2 + 2.0 * x * x, r2 + 2.0 * y * y);
+    let xd = x * radial + p1 * across + p2 * along_x;
+    let yd = y * radial + p1 * along_y + p2 * across;
+    let mixed = f * (across * slope + 2.0 * (p1 * x + p2 * y));
+    let xx = f * (radial + 2.0 * x * x * slope + 2.0 * p1 * y + 6.0 * p2 * x);
+    let yy = f * (radial + 2.0 * y * y * slope + 6.0 * p1 * y + 2.0 * p2 * x);
+    let powers = [r2, r2 * r2, r2 * r2 * r2].map(|power| f * power);
+    LinearisedLens {
+        at: [cx + f * xd, cy + f * yd],
+        by_direction: [[xx, mixed], [mixed, yy]],
+        by_camera: [
+            [xd, 1.0, 0.0, x * powers[0], x * powers[1], x * powers[2], f * across, f * along_x],
+            [yd, 0.0, 1.0, y * powers[0], y * powers[1], y * powers[2], f * along_y, f * across],
+        ],
+    }
+}
+
+/// The direction (x, y), y down, that the distortion moves to `measured`, by fixed-point iteration. `None` where the distortion folds the
+/// image at that place.
+pub(super) fn undistorted(measured: [f64; 2], radial: [f64; 3], [p1, p2]: [f64; 2]) -> Option<[f64; 2]> {
     let [mut x, mut y] = measured;
-    if radial == [0.0; 3] && tangential == [0.0; 2] {
+    if radial == [0.0; 3] && [p1, p2] == [0.0; 2] {
         return Some(measured);
     }
     for _ in 0..MOST_STEPS {
         let r2 = x * x + y * y;
-        let factor = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+        let factor = radial_factor(radial, r2);
         let shift = [2.0 * p1 * x * y + p2 * (r2 + 2.0 * x * x), p1 * (r2 + 2.0 * y * y) + 2.0 * p2 * x * y];
         let next = [(measured[0] - shift[0]) / factor, (measured[1] - shift[1]) / factor];
         let change = (next[0] - x).abs() + (next[1] - y).abs();

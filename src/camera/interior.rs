@@ -1,61 +1,11 @@
-//! The camera's constants, and the way from a pixel to photo coordinates.
+//! The way from a pixel to photo coordinates.
 
-use super::{ExifCamera, FiducialOrientation};
+use super::distortion::radial_factor;
+use super::{CameraMm, FiducialOrientation};
 use crate::Error;
 use crate::parameters::refuse;
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
-
-/// The constants of a camera.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Camera {
-    /// Principal distance in mm, above 0 and up to 100,000.
-    pub focal_mm: f64,
-    /// Principal point `[x, y]` in mm: in the system of the calibrated fiducials, or from the middle of the image, x right, y up.
-    #[serde(default)]
-    pub principal_point_mm: [f64; 2],
-    /// Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
-    #[serde(default)]
-    pub pixel_mm: Option<f64>,
-    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`].
-    #[serde(default)]
-    pub radial_distortion: [f64; 3],
-}
-
-impl Camera {
-    /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
-    pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        let camera = Self { focal_mm: exif.focal_mm, principal_point_mm: [0.0; 2], pixel_mm: exif.pixel_mm, radial_distortion: [0.0; 3] };
-        camera.check().map(|()| camera)
-    }
-
-    /// Refuses values outside their ranges.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`], naming the field and its range.
-    pub fn check(&self) -> Result<(), Error> {
-        if !(self.focal_mm > 0.0 && self.focal_mm <= 1e5) {
-            return Err(refuse("camera.focal_mm", self.focal_mm, "above 0, up to 100000"));
-        }
-        if !self.principal_point_mm.iter().all(|v| v.abs() <= 1e4) {
-            return Err(refuse("camera.principal_point_mm", format!("{:?}", self.principal_point_mm), "two numbers from -10000 to 10000"));
-        }
-        if let Some(pixel) = self.pixel_mm
-            && !(1e-6..=10.0).contains(&pixel)
-        {
-            return Err(refuse("camera.pixel_mm", pixel, "0.000001 to 10"));
-        }
-        if !self.radial_distortion.iter().all(|k| k.is_finite()) {
-            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
-        }
-        Ok(())
-    }
-}
 
 /// Steps of Newton's method after which a radius is not found.
 const MOST_STEPS: usize = 30;
@@ -85,7 +35,7 @@ impl Interior {
     ///
     /// # Errors
     /// [`Error::InvalidOption`] for the camera or the origin.
-    pub fn from_fiducials(camera: &Camera, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
+    pub fn from_fiducials(camera: &CameraMm, marks: &FiducialOrientation, origin: [f64; 2]) -> Result<Self, Error> {
         camera.check()?;
         if !origin.iter().all(|v| v.abs() <= 1e7) {
             return Err(refuse("origin", format!("{origin:?}"), "two numbers of px from -10000000 to 10000000"));
@@ -100,7 +50,7 @@ impl Interior {
     ///
     /// # Errors
     /// [`Error::InvalidOption`] for the camera, also where it has no `pixel_mm`.
-    pub fn from_pixel_size(camera: &Camera, width: usize, height: usize) -> Result<Self, Error> {
+    pub fn from_pixel_size(camera: &CameraMm, width: usize, height: usize) -> Result<Self, Error> {
         camera.check()?;
         let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
@@ -120,9 +70,7 @@ impl Interior {
         let [[a, b, tx], [d, e, ty]] = self.parameters;
         let x = a * x_px + b * y_px + tx - self.principal_point_mm[0];
         let y = d * x_px + e * y_px + ty - self.principal_point_mm[1];
-        let [k1, k2, k3] = self.radial_distortion;
-        let r2 = x * x + y * y;
-        let factor = 1.0 + r2 * (k1 + r2 * (k2 + r2 * k3));
+        let factor = radial_factor(self.radial_distortion, x * x + y * y);
         [x * factor, y * factor]
     }
 
@@ -146,12 +94,12 @@ impl Interior {
     }
 
     /// Position in px, as a camera without distortion whose rows lie along the x axis would see it: the principal point stays where it is.
-    pub fn ideal_px(&self, x_px: f64, y_px: f64) -> [f64; 2] {
+    pub fn undistorted_px(&self, x_px: f64, y_px: f64) -> [f64; 2] {
         let ([x, y], pixel_mm, [x0, y0]) = (self.photo_mm(x_px, y_px), self.pixel_mm(), self.principal_point_px());
         [x0 + x / pixel_mm, y0 - y / pixel_mm]
     }
 
-    /// The image position in px of a position in the camera without distortion: the inverse of [`Interior::ideal_px`]. None where the
+    /// The image position in px of a position in the camera without distortion: the inverse of [`Interior::undistorted_px`]. None where the
     /// distortion leads no image position there.
     pub fn image_px(&self, x_px: f64, y_px: f64) -> Option<[f64; 2]> {
         let (pixel_mm, [x0, y0]) = (self.pixel_mm(), self.principal_point_px());
@@ -171,7 +119,7 @@ impl Interior {
         for _ in 0..MOST_STEPS {
             let r2 = r * r;
             let slope = 1.0 + r2 * (3.0 * k1 + r2 * (5.0 * k2 + 7.0 * r2 * k3));
-            let step = (r * (1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))) - corrected) / slope;
+            let step = (r * radial_factor(self.radial_distortion, r2) - corrected) / slope;
             // Beyond the radius where the correction turns back, several measured ones have the same corrected one.
             if !(slope > 0.0 && step.is_finite()) {
                 return None;
@@ -211,8 +159,8 @@ mod tests {
     use super::*;
     use crate::camera::FiducialModel;
 
-    fn camera() -> Camera {
-        Camera { focal_mm: 153.38, principal_point_mm: [0.5, -0.25], pixel_mm: Some(0.01), radial_distortion: [0.0; 3] }
+    fn camera() -> CameraMm {
+        CameraMm { focal_mm: 153.38, principal_point_mm: [0.5, -0.25], pixel_mm: Some(0.01), radial_distortion: [0.0; 3] }
     }
 
     #[test]
@@ -245,13 +193,13 @@ mod tests {
 
     #[test]
     fn an_ideal_position_leads_back_to_the_image() {
-        let camera = Camera { radial_distortion: [-3e-5, 2e-9, 0.0], ..camera() };
+        let camera = CameraMm { radial_distortion: [-3e-5, 2e-9, 0.0], ..camera() };
         // A scan that is turned by a right angle, of a photo whose axes go right and up.
         let parameters = [[0.01, 0.25, -100.0], [0.26, -0.02, -90.0]];
         let turned = Interior { parameters, ..Interior::from_pixel_size(&camera, 800, 600).unwrap() };
         for interior in [turned, Interior::from_pixel_size(&camera, 4000, 3000).unwrap()] {
             for [x, y] in [[0.0, 0.0], [400.0, 300.0], [790.5, 20.25], interior.principal_point_px()] {
-                let [ideal_x, ideal_y] = interior.ideal_px(x, y);
+                let [ideal_x, ideal_y] = interior.undistorted_px(x, y);
                 let [back_x, back_y] = interior.image_px(ideal_x, ideal_y).unwrap();
                 assert!((back_x - x).abs() < 1e-8 && (back_y - y).abs() < 1e-8, "{back_x}, {back_y} instead of {x}, {y}");
             }
@@ -262,35 +210,10 @@ mod tests {
 
     #[test]
     fn positive_k1_moves_points_outwards() {
-        let camera = Camera { principal_point_mm: [0.0; 2], radial_distortion: [1e-4, 1e-7, 1e-10], ..camera() };
+        let camera = CameraMm { principal_point_mm: [0.0; 2], radial_distortion: [1e-4, 1e-7, 1e-10], ..camera() };
         let interior = Interior::from_pixel_size(&camera, 2000, 2000).unwrap();
         let [x, y] = interior.photo_mm(1300.0, 600.0);
         let factor = 1.0 + 25.0 * 1e-4 + 625.0 * 1e-7 + 15625.0 * 1e-10;
         assert!((x - 3.0 * factor).abs() < 1e-12 && (y - 4.0 * factor).abs() < 1e-12);
-    }
-
-    #[test]
-    fn values_outside_their_ranges_are_refused_by_name() {
-        let wrong = [
-            (Camera { focal_mm: 0.0, ..camera() }, "camera.focal_mm"),
-            (Camera { focal_mm: f64::NAN, ..camera() }, "camera.focal_mm"),
-            (Camera { principal_point_mm: [0.0, f64::INFINITY], ..camera() }, "camera.principal_point_mm"),
-            (Camera { pixel_mm: Some(-0.1), ..camera() }, "camera.pixel_mm"),
-            (Camera { pixel_mm: None, ..camera() }, "camera.pixel_mm"),
-            (Camera { radial_distortion: [f64::NAN, 0.0, 0.0], ..camera() }, "camera.radial_distortion"),
-        ];
-        for (camera, name) in wrong {
-            match Interior::from_pixel_size(&camera, 100, 100) {
-                Err(Error::InvalidOption { field, .. }) => assert_eq!(field, name),
-                other => panic!("{name}: {other:?}"),
-            }
-        }
-    }
-
-    #[test]
-    fn a_camera_without_focal_length_or_with_an_unknown_field_is_no_camera() {
-        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24}"#).is_ok());
-        assert!(serde_json::from_str::<Camera>(r#"{"pixel_mm": 0.01}"#).is_err());
-        assert!(serde_json::from_str::<Camera>(r#"{"focal_mm": 24, "focus": 1}"#).is_err());
     }
 }

@@ -1,13 +1,20 @@
-//! From pixels to photo coordinates: interior orientation, camera data, EXIF.
+//! Cameras, exterior orientation, and the way from pixels to photo coordinates: interior orientation, EXIF.
 
 mod distortion;
 mod exif;
 mod fiducials;
 mod interior;
+mod mm;
+mod pose;
+mod px;
 mod rotation;
 
-pub(crate) use distortion::{MOST_STEPS, undistorted};
+pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens};
 pub use exif::{ExifCamera, ExifImage, ExifPosition};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
-pub use interior::{Camera, Interior};
+pub use interior::Interior;
+pub use mm::CameraMm;
+pub use pose::Pose;
+pub(crate) use pose::{matrix, orthonormal, product, turn_of};
+pub use px::{Camera, FreeParameters};
 pub use rotation::{angles_from_rotation, rotation_from_angles};

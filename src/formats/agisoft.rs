@@ -1,8 +1,7 @@
 //! Agisoft Metashape's XML of markers: each point is a marker with its projections.
 
-use super::BlockModel;
 use super::text::not_written;
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::{self, Write};
 
 /// Sensors, cameras, markers with their positions where these are known, and the projections; pixel positions as here.

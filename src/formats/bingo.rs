@@ -1,10 +1,9 @@
 //! BINGO's image coordinates.
 
-use super::BlockModel;
 use super::sight::Sights;
 use super::text::{not_written, one_word};
-use crate::Error;
 use crate::parameters::refuse;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// For each image a line of its name and its camera's number, then lines of point, x, y, and an empty line. Coordinates are in mm from the

@@ -1,10 +1,8 @@
 //! Bundler's file of cameras and points, version 0.3, with its list of images.
 
-use super::correction::direction;
 use super::sight::Sights;
 use super::text::one_word;
-use super::{BlockModel, ModelCamera, ModelRay};
-use crate::Error;
+use crate::{BlockModel, Camera, Error, ImageObservation};
 use std::fmt::{self, Write};
 
 /// The files `bundle.out` and `list.txt`.
@@ -51,7 +49,7 @@ fn write_cameras(model: &BlockModel, points: usize, out: &mut String) -> fmt::Re
     Ok(())
 }
 
-fn has_room(camera: &ModelCamera) -> bool {
+fn has_room(camera: &Camera) -> bool {
     camera.radial[2] == 0.0 && camera.tangential == [0.0; 2]
 }
 
@@ -59,14 +57,17 @@ fn write_point(model: &BlockModel, sights: &Sights, index: usize, out: &mut Stri
     let point = &model.points[index];
     let [x, y, z] = point.position.unwrap_or_default();
     let [r, g, b] = point.colour;
-    let rays: Vec<(&ModelRay, &usize)> =
+    let rays: Vec<(&ImageObservation, &usize)> =
         point.rays.iter().zip(&sights.numbers[index]).filter(|(ray, _)| model.images[ray.image].pose.is_some()).collect();
     let mut line = format!("{x} {y} {z}\n{r} {g} {b}\n{}", rays.len());
     for (ray, number) in rays {
         let camera = &model.cameras[model.images[ray.image].camera];
         let [cx, cy] = camera.principal_point_px;
-        let [right, down] =
-            if has_room(camera) { [ray.x_px - cx, ray.y_px - cy] } else { direction(camera, ray)?.map(|v| v * camera.focal_px) };
+        let [right, down] = if has_room(camera) {
+            [ray.x_px - cx, ray.y_px - cy]
+        } else {
+            camera.direction([ray.x_px, ray.y_px])?.map(|v| v * camera.focal_px)
+        };
         line.push_str(&format!(" {} {number} {right} {}", ray.image, 0.0 - down));
     }
     line.push('\n');

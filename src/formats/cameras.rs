@@ -1,9 +1,8 @@
 //! Reading cameras that hold for the images whose names fit a pattern.
 
-use super::ModelCamera;
-use super::check::{check_camera, refuse};
-use crate::Error;
+use crate::error::refuse;
 use crate::json;
+use crate::{Camera, Error};
 use serde::{Deserialize, Serialize};
 
 /// A camera, and the images that it took.
@@ -19,7 +18,7 @@ pub struct CameraRule {
     /// `[c_x, c_y]` in px, the centre of the top-left pixel at (0.5, 0.5); absent: the middle of the image.
     #[serde(default)]
     pub principal_point_px: Option<[f64; 2]>,
-    /// As in [`ModelCamera`].
+    /// As in [`Camera`].
     #[serde(default)]
     pub radial: [f64; 3],
     #[serde(default)]
@@ -42,22 +41,17 @@ impl CameraRule {
     ///
     /// # Errors
     /// As [`BlockModel::check`](crate::BlockModel::check).
-    pub fn camera(&self, width_px: u32, height_px: u32) -> Result<ModelCamera, Error> {
+    pub fn camera(&self, width_px: u32, height_px: u32) -> Result<Camera, Error> {
         self.camera_named(width_px, height_px, || format!("the camera of {}", self.images))
     }
 
     /// The same, by its name where it is refused.
-    fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> String) -> Result<ModelCamera, Error> {
-        let camera = ModelCamera {
-            width_px,
-            height_px,
-            focal_px: self.focal_px,
-            principal_point_px: self.principal_point_px.unwrap_or([0.5 * f64::from(width_px), 0.5 * f64::from(height_px)]),
-            radial: self.radial,
-            tangential: self.tangential,
-            pixel_mm: self.pixel_mm,
-        };
-        check_camera(&camera, name).map(|()| camera)
+    fn camera_named(&self, width_px: u32, height_px: u32, name: impl Fn() -> String) -> Result<Camera, Error> {
+        let plain = Camera::without_distortion(width_px, height_px, self.focal_px);
+        let principal_point_px = self.principal_point_px.unwrap_or(plain.principal_point_px);
+        let Self { radial, tangential, pixel_mm, .. } = *self;
+        let camera = Camera { principal_point_px, radial, tangential, pixel_mm, ..plain };
+        camera.check(name).map(|()| camera)
     }
 }
 

@@ -1,8 +1,8 @@
 //! COLMAP's files of features and of matches, as its `feature_importer` and `matches_importer` read them.
 
-use super::check::refuse;
 use super::text::{file_name, not_written, one_word};
 use crate::Error;
+use crate::error::refuse;
 use std::fmt::Write;
 
 /// Numbers of a descriptor: COLMAP takes no other length.

@@ -2,9 +2,8 @@
 
 use super::quaternion::pose_of_vision;
 use super::text::Line;
-use super::{BlockModel, ModelCamera, ModelImage, ModelPoint, ModelRay};
-use crate::Error;
 use crate::text::shorten;
+use crate::{BlockModel, Camera, Error, ImageObservation, ModelImage, ObjectPoint};
 use std::collections::BTreeMap;
 
 /// Numbers that stand in a file, and the indices they get here.
@@ -34,7 +33,7 @@ fn lines<'a>(what: &'static str, text: &'a str) -> impl Iterator<Item = Line<'a>
         .filter(|line| !line.text.trim_start().starts_with('#'))
 }
 
-fn read_cameras(text: &str) -> Result<(Vec<ModelCamera>, Numbers), Error> {
+fn read_cameras(text: &str) -> Result<(Vec<Camera>, Numbers), Error> {
     let (mut cameras, mut numbers) = (Vec::new(), Numbers::new());
     for line in lines("cameras.txt", text).filter(|line| !line.text.trim().is_empty()) {
         let words = &mut line.words();
@@ -60,7 +59,7 @@ fn read_cameras(text: &str) -> Result<(Vec<ModelCamera>, Numbers), Error> {
         if numbers.insert(number, cameras.len()).is_some() {
             return Err(line.refused(format!("camera {number} again")));
         }
-        cameras.push(ModelCamera { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm: None });
+        cameras.push(Camera { principal_point_px, radial, tangential, ..Camera::without_distortion(width_px, height_px, focal_px) });
     }
     Ok((cameras, numbers))
 }
@@ -109,25 +108,25 @@ fn read_rays(line: &Line<'_>) -> Result<Vec<[f64; 2]>, Error> {
     Ok(rays)
 }
 
-fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<ModelPoint>, Error> {
-    let mut points: BTreeMap<u64, ModelPoint> = BTreeMap::new();
+fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<ObjectPoint>, Error> {
+    let mut points: BTreeMap<u64, ObjectPoint> = BTreeMap::new();
     for line in lines("points3D.txt", text).filter(|line| !line.text.trim().is_empty()) {
         let words = &mut line.words().peekable();
         let number: u64 = line.whole(words, "POINT3D_ID")?;
         let position = Some([line.number(words, "X")?, line.number(words, "Y")?, line.number(words, "Z")?]);
         let colour = [line.whole(words, "R")?, line.whole(words, "G")?, line.whole(words, "B")?];
         let rmse_px = Some(line.number(words, "ERROR")?).filter(|error| *error >= 0.0);
-        let mut rays: Vec<ModelRay> = Vec::new();
+        let mut rays: Vec<ImageObservation> = Vec::new();
         while words.peek().is_some() {
             let image: u64 = line.whole(words, "IMAGE_ID")?;
             let index: usize = line.whole(words, "POINT2D_IDX")?;
             let image = *images.get(&image).ok_or_else(|| line.refused(format!("image {image} is not in images.txt")))?;
             let place = features[image].get(index).ok_or_else(|| line.refused(format!("image {image} has no point {index}")))?;
             if rays.iter().all(|ray| ray.image != image) {
-                rays.push(ModelRay { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
+                rays.push(ImageObservation { image, x_px: place[0], y_px: place[1], confidence: 1.0 });
             }
         }
-        if points.insert(number, ModelPoint { position, colour, rmse_px, confidence: 1.0, rays }).is_some() {
+        if points.insert(number, ObjectPoint { position, colour, rmse_px, confidence: 1.0, rays }).is_some() {
             return Err(line.refused(format!("point {number} again")));
         }
     }
@@ -137,14 +136,15 @@ fn read_points(text: &str, images: &Numbers, features: &Features) -> Result<Vec<
 #[cfg(test)]
 mod tests {
     use super::super::colmap_write::write_model;
-    use super::super::sight::{Sights, tiny_block};
+    use super::super::sight::Sights;
     use super::*;
+    use crate::model::tiny_block;
 
     /// The tiny block without what COLMAP's model has no room for.
     fn oriented(distortion: [f64; 5]) -> BlockModel {
         let mut model = tiny_block();
         let [k1, k2, k3, p1, p2] = distortion;
-        model.cameras[0] = ModelCamera { radial: [k1, k2, k3], tangential: [p1, p2], pixel_mm: None, ..model.cameras[0].clone() };
+        model.cameras[0] = Camera { radial: [k1, k2, k3], tangential: [p1, p2], pixel_mm: None, ..model.cameras[0].clone() };
         model.images.pop();
         model.points.pop();
         model.points[0].rays.pop();

@@ -3,8 +3,7 @@
 use super::quaternion::vision_pose;
 use super::sight::Sights;
 use super::text::one_word;
-use super::{BlockModel, ModelCamera};
-use crate::Error;
+use crate::{BlockModel, Camera, Error};
 use std::fmt::{self, Write};
 
 /// The three files of an oriented block: `cameras.txt`, `images.txt`, `points3D.txt`. Images without a pose are left out, and points
@@ -24,7 +23,7 @@ pub(super) fn write_model(model: &BlockModel, sights: &Sights) -> Result<[String
 fn write_cameras(model: &BlockModel, out: &mut String) -> fmt::Result {
     writeln!(out, "# CAMERA_ID MODEL WIDTH HEIGHT PARAMS[]")?;
     for (index, camera) in model.cameras.iter().enumerate() {
-        let ModelCamera { width_px, height_px, focal_px: f, principal_point_px: [cx, cy], .. } = camera;
+        let Camera { width_px, height_px, focal_px: f, principal_point_px: [cx, cy], .. } = camera;
         let ([k1, k2, k3], [p1, p2]) = (camera.radial, camera.tangential);
         write!(out, "{} ", index + 1)?;
         // The smallest of COLMAP's models that holds all parameters.
@@ -76,8 +75,8 @@ fn write_points(model: &BlockModel, sights: &Sights, out: &mut String) -> fmt::R
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::tiny_block;
     use super::*;
+    use crate::model::tiny_block;
 
     #[test]
     fn the_tiny_block_has_its_golden_text() {

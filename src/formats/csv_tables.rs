@@ -3,10 +3,8 @@
 //! Images, points and cameras count from 0, as the lists of the project file do, whereas texts that people read number cameras from 1 and name
 //! images; what is not known is empty; angles are those of M = M3(κ)·M2(φ)·M1(ω) in degrees.
 
-use super::BlockModel;
-use crate::angles_from_rotation;
+use crate::BlockModel;
 use crate::text::{Row, table};
-use nalgebra::Matrix3;
 
 const IMAGES: [&str; 12] =
     ["image", "name", "camera", "width_px", "height_px", "focal_px", "x", "y", "z", "omega_deg", "phi_deg", "kappa_deg"];
@@ -21,8 +19,7 @@ pub(crate) fn images_table(model: &BlockModel, columns: &[&str], more: impl Fn(u
         let pose = image.pose.map(|pose| {
             let [x, y, z] = pose.position;
             // -0 is written as 0.
-            let [omega, phi, kappa] =
-                angles_from_rotation(&Matrix3::from_fn(|i, j| pose.rotation[i][j])).map(|angle| angle.to_degrees() + 0.0);
+            let [omega, phi, kappa] = pose.angles().map(|angle| angle.to_degrees() + 0.0);
             [x, y, z, omega, phi, kappa]
         });
         more(index, row.number(camera.focal_px).numbers(pose))

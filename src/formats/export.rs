@@ -3,8 +3,8 @@
 use super::colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 use super::sight::Sights;
 use super::text::{file_name, one_word};
-use super::{BlockModel, agisoft, bingo, bundler, colmap_write, csv_tables, geojson, isat, micmac, nvm, opensfm, patb};
-use crate::Error;
+use super::{agisoft, bingo, bundler, colmap_write, csv_tables, geojson, isat, micmac, nvm, opensfm, patb};
+use crate::{BlockModel, Error};
 use serde::{Deserialize, Serialize};
 
 /// A format that blocks are written in.

@@ -1,8 +1,7 @@
 //! GeoJSON of image positions and points, for maps.
 
-use super::BlockModel;
-use crate::Error;
 use crate::math::geographic_from_local;
+use crate::{BlockModel, Error};
 use serde_json::{Value, json};
 
 /// A collection of features: a point for each oriented image and for each intersected point.

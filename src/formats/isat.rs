@@ -1,11 +1,9 @@
 //! ISAT's photo file (ImageStation Automatic Triangulation): measurements of points, photo by photo.
 
-use super::BlockModel;
 use super::bingo::pixel_mm;
-use super::correction::direction;
 use super::sight::Sights;
 use super::text::{not_written, one_word};
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// Blocks `begin photo_measurements` … `end photo_measurements` of lines with point, measured x and y, corrected x and y, and status 1 for
@@ -26,7 +24,7 @@ pub(super) fn write_photos(model: &BlockModel, sights: &Sights) -> Result<String
         for sighting in sightings {
             let x = (sighting.ray.x_px - 0.5 * f64::from(camera.width_px)) * micrometres;
             let y = (0.5 * f64::from(camera.height_px) - sighting.ray.y_px) * micrometres;
-            let [right, down] = direction(camera, &sighting.ray)?.map(|v| v * camera.focal_px * micrometres);
+            let [right, down] = camera.direction([sighting.ray.x_px, sighting.ray.y_px])?.map(|v| v * camera.focal_px * micrometres);
             let up = 0.0 - down;
             writeln!(text, " {} {x:.2} {y:.2} {right:.2} {up:.2} 1", sighting.point + 1).map_err(not_written)?;
         }

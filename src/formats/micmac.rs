@@ -1,9 +1,8 @@
 //! MicMac's homologous points: one file for each pair of images, in both directions.
 
-use super::BlockModel;
 use super::sight::Sights;
 use super::text::{file_name, not_written, one_word};
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// The files `Homol/Pastis<first>/<second>.txt` with lines of `x1 y1 x2 y2 weight`; in MicMac the centre of the top-left pixel is (0, 0).

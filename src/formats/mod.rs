@@ -1,34 +1,30 @@
 //! Files by which blocks go to other programs and come from them: one format a file.
 //!
-//! Data flow: [`BlockModel`] → `check` → one writer a format → [`export_block`]; readers give a [`BlockModel`] or [`GroundControlRow`]s.
+//! Data flow: [`BlockModel`](crate::BlockModel) → [`check`](crate::BlockModel::check) → one writer a format → [`export_block`]; readers give a
+//! [`BlockModel`](crate::BlockModel) or [`GroundControlRow`]s.
 
 mod agisoft;
 mod bingo;
 mod bundler;
 mod cameras;
-mod check;
 mod colmap_features;
 mod colmap_read;
 mod colmap_write;
 mod control;
-mod correction;
 mod csv_tables;
 mod export;
 mod geojson;
 mod isat;
 mod marks;
 mod micmac;
-mod model;
 mod nvm;
 mod opensfm;
 mod patb;
-mod photo_camera;
 mod quaternion;
 mod sight;
 #[cfg(test)]
 mod tests;
 mod text;
-mod tie_points;
 
 pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
@@ -37,6 +33,3 @@ pub use control::{GroundControlRow, parse_ground_control_points};
 pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
 pub use marks::{ImageMeasurementRow, parse_image_measurements};
-pub use model::{BlockModel, GeographicOrigin, ModelCamera, ModelImage, ModelPoint, ModelPose, ModelRay};
-#[cfg(test)]
-pub(crate) use sight::tiny_block;

@@ -1,11 +1,9 @@
 //! VisualSFM's file of cameras and points, `NVM_V3`.
 
-use super::BlockModel;
-use super::correction::direction;
 use super::quaternion::vision_pose;
 use super::sight::Sights;
 use super::text::{not_written, one_word};
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// The oriented images and the intersected points. Positions count from the principal point, y down, and are written as they would be
@@ -35,7 +33,7 @@ pub(super) fn write_nvm(model: &BlockModel, sights: &Sights) -> Result<String, E
         write!(text, "{x} {y} {z} {r} {g} {b} {}", rays.len()).map_err(not_written)?;
         for (image, ray, number) in rays {
             let camera = &model.cameras[model.images[ray.image].camera];
-            let [right, down] = direction(camera, ray)?.map(|v| v * camera.focal_px);
+            let [right, down] = camera.direction([ray.x_px, ray.y_px])?.map(|v| v * camera.focal_px);
             write!(text, " {image} {number} {right} {down}").map_err(not_written)?;
         }
         text.push('\n');

@@ -1,9 +1,8 @@
 //! OpenSfM's table of tracks, `tracks.csv`, version 2.
 
-use super::BlockModel;
 use super::sight::Sights;
 use super::text::not_written;
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// One line a ray between tabs: image, track, feature, x, y, scale, red, green, blue, segmentation, instance.

@@ -1,11 +1,9 @@
 //! PAT-B's image coordinates: experimental, since no description of the format is public.
 
-use super::BlockModel;
 use super::bingo::pixel_mm;
-use super::correction::direction;
 use super::sight::Sights;
 use super::text::not_written;
-use crate::Error;
+use crate::{BlockModel, Error};
 use std::fmt::Write;
 
 /// The files `patb.im` and `patb_photos.txt`, the list of which photo is which image, since photos have numbers alone.
@@ -23,7 +21,7 @@ pub(super) fn write_image_coordinates(model: &BlockModel, sights: &Sights) -> Re
         writeln!(photos, "{} {}", index + 1, image.name).map_err(not_written)?;
         writeln!(text, "{:>10} {scale:>12.1}", index + 1).map_err(not_written)?;
         for sighting in sightings {
-            let [x, y] = direction(camera, &sighting.ray)?;
+            let [x, y] = camera.direction([sighting.ray.x_px, sighting.ray.y_px])?;
             writeln!(text, "{:>10} {:>12.1} {:>12.1} 1", sighting.point + 1, x * scale, 0.0 - y * scale).map_err(not_written)?;
         }
         text.push_str("       -99\n");

@@ -1,9 +1,9 @@
 //! Rotations as unit quaternions, in the axes that computer vision has: x right, y down, z with the view.
 
-use super::ModelPose;
+use crate::Pose;
 
 /// A rotation from object to camera as `[w, x, y, z]` of unit length, w not negative, and the translation t of camera = R·X + t.
-pub(super) fn vision_pose(pose: &ModelPose) -> ([f64; 4], [f64; 3]) {
+pub(super) fn vision_pose(pose: &Pose) -> ([f64; 4], [f64; 3]) {
     let m = pose.rotation;
     let r = [m[0], m[1].map(|v| -v), m[2].map(|v| -v)];
     let c = pose.position;
@@ -12,7 +12,7 @@ pub(super) fn vision_pose(pose: &ModelPose) -> ([f64; 4], [f64; 3]) {
 }
 
 /// The pose of such a quaternion, of any length above 0, and translation.
-pub(super) fn pose_of_vision(quaternion: [f64; 4], t: [f64; 3]) -> Option<ModelPose> {
+pub(super) fn pose_of_vision(quaternion: [f64; 4], t: [f64; 3]) -> Option<Pose> {
     let length = quaternion.iter().map(|v| v * v).sum::<f64>().sqrt();
     if !(length.is_finite() && length > 1e-12) {
         return None;
@@ -24,7 +24,7 @@ pub(super) fn pose_of_vision(quaternion: [f64; 4], t: [f64; 3]) -> Option<ModelP
         [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
     ];
     let position = [0, 1, 2].map(|k| -(r[0][k] * t[0] + r[1][k] * t[1] + r[2][k] * t[2]));
-    Some(ModelPose { rotation: [r[0], r[1].map(|v| -v), r[2].map(|v| -v)], position })
+    Some(Pose { rotation: [r[0], r[1].map(|v| -v), r[2].map(|v| -v)], position })
 }
 
 /// # Source
@@ -57,12 +57,11 @@ mod tests {
         for (omega, phi, kappa) in [(0.1, -0.2, 0.3), (3.0, 0.2, -1.0), (-2.0, 1.4, 3.1), (0.0, 0.0, 0.0), (3.1, 0.0, 3.1), (0.0, 3.1, 0.0)]
         {
             let m = rotation_from_angles(omega, phi, kappa);
-            let rotation = std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)]));
-            let pose = ModelPose { rotation, position: [10.0, -20.0, 300.0] };
+            let pose = Pose::new(&m, [10.0, -20.0, 300.0]);
             let (q, t) = vision_pose(&pose);
             assert!(q[0] >= 0.0 && (q.iter().map(|v| v * v).sum::<f64>() - 1.0).abs() < 1e-14);
             let back = pose_of_vision(q.map(|v| 2.0 * v), t).unwrap();
-            for (a, b) in back.rotation.iter().flatten().zip(rotation.iter().flatten()) {
+            for (a, b) in back.rotation.iter().flatten().zip(pose.rotation.iter().flatten()) {
                 assert!((a - b).abs() < 1e-14, "{omega} {phi} {kappa}");
             }
             assert!(back.position.iter().zip(pose.position).all(|(a, b)| (a - b).abs() < 1e-11));
@@ -72,7 +71,7 @@ mod tests {
 
     #[test]
     fn an_upright_photo_that_looks_down_is_half_a_turn_about_x() {
-        let pose = ModelPose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [1.0, 2.0, 3.0] };
+        let pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [1.0, 2.0, 3.0] };
         assert_eq!(vision_pose(&pose), ([0.0, 1.0, 0.0, 0.0], [-1.0, 2.0, 3.0]));
     }
 }

@@ -1,8 +1,8 @@
 //! Every exchange format as text: a tiny block, written and compared to the last letter.
 
-use super::sight::tiny_block;
-use super::{BlockModel, ExportFormat, ModelCamera, export_block, read_colmap_model};
-use crate::{Error, geographic_from_local, rotation_from_angles};
+use super::{ExportFormat, export_block, read_colmap_model};
+use crate::model::tiny_block;
+use crate::{BlockModel, Camera, Error, Pose, geographic_from_local, rotation_from_angles};
 use std::collections::BTreeMap;
 
 fn files(model: &BlockModel, format: ExportFormat) -> Result<BTreeMap<String, String>, Error> {
@@ -21,9 +21,9 @@ fn file(format: ExportFormat, path: &str) -> String {
 /// A block with all distortion parameters, turned images and names that need care.
 fn distorted_block() -> BlockModel {
     let mut model = tiny_block();
-    model.cameras[0] = ModelCamera { radial: [-0.05, 0.01, -0.002], tangential: [4e-4, -3e-4], ..model.cameras[0].clone() };
+    model.cameras[0] = Camera { radial: [-0.05, 0.01, -0.002], tangential: [4e-4, -3e-4], ..model.cameras[0] };
     let m = rotation_from_angles(0.02, -0.03, 1.2);
-    model.images[1].pose.as_mut().unwrap().rotation = std::array::from_fn(|i| std::array::from_fn(|j| m[(i, j)]));
+    model.images[1].pose = model.images[1].pose.map(|pose| Pose::new(&m, pose.position));
     model
 }
 
@@ -227,7 +227,7 @@ fn formats_without_room_for_distortion_get_corrected_positions() {
     assert!(near(seen(of[3] / 5000.0, -of[4] / 5000.0), 2e-3), "{of:?}");
     // Bundler's own two coefficients stay where they are enough.
     let mut model = model.clone();
-    model.cameras[0] = ModelCamera { radial: [k1, k2, 0.0], tangential: [0.0; 2], ..model.cameras[0].clone() };
+    model.cameras[0] = Camera { radial: [k1, k2, 0.0], tangential: [0.0; 2], ..model.cameras[0] };
     let bundle = &files(&model, ExportFormat::Bundler).unwrap()["bundle.out"];
     assert!(bundle.contains("500 -0.05 0.01\n") && bundle.contains("2 0 0 25 0 1 0 -25 0\n"), "{bundle}");
 }
@@ -237,7 +237,7 @@ fn a_block_with_all_parameters_comes_back_from_colmap() {
     let model = distorted_block();
     let files = files(&model, ExportFormat::Colmap).unwrap();
     let read = read_colmap_model(&files["sparse/cameras.txt"], &files["sparse/images.txt"], &files["sparse/points3D.txt"]).unwrap();
-    assert_eq!(read.cameras[0], ModelCamera { pixel_mm: None, ..model.cameras[0].clone() });
+    assert_eq!(read.cameras[0], Camera { pixel_mm: None, ..model.cameras[0] });
     for (image, wanted) in read.images.iter().zip(&model.images) {
         let (pose, wanted) = (image.pose.unwrap(), wanted.pose.unwrap());
         let difference = pose.rotation.iter().flatten().zip(wanted.rotation.iter().flatten()).map(|(a, b)| (a - b).abs());

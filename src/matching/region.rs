@@ -106,11 +106,11 @@ impl Region {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::camera::Camera;
+    use crate::camera::CameraMm;
 
     fn interior() -> Interior {
         let camera =
-            Camera { focal_mm: 150.0, principal_point_mm: [0.02, -0.05], pixel_mm: Some(0.1), radial_distortion: [1e-8, 0.0, 0.0] };
+            CameraMm { focal_mm: 150.0, principal_point_mm: [0.02, -0.05], pixel_mm: Some(0.1), radial_distortion: [1e-8, 0.0, 0.0] };
         Interior::from_pixel_size(&camera, 800, 600).unwrap()
     }
 

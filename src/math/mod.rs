@@ -8,6 +8,7 @@ mod null_space;
 mod polynomial;
 mod random;
 mod statistics;
+mod vector;
 mod whole;
 
 pub(crate) use consensus::{BLOCK, Candidate, Problem, Search, consensus};
@@ -18,4 +19,5 @@ pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest, weighted_median};
+pub(crate) use vector::{cross, dot3, minus};
 pub(crate) use whole::Whole;

@@ -1,6 +1,6 @@
 //! The rigorous adjustment: all four photo coordinates are observed, the coplanarity of the rays is the condition (Gauss-Helmert).
 
-use super::coplanarity::{Pose, Ray};
+use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, Normals};
 use super::refusal::{check_condition, check_parallax, diverged, undetermined};
 use crate::Error;
@@ -8,7 +8,7 @@ use crate::Error;
 /// The adjusted pose and what its precision follows from. Lengths are in units of the focal length.
 #[derive(Debug, Clone)]
 pub(super) struct Adjusted {
-    pub pose: Pose,
+    pub pose: RelativePose,
     /// N⁻¹ of the turns and the shifts of the base, for a photo coordinate of weight 1.
     pub cofactors: Matrix5,
     /// Cofactors of the estimate: N⁻¹, or more where it is another than least squares of all good observations.
@@ -52,7 +52,7 @@ pub(super) fn step_tolerance(sigma: f64) -> f64 {
 }
 
 /// Moves the pose by a step, cut to the longest one allowed.
-pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknowns) -> Pose {
+pub(super) fn move_within_bounds(pose: &RelativePose, step: &super::coplanarity::Unknowns) -> RelativePose {
     let length = step.norm();
     if length > LONGEST_STEP { pose.moved(&(step * (LONGEST_STEP / length))) } else { pose.moved(step) }
 }
@@ -72,9 +72,9 @@ pub(super) fn move_within_bounds(pose: &Pose, step: &super::coplanarity::Unknown
 pub(super) fn adjust(
     rays: &[Ray],
     weights: &[f64],
-    start: Pose,
+    start: RelativePose,
     settled: f64,
-    bounds: impl Fn(&Pose) -> Result<(), String>,
+    bounds: impl Fn(&RelativePose) -> Result<(), String>,
 ) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;

@@ -13,7 +13,7 @@ pub(super) type Unknowns = SVector<f64, 5>;
 
 /// The relative orientation without its scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pose {
+pub(crate) struct RelativePose {
     /// M: from model space to the right photo.
     pub rotation: Matrix3<f64>,
     /// t: the direction of the base in model space, of length 1.
@@ -43,7 +43,7 @@ pub(crate) fn condition(&[xl, yl, xr, yr]: &Ray) -> [f64; 9] {
     [xr * xl, xr * yl, -xr, yr * xl, yr * yl, -yr, -xl, -yl, 1.0]
 }
 
-impl Pose {
+impl RelativePose {
     /// The start of a vertical pair: no rotation, the base along `parallax` (x, y; in a vertical pair left minus right coordinates point
     /// along the base).
     pub fn vertical(parallax: [f64; 2]) -> Self {
@@ -202,13 +202,13 @@ mod tests {
     use super::*;
     use crate::camera::rotation_from_angles;
 
-    fn pose() -> Pose {
-        Pose { rotation: rotation_from_angles(0.1, -0.3, 1.2), base: Vector3::new(0.8, 0.3, -0.2).normalize() }
+    fn pose() -> RelativePose {
+        RelativePose { rotation: rotation_from_angles(0.1, -0.3, 1.2), base: Vector3::new(0.8, 0.3, -0.2).normalize() }
     }
 
     const RAY: Ray = [0.3, -0.2, 0.15, 0.4];
 
-    fn misclosure(pose: &Pose, ray: &Ray) -> f64 {
+    fn misclosure(pose: &RelativePose, ray: &Ray) -> f64 {
         let (left, right) = directions(ray);
         right.dot(&(pose.essential() * left))
     }
@@ -248,12 +248,12 @@ mod tests {
     #[test]
     fn an_essential_matrix_gives_its_pose_among_four() {
         for scale in [1.0, -3.0] {
-            let poses = Pose::from_essential(&(pose().essential() * scale)).unwrap();
-            let distance = |p: &Pose| (p.rotation - pose().rotation).amax() + (p.base - pose().base).amax();
+            let poses = RelativePose::from_essential(&(pose().essential() * scale)).unwrap();
+            let distance = |p: &RelativePose| (p.rotation - pose().rotation).amax() + (p.base - pose().base).amax();
             assert_eq!(poses.iter().filter(|p| distance(p) < 1e-12).count(), 1);
             assert!(poses.iter().all(|p| (p.rotation.determinant() - 1.0).abs() < 1e-12));
         }
-        assert!(Pose::from_essential(&Matrix3::zeros()).is_none());
+        assert!(RelativePose::from_essential(&Matrix3::zeros()).is_none());
     }
 
     #[test]
@@ -261,7 +261,7 @@ mod tests {
         let right = pose().rotation * (Vector3::new(0.5, 0.4, -3.0) - pose().base);
         let ray = [0.5 / 3.0, 0.4 / 3.0, -right.x / right.z, -right.y / right.z];
         assert!(right.z < 0.0 && pose().in_front(&ray, 0.0));
-        let poses = Pose::from_essential(&pose().essential()).unwrap();
+        let poses = RelativePose::from_essential(&pose().essential()).unwrap();
         assert_eq!(poses.iter().filter(|p| p.in_front(&ray, 0.0)).count(), 1);
     }
 }

@@ -1,7 +1,7 @@
 //! The short textbook form: least squares of the coplanarity determinants, unweighted.
 
 use super::adjustment::{Adjusted, move_within_bounds, step_tolerance};
-use super::coplanarity::{Pose, Ray};
+use super::coplanarity::{Ray, RelativePose};
 use super::normals::Normals;
 use super::refusal::{check_parallax, diverged, undetermined};
 use crate::Error;
@@ -18,7 +18,11 @@ const MAX_ITERATIONS: usize = 50;
 ///
 /// # Source
 /// Wolf, Dewitt & Wilkinson 2014, Elements of Photogrammetry, 4th ed., on analytical relative orientation by coplanarity.
-pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Pose) -> Result<(), String>) -> Result<Adjusted, Error> {
+pub(super) fn adjust_determinants(
+    rays: &[Ray],
+    start: RelativePose,
+    bounds: impl Fn(&RelativePose) -> Result<(), String>,
+) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
     let (mut last_step, mut last_sigma) = (f64::INFINITY, 0.0);
@@ -52,7 +56,7 @@ pub(super) fn adjust_determinants(rays: &[Ray], start: Pose, bounds: impl Fn(&Po
 }
 
 /// Normal equations of the determinants divided by b·f², and the mean square of their gradients.
-fn determinants(pose: &Pose, rays: &[Ray]) -> Result<(Normals<5>, f64), Error> {
+fn determinants(pose: &RelativePose, rays: &[Ray]) -> Result<(Normals<5>, f64), Error> {
     let tangents = pose.tangents();
     let along_x = pose.base.x;
     if along_x.abs() < 1e-6 {
@@ -83,7 +87,7 @@ mod tests {
 
     const RAYS: [Ray; 2] = [[0.3, -0.2, 0.15, 0.4], [-0.1, 0.25, -0.4, 0.2]];
 
-    fn value(pose: &Pose, [xl, yl, xr, yr]: Ray) -> f64 {
+    fn value(pose: &RelativePose, [xl, yl, xr, yr]: Ray) -> f64 {
         let right = pose.rotation.transpose() * Vector3::new(xr, yr, -1.0);
         let base = pose.base / pose.base.x;
         Matrix3::new(base.x, base.y, base.z, xl, yl, -1.0, right.x, right.y, right.z).determinant()
@@ -91,7 +95,7 @@ mod tests {
 
     #[test]
     fn the_normal_equations_are_those_of_the_textbook_determinant() {
-        let pose = Pose { rotation: rotation_from_angles(0.1, -0.2, 0.3), base: Vector3::new(0.9, 0.2, -0.3).normalize() };
+        let pose = RelativePose { rotation: rotation_from_angles(0.1, -0.2, 0.3), base: Vector3::new(0.9, 0.2, -0.3).normalize() };
         let (normals, _) = determinants(&pose, &RAYS).unwrap();
         let sum: f64 = RAYS.iter().map(|ray| value(&pose, *ray) * value(&pose, *ray)).sum();
         assert!((normals.square_sum - sum).abs() < 1e-14, "{} {sum}", normals.square_sum);

@@ -203,13 +203,13 @@ fn back_substitute(table: &[Equation; 3], z: f64) -> Option<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::coplanarity::Pose;
+    use super::super::coplanarity::RelativePose;
     use super::*;
     use crate::camera::rotation_from_angles;
     use crate::math::Random;
     use nalgebra::Vector3;
 
-    fn sees(pose: &Pose, point: Vector3<f64>) -> Ray {
+    fn sees(pose: &RelativePose, point: Vector3<f64>) -> Ray {
         let right = pose.rotation * (point - pose.base);
         [-point.x / point.z, -point.y / point.z, -right.x / right.z, -right.y / right.z]
     }
@@ -222,7 +222,7 @@ mod tests {
             .map(|_| {
                 let angles = [uniform(-0.2, 0.2), uniform(-0.2, 0.2), kappa + uniform(-0.2, 0.2)];
                 let base = Vector3::new(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-0.3, 0.3)).normalize();
-                let pose = Pose { rotation: rotation_from_angles(angles[0], angles[1], angles[2]), base };
+                let pose = RelativePose { rotation: rotation_from_angles(angles[0], angles[1], angles[2]), base };
                 let sample = std::array::from_fn(|_| {
                     sees(&pose, Vector3::new(uniform(-2.0, 2.0), uniform(-2.0, 2.0), -3.0 + relief * uniform(-1.0, 1.0)))
                 });

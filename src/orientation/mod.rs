@@ -20,7 +20,7 @@ mod shared;
 mod weakness;
 mod weighting;
 
-pub(crate) use coplanarity::{Pose, Ray, condition};
+pub(crate) use coplanarity::{Ray, RelativePose, condition};
 pub use error_model::ErrorModel;
 pub(crate) use field::{Field, square_distance};
 pub(crate) use normals::Normals;

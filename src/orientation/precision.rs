@@ -1,6 +1,6 @@
 //! From the pose and its cofactors to ω φ κ by bz and theirs.
 
-use super::coplanarity::{Pose, Unknowns};
+use super::coplanarity::{RelativePose, Unknowns};
 use super::normals::Matrix5;
 use super::result::FiveParameters;
 use crate::Error;
@@ -17,12 +17,12 @@ const LEAST_ALONG_X: f64 = 1e-3;
 const LEAST_COSINE: f64 = 1e-4;
 
 /// The base component b, with the sign of the base: positive where the right photo lies to the right.
-pub(super) fn signed_base(pose: &Pose, base_mm: f64) -> f64 {
+pub(super) fn signed_base(pose: &RelativePose, base_mm: f64) -> f64 {
     if pose.base.x < 0.0 { -base_mm.abs() } else { base_mm.abs() }
 }
 
 /// ω φ κ by bz of a pose: the base is t·b/t_x.
-pub(super) fn parameters(pose: &Pose, base_mm: f64) -> FiveParameters {
+pub(super) fn parameters(pose: &RelativePose, base_mm: f64) -> FiveParameters {
     let [omega, phi, kappa] = angles_from_rotation(&pose.rotation);
     let scale = base_mm / pose.base.x;
     FiveParameters {
@@ -35,14 +35,14 @@ pub(super) fn parameters(pose: &Pose, base_mm: f64) -> FiveParameters {
 }
 
 /// Cofactors of ω φ κ (radians) and by bz (mm) from those of the small turns and shifts.
-pub(super) fn propagated(pose: &Pose, base_mm: f64, cofactors: &Matrix5) -> Matrix5 {
+pub(super) fn propagated(pose: &RelativePose, base_mm: f64, cofactors: &Matrix5) -> Matrix5 {
     let jacobian = derivatives(pose, base_mm);
     let product = jacobian * cofactors * jacobian.transpose();
     (product + product.transpose()) * 0.5
 }
 
 /// Refuses poses that ω φ κ by bz do not describe.
-pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
+pub(super) fn check_describable(pose: &RelativePose) -> Result<(), Error> {
     let along_x = pose.base.x.abs();
     if !(along_x >= LEAST_ALONG_X) {
         let reason = format!(
@@ -59,7 +59,7 @@ pub(super) fn check_describable(pose: &Pose) -> Result<(), Error> {
 }
 
 /// Derivatives of ω φ κ by bz by the small turns and shifts.
-pub(super) fn derivatives(pose: &Pose, base_mm: f64) -> Matrix5 {
+pub(super) fn derivatives(pose: &RelativePose, base_mm: f64) -> Matrix5 {
     let [omega, ..] = angles_from_rotation(&pose.rotation);
     let (sin, cos) = (libm::sin(omega), libm::cos(omega));
     // The axes about which ω, φ and κ turn, in model space: e₁, M₁ᵀe₂, Mᵀe₃.
@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_small_differences() {
-        let pose = Pose { rotation: rotation_from_angles(0.2, -0.4, 2.5), base: Vector3::new(-0.7, 0.5, 0.2).normalize() };
+        let pose = RelativePose { rotation: rotation_from_angles(0.2, -0.4, 2.5), base: Vector3::new(-0.7, 0.5, 0.2).normalize() };
         let base_mm = signed_base(&pose, 92.0);
         assert_eq!(base_mm, -92.0);
         let jacobian = derivatives(&pose, base_mm);

@@ -1,7 +1,7 @@
 //! What cannot be oriented, and why.
 
 use super::adjustment::Adjusted;
-use super::coplanarity::{Pose, Ray};
+use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::weakness::{LARGEST_CONDITION, condition};
@@ -81,7 +81,7 @@ fn relative_width(rays: &[Ray], first: usize) -> f64 {
 }
 
 /// Refuses a pose without a base: after its rotation nothing is left of the parallaxes but noise of the standard error `sigma`.
-pub(super) fn check_parallax(pose: &Pose, sigma: f64, rays: &[Ray]) -> Result<(), Error> {
+pub(super) fn check_parallax(pose: &RelativePose, sigma: f64, rays: &[Ray]) -> Result<(), Error> {
     let parallax = median(&mut rays.iter().map(|ray| pose.parallactic_angle(ray)).collect::<Vec<_>>()).unwrap_or(0.0);
     let noise = sigma.max(1e-10);
     if parallax > LEAST_PARALLAX * noise {
@@ -124,7 +124,7 @@ pub(super) fn check_result(adjusted: &Adjusted, rays: &[Ray]) -> Result<(), Erro
 }
 
 /// Bounds of an iteration that starts from the vertical pair.
-pub(super) fn near_vertical(pose: &Pose) -> Result<(), String> {
+pub(super) fn near_vertical(pose: &RelativePose) -> Result<(), String> {
     let cosine = 0.5 * (pose.rotation.trace() - 1.0);
     let rise = pose.base.z.abs();
     if !(cosine > 0.5) {

@@ -1,7 +1,7 @@
 //! Rejection of gross errors by standardised residuals.
 
 use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
-use super::coplanarity::{Linearised, Pose, Ray};
+use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::robust_start::{Consensus, least_agreement};
 use crate::Error;
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
@@ -198,7 +198,7 @@ pub(super) fn share_of_unknowns(line: &Linearised, adjusted: &Adjusted) -> f64 {
 }
 
 /// Corrections of the four coordinates of every observation, in units of the focal length.
-pub(super) fn corrections(rays: &[Ray], pose: &Pose) -> Vec<[f64; 4]> {
+pub(super) fn corrections(rays: &[Ray], pose: &RelativePose) -> Vec<[f64; 4]> {
     rays.iter()
         .map(|ray| {
             let (adjusted, _) = pose.project(ray);

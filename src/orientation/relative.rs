@@ -1,7 +1,7 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
 use super::adjustment::{Adjusted, SETTLED, adjust};
-use super::coplanarity::{Pose, Ray};
+use super::coplanarity::{Ray, RelativePose};
 use super::determinant::adjust_determinants;
 use super::normals::{Matrix5, correlations};
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
@@ -105,7 +105,7 @@ fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &O
 }
 
 fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
-    let start = Pose::vertical(median_parallax(observed.rays));
+    let start = RelativePose::vertical(median_parallax(observed.rays));
     let adjusted = match options.method {
         OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, SETTLED, near_vertical)?,
         OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
@@ -115,8 +115,8 @@ fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, 
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
 fn face_the_points(adjusted: &mut Adjusted, rays: &[Ray]) {
-    let in_front = |pose: &Pose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
-    let reversed = Pose { base: -adjusted.pose.base, ..adjusted.pose };
+    let in_front = |pose: &RelativePose| rays.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
+    let reversed = RelativePose { base: -adjusted.pose.base, ..adjusted.pose };
     if in_front(&reversed) > in_front(&adjusted.pose) {
         adjusted.reverse_base();
     }

@@ -1,7 +1,7 @@
 //! What can be said of each observation: its share in the result, its test, the blunders that it may hide.
 
 use super::adjustment::Adjusted;
-use super::coplanarity::{Pose, Ray};
+use super::coplanarity::{Ray, RelativePose};
 use super::normals::Matrix5;
 use super::precision::derivatives;
 use super::rejection::share_of_unknowns;
@@ -55,7 +55,7 @@ impl Judgement<'_> {
 }
 
 /// Where the adjusted rays meet, in mm at photo scale.
-fn model_point(pose: &Pose, at: &Ray, base_mm: f64) -> Option<[f64; 3]> {
+fn model_point(pose: &RelativePose, at: &Ray, base_mm: f64) -> Option<[f64; 3]> {
     let scale = (base_mm / pose.base.x).abs();
     let depth = pose.depth(at)? * scale;
     Some([depth * at[0], depth * at[1], -depth])

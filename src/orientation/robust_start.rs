@@ -1,6 +1,6 @@
 //! A start that gross errors do not carry away: the pose most observations agree with, from random minimal samples of five.
 
-use super::coplanarity::{Pose, Ray, Unknowns};
+use super::coplanarity::{Ray, RelativePose, Unknowns};
 use super::field::Field;
 use super::five_point::five_point;
 use super::normals::Normals;
@@ -10,7 +10,7 @@ use std::ops::Range;
 
 /// The pose most observations agree with, and about how well they do: the standard error of a coordinate within a factor of two, in units
 /// of the focal length.
-pub(crate) type Consensus = Candidate<Pose>;
+pub(crate) type Consensus = Candidate<RelativePose>;
 
 /// The share of observations beyond five that must agree; the scale is estimated from them.
 const LEAST_AGREEMENT: f64 = 0.25;
@@ -35,7 +35,7 @@ const BEHIND: f64 = 101.0;
 pub(super) fn robust_start(rays: &[Ray], seed: u32) -> Consensus {
     let field = Field::new(rays, seed);
     let poses = Poses { field: &field, scale: &quantile_scale };
-    let vertical = Pose::vertical(median_parallax(rays));
+    let vertical = RelativePose::vertical(median_parallax(rays));
     let start = Candidate { model: vertical, scale: f64::INFINITY };
     let first = poses.improved(&start, field.rays.len());
     let search = Search {
@@ -76,7 +76,7 @@ pub(crate) struct Poses<'a> {
 }
 
 impl Problem for Poses<'_> {
-    type Model = Pose;
+    type Model = RelativePose;
     const SAMPLE: usize = 5;
 
     fn count(&self) -> usize {
@@ -96,12 +96,12 @@ impl Problem for Poses<'_> {
         Some(self.improved(&Candidate { model: pose, scale }, REFINED_BY))
     }
 
-    fn draft_of(&self, pose: &Pose) -> Matrix3<f64> {
+    fn draft_of(&self, pose: &RelativePose) -> Matrix3<f64> {
         pose.essential()
     }
 
     /// What lies behind a camera counts as a gross error.
-    fn penalty(&self, pose: &Pose, scale: f64) -> f64 {
+    fn penalty(&self, pose: &RelativePose, scale: f64) -> f64 {
         let agreeing = self.field.within(pose.essential(), 3.0 * scale);
         agreeing.filter(|ray| !pose.in_front(ray, 5.0 * scale)).count() as f64 * libm::log(BEHIND)
     }
@@ -109,11 +109,11 @@ impl Problem for Poses<'_> {
 
 impl Poses<'_> {
     /// Of the four poses of an essential matrix the one that has most of the agreeing points in front of both cameras.
-    pub fn pose_in_front(&self, essential: &Matrix3<f64>, scale: f64) -> Option<Pose> {
+    pub fn pose_in_front(&self, essential: &Matrix3<f64>, scale: f64) -> Option<RelativePose> {
         let agreeing: Vec<&Ray> = self.field.within(*essential, 3.0 * scale).take(200).collect();
-        let count = |pose: &Pose| agreeing.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
-        let mut best: Option<(usize, Pose)> = None;
-        for pose in Pose::from_essential(essential)? {
+        let count = |pose: &RelativePose| agreeing.iter().filter(|ray| pose.in_front(ray, 0.0)).count();
+        let mut best: Option<(usize, RelativePose)> = None;
+        for pose in RelativePose::from_essential(essential)? {
             let in_front = count(&pose);
             if best.is_none_or(|(most, _)| in_front > most) {
                 best = Some((in_front, pose));
@@ -131,11 +131,18 @@ impl Poses<'_> {
     /// As [`Self::improved`], until a step is a hundredth of its standard errors, with the conditions at the adjusted coordinates: at the
     /// observed ones their noise biases what is weakly determined.
     pub fn settled(&self, start: &Consensus, count: usize) -> Consensus {
-        self.refined_until(start, count, 50, 0.01, Pose::nearer)
+        self.refined_until(start, count, 50, 0.01, RelativePose::nearer)
     }
 
-    fn refined_until(&self, start: &Consensus, count: usize, steps: usize, share: f64, adjusted: impl Fn(&Pose, &Ray) -> Ray) -> Consensus {
-        let scale = |pose: &Pose| (self.scale)(&mut self.field.distances(&pose.essential(), count)).min(start.scale);
+    fn refined_until(
+        &self,
+        start: &Consensus,
+        count: usize,
+        steps: usize,
+        share: f64,
+        adjusted: impl Fn(&RelativePose, &Ray) -> Ray,
+    ) -> Consensus {
+        let scale = |pose: &RelativePose| (self.scale)(&mut self.field.distances(&pose.essential(), count)).min(start.scale);
         let mut found = Candidate { model: start.model, scale: scale(&start.model) };
         for _ in 0..steps {
             let tangents = found.model.tangents();

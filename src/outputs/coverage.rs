@@ -27,26 +27,20 @@ pub fn coverage(model: &BlockModel) -> Vec<Coverage> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ModelCamera, ModelImage, ModelPoint, ModelRay};
+    use crate::{Camera, ImageObservation, ModelImage, ObjectPoint};
 
     #[test]
     fn positions_are_the_nine_of_each_image() {
-        let (width_px, height_px) = (300, 90);
-        let camera = ModelCamera {
-            width_px,
-            height_px,
-            focal_px: 1.0,
-            principal_point_px: [0.0; 2],
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            pixel_mm: None,
-        };
-        let point = |rays: &[(usize, f64, f64)]| ModelPoint {
+        let camera = Camera::without_distortion(300, 90, 1.0);
+        let point = |rays: &[(usize, f64, f64)]| ObjectPoint {
             position: None,
             colour: [0; 3],
             rmse_px: None,
             confidence: 1.0,
-            rays: rays.iter().map(|(image, x_px, y_px)| ModelRay { image: *image, x_px: *x_px, y_px: *y_px, confidence: 1.0 }).collect(),
+            rays: rays
+                .iter()
+                .map(|(image, x_px, y_px)| ImageObservation { image: *image, x_px: *x_px, y_px: *y_px, confidence: 1.0 })
+                .collect(),
         };
         let model = BlockModel {
             cameras: vec![camera],

@@ -6,7 +6,7 @@ use super::summary::{ExportOutcome, Summary, summary};
 use super::tables::word;
 use super::{tables, write_block_project};
 use crate::formats::points_table;
-use crate::{BlockModel, BlockRun, BlockScore, Error, ExportFormat, GeographicOrigin, ModelCamera, ModelImage, ModelPose, export_block};
+use crate::{BlockModel, BlockRun, BlockScore, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, export_block};
 use serde::Serialize;
 
 /// The name of the project file.
@@ -134,17 +134,9 @@ pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<S
 
 /// A block of these images that has no points.
 fn bare(names: &[String]) -> BlockModel {
-    let pose = ModelPose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0; 3] };
+    let pose = Pose { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], position: [0.0; 3] };
     BlockModel {
-        cameras: vec![ModelCamera {
-            width_px: 100,
-            height_px: 100,
-            focal_px: 100.0,
-            principal_point_px: [50.0; 2],
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            pixel_mm: Some(0.01),
-        }],
+        cameras: vec![Camera { pixel_mm: Some(0.01), ..Camera::without_distortion(100, 100, 100.0) }],
         images: names.iter().map(|name| ModelImage { name: name.clone(), camera: 0, pose: Some(pose) }).collect(),
         points: Vec::new(),
         origin: Some(GeographicOrigin { longitude_deg: 0.0, latitude_deg: 0.0, height_m: 0.0 }),

@@ -3,7 +3,7 @@
 use super::images::{ImageRow, image_rows};
 use super::pairs::{PairRow, pair_rows};
 use super::summary::{NamedReason, outcome_counts};
-use crate::{BlockModel, BlockRun, Error, ModelCamera, ModelPoint, RefinementOutcome};
+use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -45,9 +45,9 @@ pub struct CameraRow {
     pub label: String,
     pub images: usize,
     /// What was known before; absent where its focal length was not.
-    pub given: Option<ModelCamera>,
+    pub given: Option<Camera>,
     /// As the block adjusted it; absent where no image of it is oriented.
-    pub calibrated: Option<ModelCamera>,
+    pub calibrated: Option<Camera>,
     /// Standard error of the focal length.
     pub focal_error_px: Option<f64>,
 }
@@ -178,13 +178,13 @@ fn weaknesses(run: &BlockRun) -> Vec<String> {
 }
 
 fn rmse_by_rays(model: &BlockModel) -> Vec<RayCount> {
-    let mut groups: BTreeMap<usize, Vec<&ModelPoint>> = BTreeMap::new();
+    let mut groups: BTreeMap<usize, Vec<&ObjectPoint>> = BTreeMap::new();
     model.points.iter().for_each(|point| groups.entry(point.rays.len()).or_default().push(point));
     groups.into_iter().map(|(rays, points)| RayCount { rays, points: points.len(), rmse_px: rmse_px(&points) }).collect()
 }
 
 /// Root mean square length of the residuals of all observations; absent where points are not adjusted.
-fn rmse_px(points: &[&ModelPoint]) -> Option<f64> {
+fn rmse_px(points: &[&ObjectPoint]) -> Option<f64> {
     let known = || points.iter().filter_map(|point| Some((point.rays.len() as f64, point.rmse_px?)));
     let rays: f64 = known().map(|(rays, _)| rays).sum();
     (rays > 0.0).then(|| (known().map(|(rays, rmse)| rays * (rmse * rmse)).sum::<f64>() / rays).sqrt())

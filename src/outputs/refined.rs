@@ -1,6 +1,6 @@
 //! What became of the observations of a model in the refinement.
 
-use crate::{BlockModel, ModelPoint, ModelRay, RefinedObservation, RefinementTable};
+use crate::{BlockModel, ImageObservation, ObjectPoint, RefinedObservation, RefinementTable};
 use std::collections::BTreeMap;
 
 /// For each point of the model and each of its observations the refined one; absent for those of ground control points, which are given.
@@ -8,8 +8,8 @@ use std::collections::BTreeMap;
 /// A point of the model is the refined point that it has most observations in common with: an image may show two features at one place.
 pub(super) fn refined_observations<'a>(model: &BlockModel, table: &'a RefinementTable) -> Vec<Vec<Option<&'a RefinedObservation>>> {
     let places = by_place(table);
-    let at = |ray: &ModelRay| places.get(&(ray.image, [ray.x_px, ray.y_px].map(f64::to_bits))).map_or(&[][..], |all| &all[..]);
-    let of_point = |point: &ModelPoint| {
+    let at = |ray: &ImageObservation| places.get(&(ray.image, [ray.x_px, ray.y_px].map(f64::to_bits))).map_or(&[][..], |all| &all[..]);
+    let of_point = |point: &ObjectPoint| {
         let mut common: BTreeMap<usize, usize> = BTreeMap::new();
         point.rays.iter().flat_map(at).for_each(|(refined, _)| *common.entry(*refined).or_default() += 1);
         // Of equally many, the first.
@@ -51,12 +51,15 @@ mod tests {
                 observed(1, 30.0, 40.0, LowCorrelation),
             ],
         };
-        let point = |rays: &[(usize, f64, f64)]| ModelPoint {
+        let point = |rays: &[(usize, f64, f64)]| ObjectPoint {
             position: None,
             colour: [0; 3],
             rmse_px: None,
             confidence: 1.0,
-            rays: rays.iter().map(|(image, x_px, y_px)| ModelRay { image: *image, x_px: *x_px, y_px: *y_px, confidence: 1.0 }).collect(),
+            rays: rays
+                .iter()
+                .map(|(image, x_px, y_px)| ImageObservation { image: *image, x_px: *x_px, y_px: *y_px, confidence: 1.0 })
+                .collect(),
         };
         let points = vec![point(&[(0, 5.0, 6.0), (1, 30.0, 40.0)]), point(&[(0, 1.0, 2.0), (1, 30.0, 40.0)]), point(&[(1, 3.0, 4.0)])];
         let model = BlockModel { points, ..BlockModel::default() };

@@ -3,7 +3,7 @@
 use super::coverage::coverage;
 use super::pairs::PairRow;
 use crate::{
-    BlockRun, BlockScore, BlockSettings, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ModelCamera, ObservationVerdict,
+    BlockRun, BlockScore, BlockSettings, Camera, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ObservationVerdict,
     PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
 };
 use serde::Serialize;
@@ -130,7 +130,7 @@ pub struct Oriented {
     pub points: usize,
     pub rays: usize,
     pub models: Vec<ModelSummary>,
-    pub cameras: Vec<ModelCamera>,
+    pub cameras: Vec<Camera>,
     pub unoriented: Vec<NamedReason>,
     pub origin: Option<GeographicOrigin>,
 }
@@ -280,7 +280,7 @@ fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSum
 fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> ModelSummary {
     let adjusted = &model.adjusted;
     let residuals: Vec<[f64; 3]> =
-        adjusted.images.iter().filter_map(|image| image.gps.filter(|gps| gps.accepted).map(|gps| gps.residual)).collect();
+        adjusted.images.iter().filter_map(|image| image.gnss.filter(|gps| gps.accepted).map(|gps| gps.residual)).collect();
     let root_mean_square = |axis: usize| (residuals.iter().map(|r| r[axis] * r[axis]).sum::<f64>() / residuals.len() as f64).sqrt();
     ModelSummary {
         images: model.images.len(),

@@ -35,7 +35,7 @@ pub fn epipolar_line(
 ) -> Vec<[f64; 2]> {
     let sides = interior.map(|pair| [&pair.left, &pair.right]);
     let (own, other) = (sides.map(|sides| sides[side.index()]), sides.map(|sides| sides[1 - side.index()]));
-    let [x, y] = own.map_or([x, y], |own| own.ideal_px(x, y));
+    let [x, y] = own.map_or([x, y], |own| own.undistorted_px(x, y));
     let from = Vector3::new(x, y, 1.0);
     let to_image = |[x, y]: [f64; 2]| other.map_or(Some([x, y]), |other| other.image_px(x, y));
     let (width, height) = (other_size.0 as f64, other_size.1 as f64);
@@ -51,7 +51,7 @@ pub fn epipolar_line(
             let matrix = matrix(fundamental);
             let line = if side == PairSide::Left { matrix * from } else { matrix.transpose() * from };
             let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
-            let corners = corners.map(|[x, y]: [f64; 2]| other.map_or([x, y], |other| other.ideal_px(x, y)));
+            let corners = corners.map(|[x, y]: [f64; 2]| other.map_or([x, y], |other| other.undistorted_px(x, y)));
             let positions: Vec<[f64; 2]> = along(&line, &corners).into_iter().filter_map(to_image).collect();
             if positions.iter().any(within) { positions } else { Vec::new() }
         }
@@ -79,12 +79,12 @@ fn along(line: &Vector3<f64>, points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Camera, Interior};
+    use crate::{CameraMm, Interior};
 
     /// A pair of distorted cameras whose base is the photos' x axis.
     fn interior() -> PairInterior {
         let camera =
-            Camera { focal_mm: 20.0, principal_point_mm: [0.1, -0.2], pixel_mm: Some(0.02), radial_distortion: [2e-4, -1e-7, 0.0] };
+            CameraMm { focal_mm: 20.0, principal_point_mm: [0.1, -0.2], pixel_mm: Some(0.02), radial_distortion: [2e-4, -1e-7, 0.0] };
         let side = Interior::from_pixel_size(&camera, 1000, 800).unwrap();
         PairInterior { left: side, right: side, focal_mm: 20.0 }
     }

@@ -1,7 +1,7 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
 use super::{PairImage, PairInput, PhotoInput};
-use crate::{Camera, Error, FocalEstimate, Interior, orient_fiducials};
+use crate::{CameraMm, Error, FocalEstimate, Interior, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
@@ -32,7 +32,7 @@ impl PairInterior {
             return None;
         }
         let focal_mm = focal.focal_px * NOMINAL_PIXEL_MM;
-        let camera = Camera { focal_mm, principal_point_mm: [0.0; 2], pixel_mm: Some(NOMINAL_PIXEL_MM), radial_distortion: [0.0; 3] };
+        let camera = CameraMm { focal_mm, principal_point_mm: [0.0; 2], pixel_mm: Some(NOMINAL_PIXEL_MM), radial_distortion: [0.0; 3] };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
         Some(Self { left: of(left)?, right: of(right)?, focal_mm })
     }
@@ -43,7 +43,7 @@ pub(super) fn pair_interior(left: PairImage<'_>, right: PairImage<'_>, input: &P
     let of = |side: &'static str, image: PairImage<'_>, photo: &PhotoInput| {
         let camera = match (&input.camera, image.exif) {
             (Some(camera), _) => *camera,
-            (None, Some(exif)) => Camera::from_exif(exif)?,
+            (None, Some(exif)) => CameraMm::from_exif(exif)?,
             (None, None) if photo.fiducials.is_empty() => {
                 return Ok(Err(format!("no camera is given and the {side} image names no focal length")));
             }
@@ -67,7 +67,7 @@ pub(super) fn pair_interior(left: PairImage<'_>, right: PairImage<'_>, input: &P
 ///
 /// # Errors
 /// [`Error::InvalidOption`] for the camera; as [`orient_fiducials`]; [`Error::InvalidInput`] for an origin without fiducials.
-pub fn photo_interior(camera: &Camera, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
+pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
     if !photo.fiducials.is_empty() {
         let marks = orient_fiducials(&photo.fiducials, photo.model)?;
         return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));

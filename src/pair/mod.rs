@@ -16,7 +16,7 @@ pub use rounds::{PairMatching, match_in_rounds};
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 
 use crate::{
-    Camera, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
+    CameraMm, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
     MultiscaleOptions, NearestTable, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, TwoView, TwoViewOptions,
     WindowOptions, estimate_offset,
 };
@@ -58,7 +58,7 @@ pub struct PhotoInput {
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct PairInput {
     /// The camera of both images; absent: that of their EXIF.
-    pub camera: Option<Camera>,
+    pub camera: Option<CameraMm>,
     pub left: PhotoInput,
     pub right: PhotoInput,
     /// Right minus left position `[dx, dy]` in px; absent: estimated.

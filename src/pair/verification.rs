@@ -50,7 +50,7 @@ pub struct VerifiedMatches {
 /// Matches the features of two images: nearest descriptors, the geometry of the two views, then more matches along its epipolar lines (or
 /// at the places that the map of a plane gives), and the geometry of all.
 ///
-/// Positions are in px of cameras without distortion where `options.geometry` names cameras: see [`Interior::ideal_px`].
+/// Positions are in px of cameras without distortion where `options.geometry` names cameras: see [`Interior::undistorted_px`].
 ///
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where positions and descriptors do not fit together.
@@ -174,7 +174,7 @@ fn guide(found: &TwoView) -> Guide {
     }
 }
 
-/// The camera without distortion to which [`Interior::ideal_px`] leads.
+/// The camera without distortion to which [`Interior::undistorted_px`] leads.
 fn pinhole(interior: &Interior, focal_mm: f64) -> Pinhole {
     Pinhole { focal_px: Some(focal_mm / interior.pixel_mm()), principal_px: interior.principal_point_px() }
 }
@@ -203,7 +203,7 @@ impl<'a> PairCameras<'a> {
     /// Positions in the left (0) or the right (1) camera.
     pub(super) fn ideal(&self, side: usize, positions: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
         match self.interior.map(|interior| [&interior.left, &interior.right][side]) {
-            Some(own) => positions.map(|[x, y]| own.ideal_px(x, y)).collect(),
+            Some(own) => positions.map(|[x, y]| own.undistorted_px(x, y)).collect(),
             None => positions.collect(),
         }
     }

@@ -8,8 +8,8 @@ pub const ADJUSTMENT_PARAMETERS: &[Parameter] = &[
         "adjustment.datum",
         "Datum",
         "",
-        choice(&["free", "gps", "control", "gps_and_control"]),
-        "What says where the block lies: its approximate values (free network), GPS positions, control points.",
+        choice(&["free", "gnss", "control", "gnss_and_control"]),
+        "What says where the block lies: its approximate values (free network), GNSS positions, control points.",
     ),
     parameter(
         "adjustment.loss",
@@ -56,7 +56,7 @@ pub const RECONSTRUCTION_PARAMETERS: &[Parameter] = &[
         "reconstruction.datum",
         "Datum",
         "",
-        choice(&["free", "gps", "control", "gps_and_control"]),
+        choice(&["free", "gnss", "control", "gnss_and_control"]),
         "What says where the block lies; without it, the observed positions that suffice.",
     ),
     parameter(
@@ -114,7 +114,7 @@ pub const NETWORK_PARAMETERS: &[Parameter] = &[
     parameter("network.noise_px", "Noise", "px", real(0.0, 100.0), "Standard deviation of an image coordinate."),
     parameter("network.gross_share", "Gross errors", "", real(0.0, 0.9), "Share of the rays that are wrong."),
     parameter("network.gross_px", "Size of gross errors", "px", real(0.0, 10000.0), "Largest in each coordinate."),
-    parameter("network.gps_sigma_m", "GPS noise", "m", real(0.0, 1000.0), "Standard deviation of a GPS coordinate; 0: no GPS."),
+    parameter("network.gnss_sigma_m", "GNSS noise", "m", real(0.0, 1000.0), "Standard deviation of a GNSS coordinate; 0: no GNSS."),
     parameter("network.control_points", "Control points", "", integer(0.0, 100000.0), "Spread over the block."),
     parameter("network.control_sigma_m", "Control noise", "m", real(1e-6, 1000.0), "Standard deviation of a surveyed coordinate."),
     parameter("network.approximate_m", "Approximations", "m", real(0.0, 20000.0), "Standard deviation of what is known before."),

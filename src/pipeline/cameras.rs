@@ -1,7 +1,7 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::{InitialCamera, Remark};
-use crate::{CameraRule, Error, ExifImage, ModelCamera, Pinhole, parse_camera_rules};
+use crate::{Camera, CameraRule, Error, ExifImage, Pinhole, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 
 /// Cameras of a file, which take the place of those of EXIF.
@@ -115,7 +115,7 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
 pub(super) struct PairCamera {
     pub pinhole: Pinhole,
     /// Whose distortion positions are freed of; absent where none is known.
-    pub lens: Option<ModelCamera>,
+    pub lens: Option<Camera>,
 }
 
 /// What is known of the cameras of a pair: two focal lengths or none.

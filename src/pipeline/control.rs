@@ -1,7 +1,7 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
 use crate::{
-    Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurement, ImageMeasurementRow,
+    Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow, ImageObservation,
     ObservedPosition, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
@@ -47,13 +47,15 @@ impl ControlTables {
                 });
             };
             match image_of.get(mark.image.as_str()) {
-                Some(image) => joined[*point].rays.push(ImageMeasurement { image: *image, x_px: mark.x_px, y_px: mark.y_px }),
+                Some(image) => {
+                    joined[*point].measurements.push(ImageObservation { image: *image, x_px: mark.x_px, y_px: mark.y_px, confidence: 1.0 })
+                }
                 // An image that was skipped, or is of another block.
                 None => drop(unknown.insert(mark.image.clone())),
             }
         }
         let unknown: Vec<String> = unknown.into_iter().collect();
-        let seen = joined.iter().filter(|point| point.rays.len() >= 2).count();
+        let seen = joined.iter().filter(|point| point.measurements.len() >= 2).count();
         if seen < LEAST_CONTROL {
             let more = if unknown.len() > SHOWN { " …" } else { "" };
             let named = unknown.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
@@ -72,7 +74,7 @@ impl ControlTables {
 fn control_point(point: &GroundControlRow, placing: &GeoreferencingOptions) -> GroundControlPoint {
     let [across, up] = point.standard_errors.unwrap_or([placing.surveyed_across_m, placing.surveyed_up_m]);
     let position = ObservedPosition::Local { position: point.position, sigma: [across, across, up] };
-    GroundControlPoint { name: point.name.clone(), position, rays: Vec::new() }
+    GroundControlPoint { name: point.name.clone(), position, measurements: Vec::new() }
 }
 
 /// A GNSS position as an observation. A receiver that states its error states that of the place: the height is less sure by the same factor
@@ -97,8 +99,11 @@ mod tests {
         let (joined, unknown) = ControlTables::read(POINTS, marks).unwrap().join(&images, &GeoreferencingOptions::default()).unwrap();
         assert_eq!(unknown, ["x.png"]);
         assert_eq!(
-            joined[0].rays,
-            [ImageMeasurement { image: 1, x_px: 10.0, y_px: 20.0 }, ImageMeasurement { image: 0, x_px: 11.0, y_px: 21.0 }]
+            joined[0].measurements,
+            [
+                ImageObservation { image: 1, x_px: 10.0, y_px: 20.0, confidence: 1.0 },
+                ImageObservation { image: 0, x_px: 11.0, y_px: 21.0, confidence: 1.0 }
+            ]
         );
         assert!(matches!(joined[0].position, ObservedPosition::Local { sigma: [0.02, 0.02, 0.03], .. }));
         assert!(matches!(joined[1].position, ObservedPosition::Local { sigma: [0.5, 0.5, 0.7], .. }));

@@ -36,7 +36,7 @@ impl Usable {
             Self { numbers: Vec::new(), positions: Vec::new(), descriptors: Vec::with_capacity(features.descriptors.as_flattened().len()) };
         for (number, measured) in features.positions().into_iter().enumerate() {
             let measured = measured.map(f64::from);
-            let Some(position) = camera.lens.as_ref().map_or(Some(measured), |lens| lens.ideal_px(measured).ok()) else { continue };
+            let Some(position) = camera.lens.as_ref().map_or(Some(measured), |lens| lens.undistorted_px(measured).ok()) else { continue };
             usable.numbers.push(number as u32);
             usable.positions.push(position);
             usable.descriptors.extend_from_slice(&features.descriptors[number]);

@@ -2,8 +2,8 @@
 
 use super::{Failure, Remark, RunInput};
 use crate::{
-    BlockModel, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, ModelCamera, Reconstruction, RefinementOutcome,
-    SharedPoints, TwoView,
+    BlockModel, Camera, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, Reconstruction, RefinementOutcome, SharedPoints,
+    TwoView,
 };
 use serde::{Deserialize, Serialize};
 
@@ -86,15 +86,16 @@ pub struct InitialCamera {
 
 impl InitialCamera {
     /// As a model holds it; absent where its focal length is not known.
-    pub fn known(&self) -> Option<ModelCamera> {
+    pub fn known(&self) -> Option<Camera> {
         let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, .. } = *self;
-        Some(ModelCamera { width_px, height_px, focal_px: focal_px?, principal_point_px, radial, tangential, pixel_mm })
+        let plain = Camera::without_distortion(width_px, height_px, focal_px?);
+        Some(Camera { principal_point_px, radial, tangential, pixel_mm, ..plain })
     }
 
     /// As the reconstruction takes it.
     pub fn to_be_calibrated(&self) -> KnownCamera {
         let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
-        let free = if fixed { FreeParameters::default() } else { KnownCamera::calibrated() };
+        let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
         KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
     }
 }

@@ -3,9 +3,8 @@
 //! Several dozen points an image describe a block and are too few to calibrate its cameras: a few hundred determine orientation and cameras,
 //! the others are left to the search for gross errors alone.
 
-use super::finish::Material;
+use super::material::{GROWING_CONNECTION, Material};
 use super::net::Net;
-use super::reconstruct::GROWING_CONNECTION;
 use super::result::{PointSource, ReconstructedModel};
 use crate::Error;
 use crate::adjustment::ObservationVerdict;

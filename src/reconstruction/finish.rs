@@ -1,34 +1,13 @@
 //! From a grown model to an adjusted block: all points, those that it is adjusted by, the bundle adjustment, those that are given.
 
-use super::adjusting::CameraPrior;
 use super::choosing::{adjusting_points, given};
-use super::description::BlockDescription;
-use super::frame::Frame;
 use super::growth::Growth;
+use super::material::Material;
 use super::net::Net;
-use super::options::ReconstructionOptions;
-use super::rays::Rays;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation, UnorientedReason};
 use super::weaknesses::weaknesses;
 use crate::Error;
-use crate::adjustment::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, BlockPoint, ControlPoint, Datum, adjust_block,
-};
-use crate::tracks::{ImageFeatures, TiePoints};
-
-/// What models are finished with.
-pub(super) struct Material<'a> {
-    pub description: &'a BlockDescription,
-    pub points: &'a TiePoints,
-    pub features: &'a [ImageFeatures<'a>],
-    pub options: &'a ReconstructionOptions,
-    pub frame: &'a Frame,
-    pub camera_of: &'a [usize],
-    pub longer_side_px: &'a [f64],
-    pub priors: &'a [CameraPrior],
-    /// The rays of all points, the surveyed ones last; made with the first model.
-    pub all: Option<Rays>,
-}
+use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, ControlPoint, Datum, adjust_block};
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
@@ -48,7 +27,7 @@ pub(super) struct Finished {
 /// # Errors
 /// As [`adjust_block`].
 pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>, is_open: &[bool]) -> Result<Finished, Error> {
-    let rays = material.all.take().unwrap_or_else(|| all_rays(material));
+    let rays = material.all.take().unwrap_or_else(|| material.all_rays());
     let mut net = Net::new(&rays, material.camera_of, material.longer_side_px, grown.cameras.clone(), material.options);
     (net.limit_px, net.poses) = (grown.limit_px, grown.poses.clone());
     let mut growth = Growth::new(net, material.options, material.priors, is_open.to_vec());
@@ -65,16 +44,6 @@ pub(super) fn finish(material: &mut Material<'_>, grown: &Net<'_>, is_open: &[bo
     });
     material.all = Some(rays);
     finished
-}
-
-/// The rays of all multi-ray points, then of all surveyed ones.
-fn all_rays(material: &Material<'_>) -> Rays {
-    let place = |image: u32, feature: u32| material.features[image as usize].positions[feature as usize].map(f64::from);
-    let of_points =
-        material.points.iter().map(|rays| rays.iter().map(|ray| (ray.image, place(ray.image, ray.feature))).collect::<Vec<_>>());
-    let of_control = material.description.control.iter();
-    let of_control = of_control.map(|control| control.rays.iter().map(|ray| (ray.image as u32, [ray.x_px, ray.y_px])).collect::<Vec<_>>());
-    Rays::new(of_points.chain(of_control), material.description.images.len()).with_surveyed(material.points.len())
 }
 
 /// Adjusts the model, without images that it does not determine; `lost` says of each why it is not in it.
@@ -138,8 +107,8 @@ impl Draft {
         for image in &draft.images {
             let Some(pose) = net.poses[*image] else { continue };
             let camera = place(&draft.cameras, net.camera_of[*image]);
-            let gps = material.frame.images[*image];
-            draft.block.images.push(BlockImage { camera, rotation: pose.rotation, position: pose.position, gps });
+            let gnss = material.frame.images[*image];
+            draft.block.images.push(BlockImage { camera, pose, gnss });
         }
         for point in adjusting_points(material, net)? {
             draft.add_point(material, net, point);
@@ -154,7 +123,7 @@ impl Draft {
         let multi_ray = material.points.rays(point);
         let control = point.checked_sub(material.points.len());
         self.points.push(control.map_or(PointSource::TiePoint(point as u32), PointSource::GroundControl));
-        self.block.points.push(BlockPoint { position });
+        self.block.points.push(position);
         if let Some(control) = control {
             let (position, sigma) = material.frame.control[control];
             self.block.control.push(ControlPoint { point: index, position, sigma });
@@ -181,11 +150,11 @@ impl Draft {
         if let Some(datum) = options.datum {
             return with(datum).map(|adjusted| (adjusted, datum != Datum::Free, None));
         }
-        let gps = self.block.images.iter().filter(|image| image.gps.is_some()).count();
+        let gnss = self.block.images.iter().filter(|image| image.gnss.is_some()).count();
         let control = self.block.control.len();
-        let datum = match (gps >= 3, control >= 3) {
-            (true, _) if control > 0 => Datum::GpsAndControl,
-            (true, _) => Datum::Gps,
+        let datum = match (gnss >= 3, control >= 3) {
+            (true, _) if control > 0 => Datum::GnssAndControl,
+            (true, _) => Datum::Gnss,
             (false, true) => Datum::Control,
             (false, false) => Datum::Free,
         };
@@ -224,6 +193,8 @@ impl Draft {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reconstruction::options::ReconstructionOptions;
+    use crate::reconstruction::rays::Rays;
 
     #[test]
     fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {

@@ -1,10 +1,8 @@
 //! The system of the observed positions: Cartesian, in m.
 
-use super::description::{BlockDescription, ObservedPosition};
-use crate::Error;
 use crate::adjustment::PositionPrior;
-use crate::formats::GeographicOrigin;
 use crate::math::{local_from_geographic, median};
+use crate::{BlockDescription, Error, GeographicOrigin, ObservedPosition};
 
 /// Observed positions in one Cartesian system.
 pub(super) struct Frame {

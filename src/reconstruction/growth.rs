@@ -1,6 +1,6 @@
 //! A model grows: images are oriented by its points, points intersected by its images, and the whole adjusted now and then.
 
-use super::adjusting::{CALIBRATED, CameraPrior};
+use super::adjusting::{CALIBRATED, CameraPrior, MANY, adjust};
 use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::resection::resect;
@@ -11,9 +11,6 @@ use std::collections::BTreeMap;
 /// Up to so many images all are adjusted in every round; beyond, all are when there are this many times as many as the last time.
 const FEW: usize = 30;
 const GROWTH: f64 = 1.4;
-/// Beyond so many images adjustments of all cost more than the rest, and images are held from many sides: they are made more seldom and
-/// end sooner.
-pub(super) const MANY: usize = 300;
 const GROWTH_OF_MANY: f64 = 2.0;
 /// Images with this share of the points of the best are oriented in one round.
 const ALIKE: f64 = 0.5;
@@ -179,7 +176,7 @@ impl<'a> Growth<'a> {
         added.iter().for_each(|image| free.extend(self.neighbours(*image)));
         free.sort_unstable();
         free.dedup();
-        self.adjust(&free);
+        adjust(&mut self.net, self.priors, &free);
         self.judge_of(&free);
         self.intersect_of(&free);
         self.lose_weak(&free);
@@ -190,7 +187,7 @@ impl<'a> Growth<'a> {
         let all: Vec<usize> = (0..self.net.poses.len()).filter(|image| self.net.poses[*image].is_some()).collect();
         for _ in 0..2 {
             let before = self.net.accepted.clone();
-            self.adjust(&all);
+            adjust(&mut self.net, self.priors, &all);
             self.net.tighten(self.options.largest_residual_px);
             self.judge_of(&all);
             self.intersect_of(&all);

@@ -1,7 +1,8 @@
 //! The places of points by the rays of oriented images: consensus of two rays, then all that agree.
 
 use super::net::{Net, Sight};
-use crate::adjustment::{dot3, linearise, minus, values_of};
+use crate::adjustment::linearise;
+use crate::math::{dot3, minus};
 use nalgebra::{Matrix3, Vector3};
 
 /// Rays of which every two are tried.
@@ -84,7 +85,7 @@ impl Net<'_> {
             for sight in sights.iter().filter(|sight| self.fits(sight.ray, &place)) {
                 let image = self.rays.image[sight.ray] as usize;
                 let (pose, at) = (self.poses[image].as_ref()?, self.rays.at[sight.ray]);
-                let line = linearise(&values_of(self.camera(image)), pose, &place);
+                let line = linearise(&self.camera(image).values(), pose, &place);
                 for row in 0..2 {
                     let b = Vector3::from(line.by_point[row]);
                     normal += b * b.transpose();

@@ -1,16 +1,16 @@
 //! A block from nothing but its rays: which images can be oriented, and how.
 //!
-//! Data flow: [`BlockDescription`] with multi-ray points → `rays` (who sees what) → `start` (two images) → `growth` (`resection` of images by
+//! Data flow: [`BlockDescription`](crate::BlockDescription) with multi-ray points → `rays` (who sees what) → `start` (two images) → `growth` (`resection` of images by
 //! `p3p`, `intersection` of points, `adjusting` on the way) → `frame` (into the system of observed positions) → `finish` (all points, the
 //! choice among them, the bundle adjustment) → [`Reconstruction`].
 
 mod adjusting;
 mod choosing;
-mod description;
 mod finish;
 mod frame;
 mod growth;
 mod intersection;
+mod material;
 mod model;
 mod net;
 mod options;
@@ -24,7 +24,6 @@ mod start;
 mod units;
 mod weaknesses;
 
-pub use description::{BlockDescription, GroundControlPoint, ImageMeasurement, KnownCamera, KnownImage, ObservedPosition};
 pub use options::ReconstructionOptions;
 pub use reconstruct::reconstruct_block;
 pub use result::{

@@ -1,26 +1,13 @@
-//! A block as it is exchanged: before any of it is oriented, and with one of its reconstructed models.
+//! One of the reconstructed models as the model of the whole block.
 
-use super::description::BlockDescription;
 use super::result::{PointSource, Reconstruction};
-use crate::adjustment::CameraLabel;
-use crate::formats::{BlockModel, ModelImage};
-use crate::{Error, TiePoints};
-
-impl BlockDescription {
-    /// The block before any of its images is oriented, without points; what is not known of a camera is guessed as
-    /// [`reconstruct_block`](crate::reconstruct_block) guesses it.
-    pub fn to_model(&self) -> BlockModel {
-        let images = self.images.iter().map(|image| ModelImage { name: image.name.clone(), camera: image.camera, pose: None });
-        BlockModel {
-            cameras: self.cameras.iter().map(|camera| camera.approximate().to_model(&camera.label())).collect(),
-            images: images.collect(),
-            ..BlockModel::default()
-        }
-    }
-}
+use crate::adjustment::ObservationVerdict;
+use crate::error::refuse;
+use crate::{BlockDescription, BlockModel, Error, ImageObservation, ObjectPoint, TiePoints};
 
 impl Reconstruction {
-    /// One of the models with all cameras and images of the block, those of other models not oriented: indices are those of the block.
+    /// One of the models with its accepted observations and with all cameras and images of the block, those of other models not oriented:
+    /// indices are those of the block. Points without any observation are left out.
     ///
     /// `points` are those that were reconstructed: they give the confidence of each point.
     ///
@@ -28,44 +15,27 @@ impl Reconstruction {
     /// [`Error::InvalidInput`] for a model that does not exist.
     pub fn block_model(&self, model: usize, description: &BlockDescription, points: &TiePoints) -> Result<BlockModel, Error> {
         let Some(own) = self.models.get(model) else {
-            let allowed = format!("models below {}", self.models.len());
-            return Err(Error::InvalidInput { what: "model of the reconstruction", got: model.to_string(), allowed });
+            return refuse("model of the reconstruction", model.to_string(), &format!("models below {}", self.models.len()));
         };
-        let labels: Vec<CameraLabel> = own.cameras.iter().map(|camera| description.cameras[*camera].label()).collect();
-        let names: Vec<String> = own.images.iter().map(|image| description.images[*image].name.clone()).collect();
-        let part = own.adjusted.to_model(&labels, &names)?;
         let mut whole = BlockModel { origin: self.origin.filter(|_| own.in_system), ..description.to_model() };
-        own.cameras.iter().zip(part.cameras).for_each(|(camera, calibrated)| whole.cameras[*camera] = calibrated);
-        own.images.iter().zip(part.images).for_each(|(image, oriented)| whole.images[*image].pose = oriented.pose);
-        whole.points = part.points;
-        let mut kept = whole.points.iter_mut();
-        for (point, known) in own.adjusted.points.iter().zip(&own.points) {
-            let (Some(_), Some(kept)) = (point, if point.is_some() { kept.next() } else { None }) else { continue };
-            kept.rays.iter_mut().for_each(|ray| ray.image = own.images[ray.image]);
-            if let PointSource::TiePoint(index) = known {
-                kept.confidence = f64::from(points.confidence(*index as usize));
+        let block = &own.adjusted.block;
+        own.cameras.iter().zip(&block.cameras).for_each(|(camera, calibrated)| whole.cameras[*camera] = *calibrated);
+        own.images.iter().zip(&block.images).for_each(|(image, oriented)| whole.images[*image].pose = Some(oriented.pose));
+        let mut rays = vec![Vec::new(); block.points.len()];
+        for (ray, statistics) in block.rays.iter().zip(&own.adjusted.rays) {
+            if statistics.verdict == ObservationVerdict::Accepted {
+                rays[ray.point].push(ImageObservation { image: own.images[ray.image], x_px: ray.x_px, y_px: ray.y_px, confidence: 1.0 });
             }
         }
+        for (point, rays) in rays.into_iter().enumerate() {
+            let Some(statistics) = &own.adjusted.points[point] else { continue };
+            let confidence = match own.points[point] {
+                PointSource::TiePoint(index) => f64::from(points.confidence(index as usize)),
+                PointSource::GroundControl(_) => 1.0,
+            };
+            let (position, rmse_px) = (Some(block.points[point]), Some(statistics.rmse_px));
+            whole.points.push(ObjectPoint { position, colour: [128; 3], rmse_px, confidence, rays });
+        }
         Ok(whole)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::description::{KnownCamera, KnownImage};
-    use super::*;
-
-    #[test]
-    fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
-        let known = KnownCamera { principal_point_px: Some([2010.0, 1490.0]), ..KnownCamera::of_size(4000, 3000, Some(3500.0)) };
-        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None };
-        let cameras = vec![KnownCamera::of_size(600, 800, None), known];
-        let description = BlockDescription { cameras, images: vec![image("a.jpg", 1), image("b.jpg", 0)], control: Vec::new() };
-        let model = description.to_model();
-        model.check().unwrap();
-        let seen: Vec<_> = model.cameras.iter().map(|camera| (camera.focal_px, camera.principal_point_px)).collect();
-        assert_eq!(seen, [(960.0, [300.0, 400.0]), (3500.0, [2010.0, 1490.0])]);
-        let images: Vec<_> = model.images.iter().map(|image| (image.name.as_str(), image.camera, image.pose)).collect();
-        assert_eq!(images, [("a.jpg", 1, None), ("b.jpg", 0, None)]);
     }
 }

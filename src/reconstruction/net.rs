@@ -2,8 +2,8 @@
 
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
-use crate::adjustment::{BlockCamera, Pose, in_photo, project, values_of};
-use crate::camera::undistorted;
+use crate::adjustment::project;
+use crate::camera::{Camera, Pose};
 use crate::math::{MEDIAN_LENGTH, median};
 
 /// The present values of a block.
@@ -14,7 +14,7 @@ pub(super) struct Net<'a> {
     pub camera_of: &'a [usize],
     /// The longer side of the images of each camera in px.
     pub longer_side_px: &'a [f64],
-    pub cameras: Vec<BlockCamera>,
+    pub cameras: Vec<Camera>,
     pub poses: Vec<Option<Pose>>,
     pub points: Vec<Option<[f64; 3]>>,
     /// Rays that fit to their points; only oriented images and intersected points have such.
@@ -45,7 +45,7 @@ impl<'a> Net<'a> {
         rays: &'a Rays,
         camera_of: &'a [usize],
         longer_side_px: &'a [f64],
-        cameras: Vec<BlockCamera>,
+        cameras: Vec<Camera>,
         options: &ReconstructionOptions,
     ) -> Self {
         let (poses, points, accepted) = (vec![None; rays.images()], vec![None; rays.points()], vec![false; rays.len()]);
@@ -67,15 +67,13 @@ impl<'a> Net<'a> {
         self.poses.iter().flatten().count()
     }
 
-    pub fn camera(&self, image: usize) -> &BlockCamera {
+    pub fn camera(&self, image: usize) -> &Camera {
         &self.cameras[self.camera_of[image]]
     }
 
     /// The direction of a ray in its photo's system, of length 1. `None` where the distortion has no inverse.
     pub fn in_photo(&self, ray: usize) -> Option<[f64; 3]> {
-        let camera = self.camera(self.rays.image[ray] as usize);
-        let ([cx, cy], [col, row]) = (camera.principal_point_px, self.rays.at[ray]);
-        let [x, y] = undistorted([(col - cx) / camera.focal_px, (row - cy) / camera.focal_px], camera.radial, camera.tangential)?;
+        let [x, y] = self.camera(self.rays.image[ray] as usize).direction(self.rays.at[ray]).ok()?;
         let length = (x * x + y * y + 1.0).sqrt();
         Some([x / length, -y / length, -1.0 / length])
     }
@@ -147,11 +145,11 @@ impl<'a> Net<'a> {
 }
 
 /// Length of a residual in px; `None` for a point behind the image.
-pub(super) fn residual(camera: &BlockCamera, pose: &Pose, place: &[f64; 3], at: &[f64; 2]) -> Option<f64> {
-    if in_photo(pose, place)[2] >= 0.0 {
+pub(super) fn residual(camera: &Camera, pose: &Pose, place: &[f64; 3], at: &[f64; 2]) -> Option<f64> {
+    if pose.to_photo(place)[2] >= 0.0 {
         return None;
     }
-    let [x, y] = project(&values_of(camera), pose, place);
+    let [x, y] = project(&camera.values(), pose, place);
     let (dx, dy) = (at[0] - x, at[1] - y);
     let length = (dx * dx + dy * dy).sqrt();
     length.is_finite().then_some(length)

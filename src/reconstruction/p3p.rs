@@ -1,8 +1,8 @@
 //! The orientations of an image by three points.
 
-use crate::adjustment::Pose;
-use crate::adjustment::{dot3, minus};
+use crate::camera::Pose;
 use crate::math::{MAX_DEGREE, real_roots};
+use crate::math::{cross, dot3, minus};
 
 /// Steps that make the distances exact.
 const POLISHINGS: usize = 3;
@@ -109,14 +109,9 @@ fn axes(corners: &[[f64; 3]; 3]) -> Option<[[f64; 3]; 3]> {
     Some([first, cross(&across, &first), across])
 }
 
-fn cross(a: &[f64; 3], b: &[f64; 3]) -> [f64; 3] {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjustment::in_photo;
     use crate::camera::rotation_from_angles;
     use crate::math::Random;
 
@@ -135,7 +130,7 @@ mod tests {
             let poses = p3p(&directions, &points);
             for candidate in &poses {
                 for k in 0..3 {
-                    let at = in_photo(candidate, &points[k]);
+                    let at = candidate.to_photo(&points[k]);
                     let length = dot3(&at, &at).sqrt();
                     assert!((0..3).all(|i| (at[i] / length - directions[k][i]).abs() < 1e-6), "{at:?} {:?}", directions[k]);
                 }

@@ -1,10 +1,10 @@
 //! The reconstruction as it is called: one model after another, until no images are left that make one.
 
 use super::adjusting::{CameraPrior, camera_prior};
-use super::description::{BlockDescription, KnownCamera};
-use super::finish::{Finished, Material, finish};
+use super::finish::{Finished, finish};
 use super::frame::Frame;
 use super::growth::Growth;
+use super::material::{GROWING_CONNECTION, Material};
 use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
@@ -12,11 +12,10 @@ use super::refusal::check;
 use super::result::{ReconstructedModel, Reconstruction, UnorientedImage, UnorientedReason};
 use super::start::start_pairs;
 use crate::Error;
-use crate::adjustment::BlockCamera;
+use crate::camera::Camera;
+use crate::model::{BlockDescription, KnownCamera};
 use crate::tracks::{ImageFeatures, SelectOptions, SharedPoints, TiePoints, select_points, shared_points};
 
-/// Common points that a pair of images keeps while the block grows and is adjusted.
-pub(super) const GROWING_CONNECTION: usize = 15;
 /// Starts that are compared, and the images that each grows to for that.
 const STARTS: usize = 4;
 const COMPARED_AT: usize = 5;
@@ -45,7 +44,7 @@ pub fn reconstruct_block(
     options.check()?;
     check(description, points, features)?;
     let frame = Frame::new(description)?;
-    let cameras: Vec<BlockCamera> = description.cameras.iter().map(KnownCamera::approximate).collect();
+    let cameras: Vec<Camera> = description.cameras.iter().map(KnownCamera::approximate).collect();
     let priors: Vec<CameraPrior> =
         cameras.iter().zip(&description.cameras).map(|(camera, given)| camera_prior(camera, given.focal_px.is_none())).collect();
     let camera_of: Vec<usize> = description.images.iter().map(|image| image.camera).collect();

@@ -3,7 +3,8 @@
 use super::net::{Net, residual};
 use super::p3p::p3p;
 use super::result::UnorientedReason;
-use crate::adjustment::{Pose, in_photo, linearise, values_of};
+use crate::adjustment::linearise;
+use crate::camera::Pose;
 use crate::math::Random;
 use nalgebra::{Matrix6, Vector6};
 
@@ -106,7 +107,7 @@ fn consensus(net: &Net<'_>, image: usize, known: &[Known], limit_px: f64, seed: 
 
 /// Gauss-Newton steps with Cauchy's weights at the scale `scale_px`. `None` where the rays do not determine the pose.
 fn refined(net: &Net<'_>, image: usize, known: &[Known], start: Pose, scale_px: f64) -> Option<Pose> {
-    let camera = values_of(net.camera(image));
+    let camera = net.camera(image).values();
     let mut pose = start;
     for _ in 0..REFINEMENTS {
         let (mut normal, mut right) = (Matrix6::<f64>::zeros(), Vector6::<f64>::zeros());
@@ -114,7 +115,7 @@ fn refined(net: &Net<'_>, image: usize, known: &[Known], start: Pose, scale_px: 
             let line = linearise(&camera, &pose, &ray.place);
             let v = [ray.at[0] - line.at[0], ray.at[1] - line.at[1]];
             let square = v[0] * v[0] + v[1] * v[1];
-            if !square.is_finite() || in_photo(&pose, &ray.place)[2] >= 0.0 {
+            if !square.is_finite() || pose.to_photo(&ray.place)[2] >= 0.0 {
                 continue;
             }
             let weight = 1.0 / (1.0 + square / (scale_px * scale_px));
@@ -151,19 +152,13 @@ fn least_spread(known: &[&Known]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::adjustment::{BlockCamera, FreeParameters};
+    use crate::camera::Camera;
     use crate::reconstruction::options::ReconstructionOptions;
     use crate::reconstruction::rays::Rays;
 
     #[test]
     fn an_image_cut_from_the_edge_of_a_large_one_is_oriented() {
-        let camera = BlockCamera {
-            focal_px: 3000.0,
-            principal_point_px: [6000.0, 400.0],
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            free: FreeParameters::default(),
-        };
+        let camera = Camera { principal_point_px: [6000.0, 400.0], ..Camera::without_distortion(12000, 800, 3000.0) };
         let at = |k: usize| [(k * 37 % 40) as f64 * 25.0 + 10.0, (k * 13 % 40) as f64 * 20.0 + 10.0];
         let place = |k: usize| {
             let ([col, row], depth) = (at(k), 500.0 + 40.0 * (k % 7) as f64);

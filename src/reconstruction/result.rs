@@ -1,7 +1,7 @@
 //! What the reconstruction of a block gives.
 
 use crate::adjustment::AdjustmentResult;
-use crate::formats::GeographicOrigin;
+use crate::model::GeographicOrigin;
 use serde::{Deserialize, Serialize};
 
 /// The models of a block, the one with most images first, and the images that are in none.

@@ -2,8 +2,8 @@
 
 use super::net::Net;
 use super::rays::Rays;
-use crate::adjustment::{Pose, dot3, minus};
-use crate::math::median;
+use crate::camera::Pose;
+use crate::math::{dot3, median, minus};
 use crate::tracks::SharedPoints;
 use crate::two_view::{Pinhole, TwoViewModel, TwoViewOptions, two_view};
 

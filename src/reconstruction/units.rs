@@ -1,9 +1,9 @@
 //! Whether the surveyed points of a block are in metres: by positions that were recorded in another system.
 
-use super::description::{BlockDescription, ObservedPosition};
 use super::frame::Frame;
 use super::result::ReconstructedModel;
 use crate::math::median;
+use crate::model::{BlockDescription, ObservedPosition};
 
 /// Lengths that differ by less are taken as the same: ln 1.2.
 const LARGEST_LOG: f64 = 0.182;
@@ -41,7 +41,7 @@ pub(super) fn of_units(model: &ReconstructedModel, description: &BlockDescriptio
 /// differ.
 fn ratio_of_lengths(model: &ReconstructedModel, frame: &Frame) -> Option<f64> {
     let images = model.images.iter().zip(&model.adjusted.block.images);
-    let known: Vec<_> = images.filter_map(|(image, adjusted)| Some((adjusted.position, frame.recorded[*image]?))).collect();
+    let known: Vec<_> = images.filter_map(|(image, adjusted)| Some((adjusted.pose.position, frame.recorded[*image]?))).collect();
     let some: Vec<_> = known.iter().step_by(known.len().div_ceil(COMPARED).max(1)).collect();
     let (mut logs, mut shares) = (Vec::new(), Vec::new());
     for (index, (at, recorded)) in some.iter().enumerate() {

@@ -1,11 +1,11 @@
 //! What is weak about a model, in words.
 
-use super::description::BlockDescription;
 use super::frame::Frame;
 use super::result::PointSource;
 use super::result::{ReconstructedModel, UnorientedReason};
 use super::units::of_units;
 use crate::adjustment::ObservationVerdict;
+use crate::model::BlockDescription;
 use crate::text::counted;
 
 /// An image with fewer accepted rays is weak.
@@ -54,7 +54,7 @@ fn of_turn(model: &ReconstructedModel) -> Option<String> {
     let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
     let least = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
     let datum = model.adjusted.datum;
-    let observed = match (datum.uses_gps(), datum.uses_control()) {
+    let observed = match (datum.uses_gnss(), datum.uses_control()) {
         (true, true) => "recorded positions and surveyed points",
         (false, true) => "surveyed points",
         _ => "recorded positions",
@@ -73,21 +73,21 @@ fn of_turn(model: &ReconstructedModel) -> Option<String> {
 /// The angle between the mean direction of view and the vertical.
 fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
     let images = &model.adjusted.block.images;
-    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.rotation[2][k]).sum::<f64>());
+    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.pose.rotation[2][k]).sum::<f64>());
     libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
 }
 
 /// Recorded positions that took no part, and heights that were not recorded.
 fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
     let mut found = Vec::new();
-    if frame.is_levelled && model.adjusted.datum.uses_gps() {
+    if frame.is_levelled && model.adjusted.datum.uses_gnss() {
         found.push(
             "The recorded positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted."
                 .into(),
         );
     }
     let refused = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
-        let prior = statistics.gps.filter(|prior| !prior.accepted)?;
+        let prior = statistics.gnss.filter(|prior| !prior.accepted)?;
         let [x, y, z] = prior.residual;
         Some((*image, (x * x + y * y + z * z).sqrt()))
     });
@@ -110,7 +110,7 @@ fn of_marks(model: &ReconstructedModel, description: &BlockDescription) -> Vec<S
     let name = |image: usize| description.images[model.images[image]].name.clone();
     let mut found = Vec::new();
     for (index, control) in description.control.iter().enumerate() {
-        let marks = control.rays.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
+        let marks = control.measurements.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
         if marks == 0 {
             continue;
         }
@@ -138,7 +138,7 @@ fn of_marks(model: &ReconstructedModel, description: &BlockDescription) -> Vec<S
 fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<String> {
     let mut found = Vec::new();
     for (camera, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
-        let named = camera_named(*camera, description);
+        let named = description.camera_named(*camera);
         if model.guessed_focal.contains(camera) {
             let estimated = statistics.standard_errors[0];
             found.push(match estimated {
@@ -153,20 +153,6 @@ fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec
         }
     }
     found
-}
-
-/// A camera by its number, from 1, and by its images: files number cameras from 0.
-pub(super) fn camera_named(camera: usize, description: &BlockDescription) -> String {
-    if description.cameras.len() == 1 {
-        return "the camera".into();
-    }
-    let mut images = description.images.iter().filter(|image| image.camera == camera).map(|image| image.name.as_str());
-    let number = camera + 1;
-    match (images.next(), images.count()) {
-        (None, _) => format!("camera {number}"),
-        (Some(name), 0) => format!("camera {number} ({name})"),
-        (Some(name), more) => format!("camera {number} ({name} and {})", counted(more, "more image")),
-    }
 }
 
 fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Option<String> {

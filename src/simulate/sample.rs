@@ -9,7 +9,7 @@ use super::scene::{Exposure, Scene};
 use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
-use crate::camera::{Camera, Fiducial};
+use crate::camera::{CameraMm, Fiducial};
 use crate::orientation::FiveParameters;
 use crate::parameters::refuse;
 use crate::{Error, GreyImage};
@@ -23,7 +23,7 @@ pub struct Sample {
     /// The patches that were cut from the scans of both photos.
     pub left: GreyImage,
     pub right: GreyImage,
-    pub camera: Camera,
+    pub camera: CameraMm,
     /// Fiducial marks as measured, in px of the whole scans; the centre of a scan's top-left pixel is (0.5, 0.5).
     pub left_fiducials: Vec<Fiducial>,
     pub right_fiducials: Vec<Fiducial>,
@@ -130,8 +130,8 @@ fn cut_px(random: &mut Random) -> [f64; 2] {
 }
 
 /// Pixels come from the fiducial marks, so that the camera names none.
-fn camera(flight: &Flight) -> Camera {
-    Camera {
+fn camera(flight: &Flight) -> CameraMm {
+    CameraMm {
         focal_mm: flight.focal_mm,
         principal_point_mm: [flight.principal_x_mm, flight.principal_y_mm],
         pixel_mm: None,

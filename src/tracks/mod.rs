@@ -10,6 +10,7 @@ mod evidence;
 mod joining;
 mod matches;
 mod mixture;
+mod model;
 mod options;
 mod pairs;
 mod places;

@@ -7,7 +7,7 @@ use super::rotation::{Turn, nearest_rotation};
 use super::scale::NoiseLimits;
 use super::transfer::square_transfer;
 use crate::math::Candidate;
-use crate::orientation::{Field, Pose, Poses, Ray, square_distance};
+use crate::orientation::{Field, Poses, Ray, RelativePose, square_distance};
 use nalgebra::Matrix3;
 
 /// Shortest and longest focal length, in units of [`corner_px`]: 112° to 9.5° of the diagonal.
@@ -169,9 +169,9 @@ pub(super) fn of_base(
     principal: &[[f64; 2]; 2],
     fundamental_px: &Matrix3<f64>,
     sigma_px: f64,
-) -> Option<BestFocal<Pose>> {
+) -> Option<BestFocal<RelativePose>> {
     let deciding = deciding(points);
-    search(principal, corner_px(points, principal), |assumed, start: Option<&Pose>| {
+    search(principal, corner_px(points, principal), |assumed, start: Option<&RelativePose>| {
         let frame = &assumed.frame;
         let sigma = sigma_px / frame.px();
         let field = Field::new(&assumed.rays(&deciding), 1);

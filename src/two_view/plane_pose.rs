@@ -1,14 +1,14 @@
 //! The relative orientations that the map of a plane allows: two, each with the base in either direction.
 
 use super::rotation::nearest_rotation;
-use crate::orientation::Pose;
+use crate::orientation::RelativePose;
 use nalgebra::Matrix3;
 
 /// The poses of a homography between calibrated views; none where it is a rotation.
 ///
 /// # Source
 /// Ma, Soatto, Košecká & Sastry 2004, An Invitation to 3-D Vision, section 5.3 (after Tsai & Huang 1982).
-pub(super) fn poses_of_plane(homography: &Matrix3<f64>) -> Vec<Pose> {
+pub(super) fn poses_of_plane(homography: &Matrix3<f64>) -> Vec<RelativePose> {
     if !homography.iter().all(|v| v.is_finite()) {
         return Vec::new();
     }
@@ -32,7 +32,7 @@ pub(super) fn poses_of_plane(homography: &Matrix3<f64>) -> Vec<Pose> {
         let Some(rotation) = nearest_rotation(&(after * before.transpose())) else { continue };
         // X₂ = R X₁ + T, T along (H - R) n.
         let Some(base) = (rotation.transpose() * (h - rotation) * normal).try_normalize(1e-9) else { continue };
-        poses.extend([Pose { rotation, base }, Pose { rotation, base: -base }]);
+        poses.extend([RelativePose { rotation, base }, RelativePose { rotation, base: -base }]);
     }
     poses
 }
@@ -53,7 +53,7 @@ mod tests {
             let normal = Vector3::new(0.2 * libm::cos(t), 0.1, 1.0).normalize();
             let homography = rotation * (Matrix3::identity() + base * normal.transpose() / 2.0) * -3.0;
             let poses = poses_of_plane(&homography);
-            let miss = |p: &Pose| (p.rotation - rotation).amax().max((p.base - base).amax());
+            let miss = |p: &RelativePose| (p.rotation - rotation).amax().max((p.base - base).amax());
             assert_eq!(poses.len(), 4);
             assert!(poses.iter().any(|p| miss(p) < 1e-9), "{k}");
         }

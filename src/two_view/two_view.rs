@@ -8,7 +8,7 @@ use super::options::{Cameras, TwoViewOptions};
 use super::result::{TwoView, TwoViewModel};
 use super::support::{CALIBRATED, UNCALIBRATED};
 use crate::Error;
-use crate::orientation::Pose;
+use crate::orientation::RelativePose;
 use nalgebra::Vector3;
 
 /// Finds what relates two images by matches `[x left, y left, x right, y right]` in px, of which many may be wrong.
@@ -52,7 +52,7 @@ pub(crate) fn two_view_from(points: &[[f64; 4]], options: &TwoViewOptions, known
     let matches = |frame: Frame| Matches::new(points, frame, options, tolerance);
     match (&known.model, frame_of(&cameras, Some(known))) {
         (TwoViewModel::Calibrated { rotation, base, .. }, Some(frame)) => {
-            let pose = Pose { rotation: matrix(rotation), base: Vector3::from_column_slice(base) };
+            let pose = RelativePose { rotation: matrix(rotation), base: Vector3::from_column_slice(base) };
             calibrated::from_known(&matches(frame)?, &pose, known)
         }
         (TwoViewModel::Rotation { homography, rotation }, Some(frame)) => {

@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
 use crate::{
-    Camera, Error, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
+    CameraMm, Error, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
     PointStatistics, RelativeOrientation, observations as photo_observations, orient_fiducials as orient_marks,
     orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
@@ -50,10 +50,10 @@ pub fn orient_fiducials(
 /// The interior orientation of an image: from its fiducials, or from the camera's pixel size.
 #[wasm_bindgen(unchecked_return_type = "Interior")]
 pub fn interior(
-    #[wasm_bindgen(unchecked_param_type = "Camera")] camera: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "CameraMm")] camera: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "PhotoGeometry")] photo: &JsValue,
 ) -> JsResult<JsValue> {
-    let (camera, photo): (Camera, PhotoGeometry) = (read("camera", camera)?, read("photo", photo)?);
+    let (camera, photo): (CameraMm, PhotoGeometry) = (read("camera", camera)?, read("photo", photo)?);
     let input = PhotoInput { fiducials: photo.fiducials, model: photo.model, origin: photo.origin };
     photo_interior(&camera, photo.width, photo.height, &input).map(|i| pack(&i)).map_err(thrown)
 }

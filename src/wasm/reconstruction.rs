@@ -2,7 +2,7 @@
 
 use super::block::BlockPoints;
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{ADJUSTMENT_PARAMETERS, BlockDescription, ModelCamera, RECONSTRUCTION_PARAMETERS, ReconstructionOptions, reconstruct_block};
+use crate::{ADJUSTMENT_PARAMETERS, BlockDescription, Camera, RECONSTRUCTION_PARAMETERS, ReconstructionOptions, reconstruct_block};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -59,11 +59,11 @@ pub fn reconstruction_parameters() -> JsValue {
 
 /// Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
 #[wasm_bindgen]
-pub fn ideal_positions(
-    #[wasm_bindgen(unchecked_param_type = "ModelCamera")] camera: &JsValue,
+pub fn undistorted_positions(
+    #[wasm_bindgen(unchecked_param_type = "Camera")] camera: &JsValue,
     positions: &[f64],
 ) -> JsResult<js_sys::Float64Array> {
-    let camera: ModelCamera = read("camera", camera)?;
-    let ideal = rows::<2>("positions", positions)?.iter().map(|at| camera.ideal_px(*at).unwrap_or([f64::NAN; 2])).collect::<Vec<_>>();
+    let camera: Camera = read("camera", camera)?;
+    let ideal = rows::<2>("positions", positions)?.iter().map(|at| camera.undistorted_px(*at).unwrap_or([f64::NAN; 2])).collect::<Vec<_>>();
     Ok(numbers(ideal.into_iter().flatten()).into())
 }

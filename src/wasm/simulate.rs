@@ -18,7 +18,7 @@ export interface SampleImage { width: number; height: number; grey: Uint8Array }
 export interface SamplePair {
     left: SampleImage;
     right: SampleImage;
-    camera: Camera;
+    camera: CameraMm;
     base_mm: number;
     left_fiducials: Fiducial[];
     right_fiducials: Fiducial[];

@@ -22,7 +22,7 @@ pub fn parse_observations(csv: &str) -> JsResult<Vec<f64>> {
 }
 
 /// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
-#[wasm_bindgen(unchecked_return_type = "Camera")]
+#[wasm_bindgen(unchecked_return_type = "CameraMm")]
 pub fn parse_camera(json: &str) -> JsResult<JsValue> {
     read_camera(json).map(|c| pack(&c)).map_err(thrown)
 }

@@ -144,7 +144,7 @@ test('what comes in the way while a run goes on is set aside', async () => {
 
 test('names that a format cannot hold and a truth of other images are refused before anything is computed', () => {
   const named = folder();
-  NAMES.forEach((name, i) => copyFileSync(join(BLOCK.photos, name), join(named, i === 2 ? 'a photo.png' : name)));
+  for (const [i, name] of NAMES.entries()) copyFileSync(join(BLOCK.photos, name), join(named, i === 2 ? 'a photo.png' : name));
   const out = folder();
   const call = ['block', named, ...BLOCK.call.slice(2), '--out', out];
   const blank = tiepoint(...call, '--export', 'csv,colmap,nvm');

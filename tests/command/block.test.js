@@ -106,7 +106,7 @@ test('other settings and other images are computed again, a renamed image is not
   assert.equal(records(out, 'features'), 12);
   assert.equal(records(out, 'pairs'), 3 * PAIRS);
   const renamed = folder();
-  readdirSync(BLOCK.photos).forEach((name) => copyFileSync(join(BLOCK.photos, name), join(renamed, `new_${name}`)));
+  for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(renamed, `new_${name}`));
   const [, ...settings] = BLOCK.call.slice(1);
   json('block', renamed, ...settings, '--out', out);
   assert.equal(records(out, 'features'), 12);
@@ -115,7 +115,7 @@ test('other settings and other images are computed again, a renamed image is not
 
 test('an image that cannot be read is told and left out', () => {
   const mixed = folder();
-  readdirSync(BLOCK.photos).forEach((name) => copyFileSync(join(BLOCK.photos, name), join(mixed, name)));
+  for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(mixed, name));
   const names = readdirSync(mixed);
   writeFileSync(join(mixed, 'a_text.jpg'), 'no image at all');
   const cut = readFileSync(join(mixed, names[2] ?? ''));

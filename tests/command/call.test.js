@@ -130,7 +130,7 @@ test('output that cannot be written is told in one line', { skip: !existsSync('/
 
 test('help names a unit only where the value is given in it', () => {
   const help = tiepoint('simulate', '--help').stdout;
-  assert.match(help, /--distortion N\n[^]*?Its unit is mm⁻²/);
+  assert.match(help, /--distortion N\n[\s\S]*?Its unit is mm⁻²/);
   assert.match(help, /--offset-grey GREY\n/);
   assert.match(help, /--kappa-deg DEG\n/);
 });

@@ -2,7 +2,7 @@
 
 use crate::scene::{Dice, FOCAL_MM, NADIR, spoil, standard_errors};
 use std::path::{Path, PathBuf};
-use tiepoint::{Camera, Fiducial, FiducialModel, Interior, Observation, orient_fiducials, orient_relative};
+use tiepoint::{CameraMm, Fiducial, FiducialModel, Interior, Observation, orient_fiducials, orient_relative};
 
 const WIDTH: usize = 450;
 
@@ -36,7 +36,7 @@ fn interior(photo: &serde_json::Value) -> Interior {
         }
     }
     let origin = numbers(&photo["patch_origin_col_row"]);
-    let camera = Camera { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: None, radial_distortion: [0.0; 3] };
+    let camera = CameraMm { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: None, radial_distortion: [0.0; 3] };
     Interior::from_fiducials(&camera, &found, [origin[0], origin[1]]).unwrap()
 }
 

@@ -37,7 +37,7 @@ test('the package holds the module, both entries with their types, the command a
 
 test('every file that a packed script imports is packed', () => {
   const missing = files.filter((file) => file.endsWith('.js')).flatMap((file) => {
-    const code = readFileSync(join(PKG, file), 'utf8').replace(/\/\*[^]*?\*\//g, '');
+    const code = readFileSync(join(PKG, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
     const imports = [...code.matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)].map(([, path]) => path ?? '');
     return imports.map((path) => normalize(join(dirname(file), path)).replaceAll('\\', '/')).filter((path) => !files.includes(path)).map((path) => `${file}: ${path}`);
   });

@@ -2,14 +2,13 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { pathToFileURL } from 'node:url';
 import { unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
 import { greyPng } from '../../pkg/command/png.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
-import { serve } from '../../tools/lib/static-server.mjs';
+import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, status } from './blocks.js';
-import { DIST, done, hosted, number, part, saved, SHOTS, SKIP, upload } from './page.js';
+import { done, hosted, number, part, saved, SHOTS, singleUrl, SKIP, upload } from './page.js';
 
 hosted('/block/');
 
@@ -17,7 +16,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points chosen/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points selected/);
   assert.ok(await number(page, 'block-points-count') > 0);
   const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
   assert.ok(right > 0.9 * all, `${right} of ${all}`);
@@ -84,9 +83,9 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   const { page, complaints, close } = await block();
   const folder = photoFolder(4);
   await part(page, 'block-folder-input').setInputFiles(folder);
-  await status(page, /^4 images in the block\. 1 file left aside/);
+  await status(page, /^4 images in the block\. 1 file skipped/);
   await drop(page, ['broken.jpg', 'notes.txt']);
-  await status(page, /^5 images in the block\. 1 file left aside/);
+  await status(page, /^5 images in the block\. 1 file skipped/);
   await part(page, 'block-run').click();
   // What cannot be read is not kept: the second is.
   await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, { polling: 10 });
@@ -97,8 +96,8 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
   assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 left out/);
-  assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] of them from before/);
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 skipped/);
+  assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] from an earlier run/);
   assert.match((await part(page, 'block-left-out').textContent()) ?? '', /broken\.jpg: .+/);
   await part(page, 'tab-block-images').click();
   const listed = page.locator('[data-testid="block-images"] tbody tr:not(.filler)');
@@ -122,7 +121,7 @@ test('pairs are drawn as they come, and what is chosen stays chosen', { skip: SK
   const chosen = (await part(page, 'block-chosen').textContent()) ?? '';
   assert.match(chosen, /photo_00001\.png: .*not oriented yet/);
   await status(page, /^Done: 6 images/);
-  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*rays in \d of 9 places.*; oriented/);
+  assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*observations in \d of 9 von Gruber positions.*; oriented/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -185,7 +184,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
 });
 
 test('a page from plain http runs a block as a secure one does', { skip: SKIP }, async () => {
-  const server = await serve(DIST, { prefix: '/plain/' });
+  const server = await servePage({ prefix: '/plain/' });
   const browser = await chromium.launch({ executablePath: findChromium() ?? '', args: ['--no-sandbox', '--host-resolver-rules=MAP lecture.hall 127.0.0.1'] });
   const page = await browser.newPage();
   await page.goto(server.url.replace(/\/\/[^:/]+/, '//lecture.hall'));
@@ -200,7 +199,7 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
 });
 
 test('the page in one file runs a block offline', { skip: SKIP }, async () => {
-  const { page, complaints, close } = await block({ url: pathToFileURL(join(DIST, 'tiepoint.html')).href, options: { offline: true } });
+  const { page, complaints, close } = await block({ url: singleUrl(), options: { offline: true } });
   await photograph(page);
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);

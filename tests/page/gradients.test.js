@@ -155,7 +155,7 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-left').click()]);
   await chooser.setFiles([upload('half.png', greyPng(450, 700, half), 'image/png')]);
   await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before, all);
-  assert.match(await done(page), /leaves out 50\.0 % of the left image/);
+  assert.match(await done(page), /masks 50\.0 % of the left image/);
   const { points, images } = await everything(page);
   assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= 225));
   assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < 225));

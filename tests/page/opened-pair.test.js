@@ -56,7 +56,7 @@ test('a pair of a block that was adjusted has its calibrated camera, not that of
   const { block, shown } = await openedPair(page, CAMERA);
   const [camera] = block.cameras;
   assert.ok(camera && block.images.every(({ pose }) => pose), 'the block is not oriented');
-  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').Camera>} */ (photo_camera(camera));
+  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').CameraMm>} */ (photo_camera(camera));
   assert.deepEqual(shown, { focal: focal_mm, x0, y0, k1, k2, k3 });
   // The photos were taken without distortion: what the file says of it is wrong, and the block finds that.
   assert.ok(Math.abs(camera.radial?.[0] ?? NaN) < 0.5 * Math.abs(K1), `k1 is ${camera.radial}`);

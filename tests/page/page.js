@@ -1,17 +1,18 @@
 /** Opens the built page in Chromium and looks at it as a user does. */
 
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, mkdtempSync } from 'node:fs';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after, before } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
 import { greyPng } from '../../pkg/command/png.js';
 import { simulate } from '../../pkg/node.js';
+import { writeSingle } from '../../tools/lib/compose.mjs';
 import { findChromium } from '../../tools/lib/setup.mjs';
-import { serve } from '../../tools/lib/static-server.mjs';
+import { servePage } from '../../tools/lib/page-server.mjs';
 
 export const ROOT = fileURLToPath(new URL('../..', import.meta.url));
-export const DIST = join(ROOT, 'dist');
 export const SHOTS = join(ROOT, 'target', 'screenshots');
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
@@ -22,7 +23,7 @@ export const SKIP = program ? false : `skipped: no Chromium (${process.env.NO_CH
 
 /** @type {import('playwright-core').Browser} */
 let browser;
-/** @type {Awaited<ReturnType<typeof serve>>} */
+/** @type {Awaited<ReturnType<typeof servePage>>} */
 let server;
 
 /** Starts browser and server for the tests of a file; gives the page's address below a folder. */
@@ -30,13 +31,20 @@ export function hosted(prefix = '/') {
   before(async () => {
     if (!program) return;
     mkdirSync(SHOTS, { recursive: true });
-    server = await serve(DIST, { prefix });
+    server = await servePage({ prefix });
     browser = await chromium.launch({ executablePath: program, args: FLAGS });
   });
   after(async () => {
     await browser?.close();
     await server?.close();
   });
+}
+
+/** The address of the page in one file, as on a memory stick: alone in its folder. */
+export function singleUrl() {
+  const file = join(mkdtempSync(join(tmpdir(), 'tiepoint-stick-')), 'tiepoint.html');
+  writeSingle(file);
+  return pathToFileURL(file).href;
 }
 
 /**

@@ -201,10 +201,10 @@ test('each bad file of several is told, and what was open only where something w
   const give = () => part(page, 'file-input').setInputFiles(files);
   await give();
   await says(page, 'status', /a\.txt holds no fiducial marks: .*bad\.jpg cannot be opened: .*worse\.jpg cannot be opened: /);
-  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /What was open/);
+  assert.doesNotMatch((await part(page, 'status').textContent()) ?? '', /images are kept/);
   await sample(page);
   await give();
-  await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* What was open is kept\.$/);
+  await says(page, 'status', /a\.txt .*bad\.jpg .*worse\.jpg .* The open images are kept\.$/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -214,7 +214,7 @@ test('the status line says that a value is not allowed, until it is', { skip: SK
   await sample(page);
   const field = page.locator('input[type="number"][data-key="points.suppression_window"]');
   await field.fill('4');
-  await says(page, 'status', /^Suppression window: the value typed is not allowed and not used\. Results are of the last valid one\.$/);
+  await says(page, 'status', /^Suppression window: this value is not allowed\. The last valid one stays in use\.$/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
   await field.fill('3');
   assert.match(await done(page), /^Done/);
@@ -226,7 +226,7 @@ test('the status line says that a value is not allowed, until it is', { skip: SK
   await part(page, 'mode-block').click();
   const pairs = page.locator('main.block input[type="number"][data-key="multiscale.number"]');
   await pairs.fill('-1');
-  await says(page, 'block-status', /not allowed and not used/);
+  await says(page, 'block-status', /is not allowed/);
   await pairs.fill('2000');
   await says(page, 'block-status', /^Give the images/);
   assert.deepEqual(complaints, []);
@@ -238,7 +238,7 @@ test('a simulated pair that is swapped says that its truth is of the other order
   await sample(page);
   assert.ok(await part(page, 'score').isVisible());
   await part(page, 'swap').click();
-  await says(page, 'status', /^Done: .*compared with its truth in its own order only: swap again/);
+  await says(page, 'status', /^Done: .*holds in its own order only: swap again/);
   assert.equal(await part(page, 'score').count(), 0);
   await part(page, 'swap').click();
   await part(page, 'score').waitFor();

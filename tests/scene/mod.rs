@@ -40,14 +40,14 @@ impl Scene {
     pub fn errors(&self, reconstruction: &Reconstruction, model: usize) -> (f64, f64) {
         let model = &reconstruction.models[model];
         let images = || model.images.iter().zip(&model.adjusted.block.images);
-        let pairs: Vec<_> = images().map(|(k, image)| (image.position, self.block.exposures[*k].centre)).collect();
+        let pairs: Vec<_> = images().map(|(k, image)| (image.pose.position, self.block.exposures[*k].centre)).collect();
         let onto = Similarity::between(&pairs).unwrap();
         let (mut square, mut turns) = (0.0, 0.0);
         for (k, image) in images() {
-            let (at, exposure) = (onto.point(&image.position), &self.block.exposures[*k]);
+            let (at, exposure) = (onto.point(&image.pose.position), &self.block.exposures[*k]);
             square += (0..3).map(|i| (at[i] - exposure.centre[i]) * (at[i] - exposure.centre[i])).sum::<f64>();
             // The angle of M Rᵀ against the true rotation, by the trace.
-            let turned = image.rotation.map(|row| [0, 1, 2].map(|c| (0..3).map(|j| row[j] * onto.rotation[c][j]).sum::<f64>()));
+            let turned = image.pose.rotation.map(|row| [0, 1, 2].map(|c| (0..3).map(|j| row[j] * onto.rotation[c][j]).sum::<f64>()));
             let trace: f64 = (0..3).flat_map(|r| (0..3).map(move |c| (r, c))).map(|(r, c)| turned[r][c] * exposure.rotation[(r, c)]).sum();
             turns += (0.5 * (trace - 1.0)).clamp(-1.0, 1.0).acos().to_degrees().powi(2);
         }

@@ -22,9 +22,9 @@ export function accuracy() {
   if (have('simulated-a')) simulatedPair();
   if (have('semisynth_exact_caliterra')) {
     posedPair('semisynth_exact_caliterra', 'v1.png', 'v2.png', () => {});
-    posedPair('semisynth_exact_caliterra', 'v1.png', 'v2.png', (s) => void (s.matching.denominator = 'floor'), 'floor');
+    posedPair('semisynth_exact_caliterra', 'v1.png', 'v2.png', (s) => { s.matching.denominator = 'floor'; }, 'floor');
   }
-  if (have('pair_full_caliterra')) posedPair('pair_full_caliterra', 'IMG_9401.jpg', 'IMG_9402.jpg', (s) => void (s.points.suppression_window = 9), 'suppression 9 px');
+  if (have('pair_full_caliterra')) posedPair('pair_full_caliterra', 'IMG_9401.jpg', 'IMG_9402.jpg', (s) => { s.points.suppression_window = 9; }, 'suppression 9 px');
 }
 
 function simulatedPair() {
@@ -32,9 +32,9 @@ function simulatedPair() {
   /** @type {[string, (s: PairSettings) => void][]} */
   const runs = [
     ['denominator maxabs', () => {}],
-    ['denominator floor', (s) => void (s.matching.denominator = 'floor')],
-    ['determinant form', (s) => void (s.orientation.method = 'determinant')],
-    ['plain least squares, not robust', (s) => void (s.orientation.robust = false)],
+    ['denominator floor', (s) => { s.matching.denominator = 'floor'; }],
+    ['determinant form', (s) => { s.orientation.method = 'determinant'; }],
+    ['plain least squares, not robust', (s) => { s.orientation.robust = false; }],
     ['plain, without parallax and ambiguity rules', (s) => {
       s.orientation.robust = false;
       s.matching.parallax_neighbours = 0;

@@ -57,8 +57,8 @@ def reconstruction(block: dict) -> pycolmap.Reconstruction:
         seen[ray['image']].append(ray)
     turned = np.diag([1.0, -1.0, -1.0])
     for index, image in enumerate(block['images']):
-        rotation = turned @ np.array(image['rotation'])
-        pose = pycolmap.Rigid3d(pycolmap.Rotation3d(rotation), -rotation @ np.array(image['position']))
+        rotation = turned @ np.array(image['pose']['rotation'])
+        pose = pycolmap.Rigid3d(pycolmap.Rotation3d(rotation), -rotation @ np.array(image['pose']['position']))
         points = [np.array([ray['x_px'], ray['y_px']]) for ray in seen[index]]
         added = pycolmap.Image(name=f'{index}', keypoints=np.array(points).reshape(-1, 2), camera_id=image['camera'] + 1, image_id=index + 1)
         model.add_image_with_trivial_frame(added, pose)
@@ -67,7 +67,7 @@ def reconstruction(block: dict) -> pycolmap.Reconstruction:
         for place, ray in enumerate(rays):
             tracks[ray['point']].add_element(index + 1, place)
     for point, track in zip(block['points'], tracks):
-        model.add_point3D(np.array(point['position']), track, np.zeros(3, np.uint8))
+        model.add_point3D(np.array(point), track, np.zeros(3, np.uint8))
     return model
 
 
@@ -107,7 +107,7 @@ def rmse(model: pycolmap.Reconstruction, block: dict) -> float:
 def similar(model: pycolmap.Reconstruction, block: dict) -> float:
     """Largest distance in m of the image positions of two models after the best similarity of one onto the other (Umeyama 1991)."""
     theirs = np.array([model.images[k + 1].projection_center() for k in range(len(block['images']))])
-    own = np.array([image['position'] for image in block['images']])
+    own = np.array([image['pose']['position'] for image in block['images']])
     a, b = theirs - theirs.mean(axis=0), own - own.mean(axis=0)
     u, s, vt = np.linalg.svd(b.T @ a)
     signs = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])

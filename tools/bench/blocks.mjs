@@ -5,11 +5,11 @@ import { mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { chromium } from 'playwright-core';
-import { DATA, DIST, ROOT } from '../lib/paths.mjs';
+import { DATA, ROOT } from '../lib/paths.mjs';
 import { run } from '../lib/process.mjs';
 import { cargo, ensureToolchain } from '../lib/rust.mjs';
 import { findChromium } from '../lib/setup.mjs';
-import { serve } from '../lib/static-server.mjs';
+import { servePage } from '../lib/page-server.mjs';
 import { have } from './data.mjs';
 import { numberOption } from './options.mjs';
 
@@ -97,7 +97,7 @@ async function pageOf() {
     console.log('  page: skipped: no Chromium (install it or name it in CHROMIUM)');
     return null;
   }
-  const server = await serve(DIST);
+  const server = await servePage();
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-quic', '--no-first-run'] });
   const files = readdirSync(join(DATA, NAME)).filter((name) => name.endsWith('.jpg')).map((name) => join(DATA, NAME, name));
   /** @returns {Promise<Ours>} */

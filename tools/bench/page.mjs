@@ -1,9 +1,8 @@
 /** The page in Chromium: how soon it is there, how long it takes for the sample, how soon it answers while it works; large images. */
 
 import { chromium } from 'playwright-core';
-import { DIST } from '../lib/paths.mjs';
 import { findChromium } from '../lib/setup.mjs';
-import { serve } from '../lib/static-server.mjs';
+import { servePage } from '../lib/page-server.mjs';
 import { largeImages, watchPauses } from './large.mjs';
 
 const FLAGS = ['--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
@@ -13,7 +12,7 @@ export async function page() {
   console.log('Page in Chromium');
   const executablePath = findChromium();
   if (!executablePath) return console.log('  skipped: no Chromium (install it or name it in CHROMIUM)');
-  const server = await serve(DIST);
+  const server = await servePage();
   const launch = () => chromium.launch({ executablePath, args: FLAGS });
   const browser = await launch();
   const firsts = [];

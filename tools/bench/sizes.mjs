@@ -1,13 +1,11 @@
 /** What is sent to a browser, after brotli. */
 
-import { readdirSync, readFileSync } from 'node:fs';
-import { join } from 'node:path';
+import { readFileSync } from 'node:fs';
 import { brotliCompressSync, constants } from 'node:zlib';
-import { DIST, PKG_WASM } from '../lib/paths.mjs';
+import { pathOf, singleFile, TEXTS } from '../lib/compose.mjs';
 
-/** @param {string} path */
-function sizes(path) {
-  const bytes = readFileSync(path);
+/** @param {Buffer} bytes */
+function sizes(bytes) {
   const packed = brotliCompressSync(bytes, { params: { [constants.BROTLI_PARAM_SIZE_HINT]: bytes.length } });
   return { raw: bytes.length, packed: packed.length };
 }
@@ -17,13 +15,11 @@ const kb = (bytes) => `${(bytes / 1000).toFixed(0)} KB`;
 
 export function sizesOfAll() {
   console.log('Sizes');
-  const wasm = sizes(join(PKG_WASM, 'tiepoint_bg.wasm'));
+  const wasm = sizes(readFileSync(pathOf('tiepoint_bg.wasm')));
   console.log(`  wasm: ${kb(wasm.raw)}, ${kb(wasm.packed)} after brotli`);
-  const shell = readdirSync(DIST, { recursive: true, withFileTypes: true })
-    .filter((entry) => entry.isFile() && !entry.name.endsWith('.wasm') && entry.name !== 'tiepoint.html')
-    .map((entry) => sizes(join(entry.parentPath ?? entry.path, entry.name)));
+  const shell = TEXTS.map((name) => sizes(readFileSync(pathOf(name))));
   const total = (/** @type {'raw' | 'packed'} */ key) => shell.reduce((sum, file) => sum + file[key], 0);
-  console.log(`  page shell (all of dist but wasm and tiepoint.html): ${kb(total('raw'))}, ${kb(total('packed'))} after brotli`);
-  const single = sizes(join(DIST, 'tiepoint.html'));
+  console.log(`  page shell (all that is beside the module): ${kb(total('raw'))}, ${kb(total('packed'))} after brotli`);
+  const single = sizes(Buffer.from(singleFile()));
   console.log(`  tiepoint.html, the page in one file: ${kb(single.raw)}`);
 }

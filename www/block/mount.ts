@@ -1,9 +1,10 @@
 /** The block's part of the page: makes its parts and wires them together. */
 import './style/block.css';
 import { button, byId, fill, h } from '../shared/panel/dom';
+import type { Taker } from '../shared/files/drop';
+import { fileButton } from '../shared/panel/picker';
 import { mountTabs, showTab } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
-import { mountBlockDrop } from './files/drop';
 import { BlockEngine } from './engine/engine';
 import type { BlockStore } from './engine/engine';
 import { mountExports } from './panel/exports';
@@ -20,7 +21,7 @@ import { mountBlockStatus } from './panel/status';
 import { mountImages, mountPoints } from './panel/tables';
 
 /** `openPair` shows a pair of the block by itself. */
-export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void): BlockStore {
+export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void): { store: BlockStore; taker: Taker } {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const files = new BlockFiles(store, engine);
@@ -57,9 +58,8 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   mountImages(results.panels[1], store, { ...looking, point: () => undefined });
   mountPoints(results.panels[2] ?? results.panels[0], store);
   for (const list of main.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
-  mountBlockDrop(store, files);
   store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
-  return store;
+  return { store, taker: files.taker };
 }
 
 /** A column of tabs with their panels. */
@@ -76,27 +76,17 @@ function tabbed(label: string, tabs: readonly (readonly [string, string])[]): { 
 
 /** The buttons that give images. */
 function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
-  const pick = (testid: string, label: string, folder: boolean) => {
-    const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid, aria: { label } });
-    input.multiple = true;
-    input.webkitdirectory = folder;
-    if (!folder) input.accept = 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint';
-    input.addEventListener('change', () => {
-      void files.take([...(input.files ?? [])].map((file) => ({ file, path: file.webkitRelativePath })));
-      input.value = '';
-    });
-    return input;
-  };
-  const images = pick('block-files-input', 'Images, cameras or project of a block', false);
-  const folder = pick('block-folder-input', 'Folder of images', true);
+  const take = (given: File[]) => { void files.take(given.map((file) => ({ file, path: file.webkitRelativePath }))); };
+  const [images, imagesInput] = fileButton('Images …', { testid: 'block-files', label: 'Images, cameras or project of a block', multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' }, take,
+    'Image files; a cameras file or a saved project too');
+  const [folder, folderInput] = fileButton('Folder …', { testid: 'block-folder', label: 'Folder of images', folder: true }, take, 'All images of a folder');
   const buttons = [
-    button('Images …', 'block-files', () => { images.click(); }, 'Image files; a cameras file or a saved project too'),
-    button('Folder …', 'block-folder', () => { folder.click(); }, 'All images of a folder'),
-    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a made town, taken in this tab'),
-    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Takes all images out'),
+    images, folder,
+    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a synthetic scene, rendered in this tab'),
+    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Removes all images'),
   ];
-  buttons[0]?.classList.add('primary');
-  fill(host, ...buttons, images, folder);
+  images.classList.add('primary');
+  fill(host, ...buttons, imagesInput, folderInput);
   store.watch((s) => [s.running, s.notice, s.files, s.shown, s.catalogue] as const, ([, , given, shown, catalogue]) => {
     for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
     const last = buttons.at(-1);

@@ -1,7 +1,7 @@
 /** From a pair of the block to the pair's part of the page, and back. */
 import { photo_camera } from '../../pkg/wasm/tiepoint.js';
 import type { Engine } from '../pair/engine/engine';
-import type { Camera } from '../shared/crate';
+import type { CameraMm } from '../shared/crate';
 import { SIDES } from '../pair/state/state';
 import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
@@ -18,11 +18,11 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
   const files = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
   const [left, right] = files;
   if (left === undefined || right === undefined) {
-    say(block, 'The files of these images are not open: drop them, and try again.');
+    say(block, 'The files of these images are not open: drop them and try again.');
     return;
   }
   const images: Record<Side, GivenImage> = { left: given(left), right: given(right) };
-  let camera: Camera | null;
+  let camera: CameraMm | null;
   try {
     camera = cameraOf(block, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
@@ -37,7 +37,7 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
 }
 
 /** The block's settings of features and its camera, in place of whatever the pair before had. */
-function readyFor(store: Store, block: BlockStore, camera: Camera | null): void {
+function readyFor(store: Store, block: BlockStore, camera: CameraMm | null): void {
   const { settings } = store.state;
   const features = block.state.options.settings?.features;
   if (settings !== null && features !== undefined) {
@@ -53,7 +53,7 @@ function readyFor(store: Store, block: BlockStore, camera: Camera | null): void 
 }
 
 /** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
-function cameraOf(block: BlockStore, a: number, b: number): Camera | null {
+function cameraOf(block: BlockStore, a: number, b: number): CameraMm | null {
   const { images = [], cameras = [] } = block.state.shown?.view ?? {};
   const [left, right] = [images[a], images[b]];
   const camera = left !== undefined && left.camera === right?.camera ? cameras[left.camera] : undefined;

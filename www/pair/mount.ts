@@ -1,11 +1,11 @@
 /** The pair's part of the page: makes its parts and wires them together. */
-import './style/view.css';
+import './style/pair.css';
+import type { Taker } from '../shared/files/drop';
 import { byId } from '../shared/panel/dom';
 import { mountTabs, showTab } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
-import { mountDrop } from './files/drop';
-import { Files } from './files/open';
+import { Files, takerOf } from './files/open';
 import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
@@ -22,13 +22,14 @@ import { mountStatistics } from './panel/statistics';
 import { mountStatus } from './panel/status';
 import { mountToolbar } from './panel/toolbar';
 import { Store } from './state/store';
-import { Input } from './view/input';
+import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
 import { View } from './view/view';
 
 export interface Pair {
   store: Store;
   engine: Engine;
+  taker: Taker;
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   attempt: (action: () => void | Promise<void>) => Promise<void>;
 }
@@ -47,7 +48,7 @@ export function mountPair(): Pair {
     }
   };
 
-  new Input(view, store, navigator);
+  mountInput(view, store, navigator);
   for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
   mountToolbar(byId('toolbar'), store, navigator);
   const pick = pickerOf(files);
@@ -67,7 +68,6 @@ export function mountPair(): Pair {
   mountStatistics(byId('panel-matches'), store, (side, index) => { navigator.select({ side, index }); });
   mountSimulate(byId('panel-simulate'), store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
   mountAnnouncements(byId('announce'), store);
-  mountDrop(view, files);
   mountStatus(store, {
     cancel: () => { engine.cancel(); },
     run: () => { store.dispatch({ type: 'resume' }); },
@@ -77,5 +77,5 @@ export function mountPair(): Pair {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');
   });
-  return { store, engine, attempt };
+  return { store, engine, attempt, taker: takerOf(view, files) };
 }

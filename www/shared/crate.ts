@@ -5,7 +5,7 @@ import {
 import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
 
 export type {
-  Camera, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
+  CameraMm, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
   FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, NearestPiece, OffsetField, PairInput, PairInterior,
   PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Weakness,
   WindowReport,

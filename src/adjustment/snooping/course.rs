@@ -3,15 +3,16 @@
 use crate::Error;
 use crate::adjustment::block::Block;
 use crate::adjustment::check::check_network;
-use crate::adjustment::collinearity::CAMERA_PARAMETERS;
-use crate::adjustment::datum::{Weighted, moved_to_observed, observed};
+use crate::adjustment::datum::moved_to_observed;
 use crate::adjustment::network::Network;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::precision::Orientations;
 use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::solution::Factored;
 use crate::adjustment::sparse::Pattern;
-use crate::adjustment::state::{State, free_of};
+use crate::adjustment::state::State;
+use crate::adjustment::weighted::{Weighted, observed};
+use crate::camera::CAMERA_PARAMETERS;
 use std::rc::Rc;
 
 /// What changes from round to round.
@@ -21,7 +22,7 @@ pub(super) struct Course<'a> {
     pub verdicts: Vec<ObservationVerdict>,
     pub free: Vec<[bool; CAMERA_PARAMETERS]>,
     pub fixed: Vec<Vec<FixedParameter>>,
-    /// Whether the GPS position of each image takes part.
+    /// Whether the GNSS position of each image takes part.
     pub placed: Vec<bool>,
     /// Those that agreed at the start, and whether all these are kept: too many were refused since.
     pub agreed: Vec<bool>,
@@ -50,7 +51,7 @@ impl<'a> Course<'a> {
             block,
             options,
             verdicts: Vec::new(),
-            free: block.cameras.iter().map(free_of).collect(),
+            free: block.cameras.iter().map(|camera| camera.free.flags()).collect(),
             fixed: vec![Vec::new(); block.cameras.len()],
             placed: vec![true; block.images.len()],
             agreed: vec![true; block.images.len()],
@@ -104,8 +105,8 @@ impl<'a> Course<'a> {
 
     /// The observed positions of images and points that take part.
     pub fn observed(&self, weighted_by: f64) -> (Vec<Option<Weighted>>, Vec<Option<Weighted>>) {
-        let (mut gps, control) = observed(self.block, self.options.datum, weighted_by);
-        gps.iter_mut().zip(&self.placed).filter(|(_, placed)| !**placed).for_each(|(prior, _)| *prior = None);
-        (gps, control)
+        let (mut gnss, control) = observed(self.block, self.options.datum, weighted_by);
+        gnss.iter_mut().zip(&self.placed).filter(|(_, placed)| !**placed).for_each(|(prior, _)| *prior = None);
+        (gnss, control)
     }
 }

@@ -21,11 +21,11 @@ impl Course<'_> {
             return Ok(());
         }
         let network = self.network()?;
-        let (gps, control) = self.observed(self.weighted_by());
+        let (gnss, control) = self.observed(self.weighted_by());
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
-            let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
+            let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &[] };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
             let found = self.worse_than(&problem, limit, self.weighted_by())?;
             if found.is_empty() {

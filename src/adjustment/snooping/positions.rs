@@ -1,12 +1,12 @@
-//! Data snooping of GPS positions: which lie too far from where all other observations have their images.
+//! Data snooping of GNSS positions: which lie too far from where all other observations have their images.
 
 use super::course::Course;
 use super::rays::FREE_ROUNDS;
 use crate::adjustment::adjustment::LEAST_SIGMA_PX;
-use crate::adjustment::datum::{Weighted, observed};
 use crate::adjustment::reliability::of_position;
 use crate::adjustment::result::PriorStatistics;
 use crate::adjustment::statistics::Statistics;
+use crate::adjustment::weighted::{Weighted, observed};
 use crate::math::{median, normal_median_within};
 
 /// Positions, surveyed points included, that have to be left: fewer do not tell which of them is wrong.
@@ -18,18 +18,18 @@ const NEAR_WORST: f64 = 0.7;
 const MANY_WRONG: f64 = 0.15;
 
 impl Course<'_> {
-    /// Refuses GPS positions that lie too far off and takes back those that no longer do; whether there were any.
+    /// Refuses GNSS positions that lie too far off and takes back those that no longer do; whether there were any.
     pub fn snoop_positions(&mut self, statistics: &Statistics, weighted_by: f64, calm_rounds: usize) -> bool {
         if self.keeps_agreed {
             return false;
         }
-        let (gps, control) = observed(self.block, self.options.datum, weighted_by);
+        let (gnss, control) = observed(self.block, self.options.datum, weighted_by);
         let sigma = self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX);
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
             let at = &self.state.images[image].position;
             prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), sigma, self.placed[image]))
         };
-        let judged: Vec<_> = gps.iter().enumerate().map(judge).collect();
+        let judged: Vec<_> = gnss.iter().enumerate().map(judge).collect();
         let surveyed = control.iter().flatten().count();
         let now = placed_now(&judged, &self.placed, surveyed, self.options.limit(), calm_rounds < FREE_ROUNDS);
         // A block that contradicts many positions is wrong itself, in cameras that it does not determine say.

@@ -2,7 +2,6 @@
 
 use super::course::Course;
 use crate::adjustment::adjustment::{Adjusted, LEAST_SIGMA_PX};
-use crate::adjustment::collinearity::in_photo;
 use crate::adjustment::loss::Robust;
 use crate::adjustment::options::Loss;
 use crate::adjustment::reduced::Problem;
@@ -24,7 +23,7 @@ impl Course<'_> {
     /// The verdict on a ray by the place of its point alone.
     pub fn in_front(&self, ray: usize) -> ObservationVerdict {
         let ray = &self.block.rays[ray];
-        let [_, _, w] = in_photo(&self.state.images[ray.image], &self.state.points[ray.point]);
+        let [_, _, w] = self.state.images[ray.image].to_photo(&self.state.points[ray.point]);
         if w < 0.0 { ObservationVerdict::Accepted } else { ObservationVerdict::Behind }
     }
 

@@ -26,7 +26,7 @@ const SETTLED_SIGMA: f64 = 0.02;
 
 /// What may go on changing.
 const RAYS: &str = "the rejection of gross errors";
-const POSITIONS: &str = "the rejection of GPS positions";
+const POSITIONS: &str = "the rejection of GNSS positions";
 const WEIGHTS: &str = "the weight of the observed positions";
 
 /// A settled adjustment.
@@ -37,7 +37,7 @@ pub(in crate::adjustment) struct Settled {
     pub columns: Columns,
     pub fixed: Vec<Vec<FixedParameter>>,
     pub redundancy: usize,
-    /// Whether the GPS position of each image took part, where it has one.
+    /// Whether the GNSS position of each image took part, where it has one.
     pub placed: Vec<bool>,
     /// Standard error of a coordinate of weight 1 that the observed positions were weighted by.
     pub weighted_by: f64,
@@ -121,9 +121,9 @@ impl<'a> Course<'a> {
         let network = self.network()?;
         let columns = Columns::new(&self.free);
         let weighted_by = self.weighted_by();
-        let (gps, control) = self.observed(weighted_by);
+        let (gnss, control) = self.observed(weighted_by);
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
-        let problem = Problem { network: &network, columns: &columns, gps: &gps, control: &control, held, known: &[] };
+        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &[] };
         let adjusted = self.adjusted(&problem, loss)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
         for check in Self::CHECKS {

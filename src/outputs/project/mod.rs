@@ -136,8 +136,8 @@ fn same(what: &'static str, got: usize, wanted: usize) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::formats::tiny_block;
     use crate::math::Random;
+    use crate::model::tiny_block;
     use crate::{BlockOptions, Connection, PairOutcome, PairRule, SelectOptions};
 
     /// A block as version 1 held it.

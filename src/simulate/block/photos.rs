@@ -10,7 +10,7 @@ use crate::simulate::render::render;
 use crate::simulate::scene::{Exposure as Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
-use crate::{BlockModel, Error, GeographicOrigin, GreyImage, ModelCamera, ModelImage, ModelPose, geographic_from_local};
+use crate::{BlockModel, Camera, Error, GeographicOrigin, GreyImage, ModelImage, Pose, geographic_from_local};
 
 /// The scene below a block, ready to be photographed.
 ///
@@ -96,22 +96,11 @@ impl BlockScene {
         let BlockFlight { width_px, height_px, pixel_mm, .. } = self.flight;
         let cameras = self.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
         let focal_px = |camera: u32| self.exposures.iter().find(|e| e.camera == camera).map_or(1.0, |e| e.focal_px);
-        let camera = |number: u32| ModelCamera {
-            width_px,
-            height_px,
-            focal_px: focal_px(number),
-            principal_point_px: [0.5 * f64::from(width_px), 0.5 * f64::from(height_px)],
-            radial: [0.0; 3],
-            tangential: [0.0; 2],
-            pixel_mm: Some(pixel_mm),
-        };
+        let camera = |number: u32| Camera { pixel_mm: Some(pixel_mm), ..Camera::without_distortion(width_px, height_px, focal_px(number)) };
         let image = |(index, exposure): (usize, &Exposure)| ModelImage {
             name: Self::name(index),
             camera: exposure.camera as usize,
-            pose: Some(ModelPose {
-                rotation: std::array::from_fn(|i| std::array::from_fn(|j| exposure.rotation[(i, j)])),
-                position: exposure.centre,
-            }),
+            pose: Some(Pose::new(&exposure.rotation, exposure.centre)),
         };
         let [longitude_deg, latitude_deg, height_m] = PLACE;
         BlockModel {

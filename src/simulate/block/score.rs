@@ -1,8 +1,8 @@
 //! The score of an oriented block by the truth of its photos.
 
 use super::super::score::RIGHT_WITHIN_PX;
-use crate::formats::{BlockModel, ModelCamera, ModelPose, ModelRay};
-use crate::{Error, Similarity};
+use crate::camera::matrix;
+use crate::{BlockModel, Camera, Error, ImageObservation, Pose, Similarity};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -30,8 +30,8 @@ pub struct BlockScore {
 
 /// A true image.
 struct TrueImage<'a> {
-    camera: &'a ModelCamera,
-    pose: &'a ModelPose,
+    camera: &'a Camera,
+    pose: &'a Pose,
 }
 
 /// Scores a block by a truth whose images have the same names; its cameras have no distortion.
@@ -47,12 +47,12 @@ pub fn score_block(model: &BlockModel, truth: &BlockModel) -> Result<BlockScore,
     if images == 0 {
         return of_other_images();
     }
-    let poses: Vec<(&ModelPose, &ModelPose)> =
+    let poses: Vec<(&Pose, &Pose)> =
         model.images.iter().zip(&of_images).filter_map(|(image, known)| Some((image.pose.as_ref()?, known.as_ref()?.pose))).collect();
     let centres: Vec<([f64; 3], [f64; 3])> = poses.iter().map(|(own, known)| (own.position, known.position)).collect();
     let fit = if centres.len() < 3 { None } else { Similarity::between(&centres) };
     let (points, right): (usize, Vec<Vec<f64>>) = {
-        let of_truth = |ray: &ModelRay| Some((of_images.get(ray.image).copied().flatten()?, [ray.x_px, ray.y_px]));
+        let of_truth = |ray: &ImageObservation| Some((of_images.get(ray.image).copied().flatten()?, [ray.x_px, ray.y_px]));
         let rays = model.points.iter().map(|point| point.rays.iter().filter_map(of_truth).collect::<Vec<_>>());
         let scored: Vec<Vec<f64>> = rays.filter(|rays| rays.len() >= 2).map(|rays| distances(&rays)).collect();
         (scored.len(), scored.into_iter().filter(|all| all.iter().all(|d| *d <= RIGHT_WITHIN_PX)).collect())
@@ -100,14 +100,10 @@ fn refused<T>(got: String, allowed: &str) -> Result<T, Error> {
     Err(Error::InvalidInput { what: "truth of the block", got, allowed: allowed.into() })
 }
 
-fn matrix(rotation: &[[f64; 3]; 3]) -> Matrix3<f64> {
-    Matrix3::from_fn(|i, j| rotation[i][j])
-}
-
 /// The angle between the axes of an image, moved with the block, and the true ones.
-fn angle_deg(own: &ModelPose, known: &ModelPose, fit: &Similarity) -> f64 {
-    let moved = matrix(&own.rotation) * matrix(&fit.rotation).transpose();
-    let turn = moved * matrix(&known.rotation).transpose();
+fn angle_deg(own: &Pose, known: &Pose, fit: &Similarity) -> f64 {
+    let moved = own.matrix() * matrix(&fit.rotation).transpose();
+    let turn = moved * known.matrix().transpose();
     // The sine is exact for small angles, where the cosine is not.
     let twice = Vector3::new(turn[(2, 1)] - turn[(1, 2)], turn[(0, 2)] - turn[(2, 0)], turn[(1, 0)] - turn[(0, 1)]).norm();
     libm::atan2(twice, turn.trace() - 1.0).to_degrees()
@@ -119,14 +115,14 @@ fn distances(rays: &[(&TrueImage<'_>, [f64; 2])]) -> Vec<f64> {
     for (TrueImage { camera, pose }, [x, y]) in rays {
         let [cx, cy] = camera.principal_point_px;
         let photo = Vector3::new(x - cx, cy - y, -camera.focal_px);
-        let along = (matrix(&pose.rotation).transpose() * photo).normalize();
+        let along = (pose.matrix().transpose() * photo).normalize();
         let across = Matrix3::identity() - along * along.transpose();
         normal += across;
         right += across * Vector3::from(pose.position);
     }
     let Some(place) = normal.try_inverse().map(|inverse| inverse * right) else { return vec![f64::INFINITY; rays.len()] };
     let distance = |(TrueImage { camera, pose }, [x, y]): &(&TrueImage<'_>, [f64; 2])| {
-        let seen = matrix(&pose.rotation) * (place - Vector3::from(pose.position));
+        let seen = pose.matrix() * (place - Vector3::from(pose.position));
         let [cx, cy] = camera.principal_point_px;
         let scale = -camera.focal_px / seen.z;
         let [dx, dy] = [cx + scale * seen.x - x, cy - scale * seen.y - y];
@@ -143,7 +139,7 @@ fn root_mean_square(values: impl Iterator<Item = f64>) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{BlockFlight, BlockScene, ModelPoint, rotation_from_angles};
+    use crate::{BlockFlight, BlockScene, ObjectPoint, rotation_from_angles};
 
     fn truth() -> BlockModel {
         let flight = BlockFlight {
@@ -159,19 +155,19 @@ mod tests {
     }
 
     /// Rays to a place from all images that see it.
-    fn point(truth: &BlockModel, place: [f64; 3]) -> ModelPoint {
+    fn point(truth: &BlockModel, place: [f64; 3]) -> ObjectPoint {
         let ray = |(image, known): (usize, &crate::ModelImage)| {
             let (camera, pose) = (&truth.cameras[known.camera], known.pose.unwrap());
-            let seen = matrix(&pose.rotation) * (Vector3::from(place) - Vector3::from(pose.position));
+            let seen = pose.matrix() * (Vector3::from(place) - Vector3::from(pose.position));
             let at = [
                 camera.principal_point_px[0] - camera.focal_px * seen.x / seen.z,
                 camera.principal_point_px[1] + camera.focal_px * seen.y / seen.z,
             ];
             let inside = (0.0..400.0).contains(&at[0]) && (0.0..300.0).contains(&at[1]);
-            inside.then_some(ModelRay { image, x_px: at[0], y_px: at[1], confidence: 1.0 })
+            inside.then_some(ImageObservation { image, x_px: at[0], y_px: at[1], confidence: 1.0 })
         };
         let rays = truth.images.iter().enumerate().filter_map(ray).collect();
-        ModelPoint { position: None, colour: [0; 3], rmse_px: None, confidence: 1.0, rays }
+        ObjectPoint { position: None, colour: [0; 3], rmse_px: None, confidence: 1.0, rays }
     }
 
     #[test]
@@ -185,8 +181,8 @@ mod tests {
         for image in &mut own.images {
             let pose = image.pose.as_mut().unwrap();
             let moved = turn * Vector3::from(pose.position) * 0.5 + Vector3::new(7.0, 8.0, 9.0);
-            let rotation = matrix(&pose.rotation) * turn.transpose();
-            *pose = ModelPose { rotation: std::array::from_fn(|i| std::array::from_fn(|j| rotation[(i, j)])), position: moved.into() };
+            let rotation = pose.matrix() * turn.transpose();
+            *pose = Pose::new(&rotation, moved.into());
         }
         let score = score_block(&own, &known).unwrap();
         assert_eq!((score.images, score.oriented, score.points, score.right_points), (6, 6, 2, 2));

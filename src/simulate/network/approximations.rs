@@ -1,11 +1,9 @@
-//! What is known of a simulated block before its adjustment: control points, GPS positions, approximate values.
+//! What is known of a simulated block before its adjustment: control points, GNSS positions, approximate values.
 
 use super::flight::NetworkFlight;
-use super::orientations::rows;
 use crate::camera::rotation_from_angles;
 use crate::simulate::random::{Random, Stream};
-use crate::{Block, ControlPoint, PositionPrior};
-use nalgebra::Matrix3;
+use crate::{Block, ControlPoint, Pose, PositionPrior};
 
 /// Makes control points of those that most images see, far from each other: the first, then always the one farthest from all so far.
 pub(super) fn add_control(flight: &NetworkFlight, truth: &mut Block) {
@@ -15,10 +13,10 @@ pub(super) fn add_control(flight: &NetworkFlight, truth: &mut Block) {
     let mut nearest = vec![f64::INFINITY; candidates.len()];
     for _ in 0..flight.control_points.min(candidates.len()) {
         let Some(best) = (0..candidates.len()).max_by(|a, b| nearest[*a].total_cmp(&nearest[*b]).then(b.cmp(a))) else { return };
-        let position = truth.points[candidates[best]].position;
+        let position = truth.points[candidates[best]];
         truth.control.push(ControlPoint { point: candidates[best], position, sigma: [flight.control_sigma_m; 3] });
         for (distance, candidate) in nearest.iter_mut().zip(&candidates) {
-            let other = truth.points[*candidate].position;
+            let other = truth.points[*candidate];
             *distance = distance.min((0..3).map(|k| (other[k] - position[k]) * (other[k] - position[k])).sum());
         }
     }
@@ -34,16 +32,17 @@ pub(super) fn approximate(flight: &NetworkFlight, truth: &Block) -> Block {
     let moved = |position: [f64; 3], by: [f64; 3]| [0, 1, 2].map(|k| position[k] + by[k]);
     let mut block = truth.clone();
     for image in &mut block.images {
-        if flight.gps_sigma_m > 0.0 {
-            image.gps =
-                Some(PositionPrior { position: moved(image.position, errors(flight.gps_sigma_m)), sigma: [Some(flight.gps_sigma_m); 3] });
+        if flight.gnss_sigma_m > 0.0 {
+            image.gnss = Some(PositionPrior {
+                position: moved(image.pose.position, errors(flight.gnss_sigma_m)),
+                sigma: [Some(flight.gnss_sigma_m); 3],
+            });
         }
-        image.position = moved(image.position, errors(flight.approximate_m));
+        let position = moved(image.pose.position, errors(flight.approximate_m));
         let [a, b, c] = errors(flight.approximate_m / flight.flying_height_m);
-        let rotation = Matrix3::from_fn(|r, c| image.rotation[r][c]) * rotation_from_angles(a, b, c);
-        image.rotation = rows(&rotation);
+        image.pose = Pose::new(&(image.pose.matrix() * rotation_from_angles(a, b, c)), position);
     }
-    block.points.iter_mut().for_each(|point| point.position = moved(point.position, errors(flight.approximate_m)));
+    block.points.iter_mut().for_each(|point| *point = moved(*point, errors(flight.approximate_m)));
     block.control.iter_mut().for_each(|control| control.position = moved(control.position, errors(flight.control_sigma_m)));
     block
 }

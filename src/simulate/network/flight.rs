@@ -47,8 +47,8 @@ pub struct NetworkFlight {
     /// Share of the rays that are gross errors, up to `gross_px` in each coordinate.
     pub gross_share: f64,
     pub gross_px: f64,
-    /// Standard deviation of a GPS coordinate; 0: no GPS.
-    pub gps_sigma_m: f64,
+    /// Standard deviation of a GNSS coordinate; 0: no GNSS.
+    pub gnss_sigma_m: f64,
     /// Control points, spread over the block, with `control_sigma_m`.
     pub control_points: usize,
     pub control_sigma_m: f64,
@@ -77,7 +77,7 @@ impl Default for NetworkFlight {
             noise_px: 0.4,
             gross_share: 0.0,
             gross_px: 60.0,
-            gps_sigma_m: 0.0,
+            gnss_sigma_m: 0.0,
             control_points: 0,
             control_sigma_m: 0.02,
             approximate_m: 0.5,

@@ -1,6 +1,6 @@
 //! A simulated network of rays: rays of points over a made relief, of which everything is known; no pixels.
 //!
-//! It is for the bundle adjustment: it gives what that takes, joined rays of distorted cameras with gross errors, approximate values, GPS
+//! It is for the bundle adjustment: it gives what that takes, joined rays of distorted cameras with gross errors, approximate values, GNSS
 //! positions and control points, and the noise of each can be chosen. What comes before, features, matches and photos, is simulated in `block`.
 //!
 //! Data flow: [`NetworkFlight`] → `orientations` → `rays` (points, observed rays) → `approximations` (what is known before) →
@@ -21,7 +21,7 @@ use rays::observe;
 /// A simulated block with its truth.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SimulatedNetwork {
-    /// Approximate values, observed rays, GPS positions and control points.
+    /// Approximate values, observed rays, GNSS positions and control points.
     pub observed: Block,
     /// True values; the rays as they are observed.
     pub truth: Block,
@@ -56,7 +56,7 @@ mod tests {
         assert_eq!(block.images.len(), 30);
         let mean = block.rays.len() as f64 / block.points.len() as f64;
         assert!(block.points.len() > 300 && mean > 4.0, "{} points, {mean} rays each", block.points.len());
-        let sideways = |image: &BlockImage| image.rotation[2][2];
+        let sideways = |image: &BlockImage| image.pose.rotation[2][2];
         assert!(block.images.iter().all(|image| sideways(image) > 0.99));
         assert_eq!(simulated, simulate_network(&NetworkFlight::default()).unwrap());
     }
@@ -69,7 +69,7 @@ mod tests {
         for camera in 1..5 {
             let image = block.images.iter().find(|image| image.camera == camera).unwrap();
             // The viewing direction is -z of the photo: minus the third row of M.
-            assert!((image.rotation[2][2] - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.1);
+            assert!((image.pose.rotation[2][2] - std::f64::consts::FRAC_1_SQRT_2).abs() < 0.1);
             assert!(block.rays.iter().any(|ray| block.images[ray.image].camera == camera));
         }
     }

@@ -4,8 +4,7 @@ use super::flight::{NetworkFlight, NetworkKind};
 use crate::camera::rotation_from_angles;
 use crate::simulate::mounting::{Mounting, NADIR_MM, five, nadir};
 use crate::simulate::random::Random;
-use crate::{BlockCamera, BlockImage, FreeParameters};
-use nalgebra::Matrix3;
+use crate::{BlockImage, Camera, Pose};
 
 impl NetworkFlight {
     /// Distances of stations along and across the strips.
@@ -14,13 +13,12 @@ impl NetworkFlight {
         ((1.0 - self.end_lap) * self.height_px as f64 * ground, (1.0 - self.side_lap) * self.width_px as f64 * ground)
     }
 
-    pub(super) fn cameras(&self) -> Vec<BlockCamera> {
-        let camera = |focal_px: f64| BlockCamera {
-            focal_px,
+    pub(super) fn cameras(&self) -> Vec<Camera> {
+        let camera = |focal_px: f64| Camera {
             principal_point_px: [0.5 * self.width_px as f64 + 3.0, 0.5 * self.height_px as f64 - 5.0],
             radial: self.radial,
             tangential: self.tangential,
-            free: FreeParameters::default(),
+            ..Camera::without_distortion(self.width_px as u32, self.height_px as u32, focal_px)
         };
         self.mountings().iter().map(|mounting| camera(mounting.focal_mm / NADIR_MM * self.focal_px)).collect()
     }
@@ -41,7 +39,7 @@ impl NetworkFlight {
                 let heading = heading + random.normal_pair().x * 0.05;
                 for (camera, mounting) in self.mountings().into_iter().enumerate() {
                     let rotation = mounting.rotation * rotation_from_angles(tilts.x, tilts.y, heading - std::f64::consts::FRAC_PI_2);
-                    images.push(BlockImage { camera, rotation: rows(&rotation), position, gps: None });
+                    images.push(BlockImage { camera, pose: Pose::new(&rotation, position), gnss: None });
                 }
             }
         };
@@ -65,9 +63,4 @@ impl NetworkFlight {
     fn mountings(&self) -> Vec<Mounting> {
         if self.kind == NetworkKind::Oblique { five().to_vec() } else { vec![nadir()] }
     }
-}
-
-/// Rows of a matrix.
-pub(super) fn rows(m: &Matrix3<f64>) -> [[f64; 3]; 3] {
-    [0, 1, 2].map(|r| [0, 1, 2].map(|c| m[(r, c)]))
 }

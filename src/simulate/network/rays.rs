@@ -2,11 +2,11 @@
 
 use super::flight::{NetworkFlight, NetworkKind};
 use crate::simulate::random::{Random, Stream};
-use crate::{Block, BlockImage, BlockObservation, BlockPoint};
+use crate::{Block, BlockImage, BlockObservation};
 
 impl NetworkFlight {
     /// Ground points over the block and what its margins show, as many for each image's area as asked.
-    pub(super) fn points(&self, random: &mut Random) -> Vec<BlockPoint> {
+    pub(super) fn points(&self, random: &mut Random) -> Vec<[f64; 3]> {
         let (along, across) = self.spacing();
         let ground = self.flying_height_m / self.focal_px;
         let frame = [self.height_px as f64 * ground, self.width_px as f64 * ground];
@@ -20,7 +20,7 @@ impl NetworkFlight {
             let (x, y) = (random.between(-0.5, 0.5) * extent[0], random.between(-0.5, 0.5) * extent[1]);
             let waves = libm::sin(x * scale + phase[0]) + libm::cos(y * scale + phase[1]);
             let z = self.relief_m * (0.25 * waves + random.between(-0.25, 0.25));
-            BlockPoint { position: [x, y, z] }
+            [x, y, z]
         };
         (0..number).map(|_| point()).collect()
     }
@@ -34,7 +34,7 @@ pub(super) fn observe(flight: &NetworkFlight, truth: &mut Block) -> Vec<usize> {
     let mut kept = Vec::new();
     for point in std::mem::take(&mut truth.points) {
         let seen: Vec<(usize, [f64; 2])> =
-            reach.images_near(&point.position).filter_map(|image| Some((image, seen_at(flight, truth, image, &point.position)?))).collect();
+            reach.images_near(&point).filter_map(|image| Some((image, seen_at(flight, truth, image, &point)?))).collect();
         if seen.len() < 2 {
             continue;
         }
@@ -54,9 +54,8 @@ pub(super) fn observe(flight: &NetworkFlight, truth: &mut Block) -> Vec<usize> {
 
 /// Where an image sees a point, if it does.
 fn seen_at(flight: &NetworkFlight, truth: &Block, image: usize, point: &[f64; 3]) -> Option<[f64; 2]> {
-    let BlockImage { camera, rotation, position, .. } = &truth.images[image];
-    let d = [0, 1, 2].map(|k| point[k] - position[k]);
-    let [u, v, w] = rotation.map(|row| row[0] * d[0] + row[1] * d[1] + row[2] * d[2]);
+    let BlockImage { camera, pose, .. } = &truth.images[image];
+    let [u, v, w] = pose.to_photo(point);
     let camera = &truth.cameras[*camera];
     let (x, y) = (u / -w, v / w);
     let r2 = x * x + y * y;
@@ -81,12 +80,12 @@ impl Reach {
         // Twice the height covers oblique views; a nadir view reaches as far as its corner.
         let diagonal = libm::hypot(flight.width_px as f64, flight.height_px as f64) / flight.focal_px;
         let cell_m = flight.flying_height_m * if flight.kind == NetworkKind::Oblique { 4.0 + diagonal } else { 1.0 * diagonal };
-        let bound = |k: usize, start: f64, pick: fn(f64, f64) -> f64| truth.images.iter().map(|i| i.position[k]).fold(start, pick);
+        let bound = |k: usize, start: f64, pick: fn(f64, f64) -> f64| truth.images.iter().map(|i| i.pose.position[k]).fold(start, pick);
         let origin = [0, 1].map(|k| bound(k, f64::INFINITY, f64::min));
         let size = [0, 1].map(|k| ((bound(k, f64::NEG_INFINITY, f64::max) - origin[k]) / cell_m) as usize + 1);
         let mut cells = vec![Vec::new(); size[0] * size[1]];
         for (index, image) in truth.images.iter().enumerate() {
-            let [c, r] = [0, 1].map(|k| ((image.position[k] - origin[k]) / cell_m) as usize);
+            let [c, r] = [0, 1].map(|k| ((image.pose.position[k] - origin[k]) / cell_m) as usize);
             cells[r * size[0] + c].push(index);
         }
         Self { cell_m, origin, columns: size[0], cells }

@@ -3,7 +3,7 @@
 use super::pure_rotation;
 use crate::Error;
 use crate::math::{Candidate, Problem, consensus};
-use crate::orientation::{Field, Pose, Poses, square_distance};
+use crate::orientation::{Field, Poses, RelativePose, square_distance};
 use crate::two_view::frame::rows;
 use crate::two_view::homography::Homographies;
 use crate::two_view::matches::{Found, Matches};
@@ -34,7 +34,7 @@ pub fn search(matches: &Matches) -> Result<TwoView, Error> {
 }
 
 /// The pose near one that other matches gave.
-pub fn from_known(matches: &Matches, pose: &Pose, known: &TwoView) -> Result<TwoView, Error> {
+pub fn from_known(matches: &Matches, pose: &RelativePose, known: &TwoView) -> Result<TwoView, Error> {
     let (field, scale) = (matches.field(), matches.scale());
     // Of few first matches the pose may be off by more than the threshold: those that do not agree with it yet draw it, too.
     let start = Candidate { model: *pose, scale: 0.5 * matches.limits.largest_threshold };
@@ -44,15 +44,15 @@ pub fn from_known(matches: &Matches, pose: &Pose, known: &TwoView) -> Result<Two
     Ok(TwoView { degenerate: known.degenerate, homography: known.homography, focal: known.focal, ..result(matches, found) })
 }
 
-pub fn result(matches: &Matches, found: Found<Pose>) -> TwoView {
-    let Pose { rotation, base } = found.model;
+pub fn result(matches: &Matches, found: Found<RelativePose>) -> TwoView {
+    let RelativePose { rotation, base } = found.model;
     let fundamental = rows(&matches.frame.fundamental_px(&found.model.essential()));
     let model = TwoViewModel::Calibrated { fundamental, rotation: rows(&rotation), base: [base.x, base.y, base.z] };
     matches.result(model, found)
 }
 
 /// A pose with what the plane of its points says, where they lie in one. `inner`: the matches that agree with it.
-fn over_plane_or_relief(matches: &Matches, inner: &Field, found: Found<Pose>) -> TwoView {
+fn over_plane_or_relief(matches: &Matches, inner: &Field, found: Found<RelativePose>) -> TwoView {
     let homographies = Homographies { field: inner, limits: matches.limits };
     let plane = consensus(&homographies, None, &matches.search(NEARLY_ALL_SAMPLES)).map(|plane| plane.model);
     let Some(plane) = plane.filter(|plane| matches.explains(plane, &found)) else { return result(matches, found) };
@@ -67,7 +67,7 @@ fn over_plane_or_relief(matches: &Matches, inner: &Field, found: Found<Pose>) ->
 }
 
 /// A pose refined by the matches that agree with it alone, these in front of both cameras.
-pub fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
+pub fn polished(matches: &Matches, pose: RelativePose) -> Found<RelativePose> {
     let scale = matches.scale();
     let mut found = agreeing_with_pose(matches, pose);
     for _ in 0..POLISHINGS {
@@ -81,10 +81,10 @@ pub fn polished(matches: &Matches, pose: Pose) -> Found<Pose> {
 }
 
 /// Over a plane two poses fit: the one with more matches, or of equal ones that with the optical axes nearer to parallel.
-fn best_over_plane(matches: &Matches, found: Found<Pose>, homography: &Matrix3<f64>) -> Found<Pose> {
+fn best_over_plane(matches: &Matches, found: Found<RelativePose>, homography: &Matrix3<f64>) -> Found<RelativePose> {
     // A pose with the base reversed differs by what lies in front of it; the one nearer to what was found would be found again.
-    let seen = |pose: &Pose| found.inliers.iter().filter(|k| pose.in_front(&matches.rays[**k], 0.0)).count();
-    let apart = |pose: &Pose| 1.0 - (found.model.rotation.transpose() * pose.rotation).trace();
+    let seen = |pose: &RelativePose| found.inliers.iter().filter(|k| pose.in_front(&matches.rays[**k], 0.0)).count();
+    let apart = |pose: &RelativePose| 1.0 - (found.model.rotation.transpose() * pose.rotation).trace();
     let poses = poses_of_plane(homography);
     let facing = poses.chunks_exact(2).map(|pair| if seen(&pair[1]) > seen(&pair[0]) { pair[1] } else { pair[0] });
     let other = facing.reduce(|a, b| if apart(&b) > apart(&a) { b } else { a });
@@ -92,12 +92,12 @@ fn best_over_plane(matches: &Matches, found: Found<Pose>, homography: &Matrix3<f
     all.extend(other.map(|pose| polished(matches, pose)));
     let most = all.iter().map(|found| found.inliers.len()).max().unwrap_or(0);
     let enough = most - most / AS_MANY;
-    let parallel = |found: &Found<Pose>| found.model.rotation[(2, 2)];
+    let parallel = |found: &Found<RelativePose>| found.model.rotation[(2, 2)];
     let best = all.into_iter().filter(|found| found.inliers.len() >= enough).reduce(|a, b| if parallel(&b) > parallel(&a) { b } else { a });
     best.expect("the one with most matches is among them")
 }
 
-fn agreeing_with_pose(matches: &Matches, pose: Pose) -> Found<Pose> {
+fn agreeing_with_pose(matches: &Matches, pose: RelativePose) -> Found<RelativePose> {
     let essential = pose.essential();
     matches.agreeing(pose, Conditions::One, |ray| square_distance(&essential, *ray))
 }

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::math::{Candidate, Problem, consensus};
-use crate::orientation::{Field, Pose};
+use crate::orientation::{Field, RelativePose};
 use crate::two_view::frame::{Frame, rows};
 use crate::two_view::matches::{Found, Matches};
 use crate::two_view::result::{Degeneracy, TwoView, TwoViewModel};
@@ -16,7 +16,7 @@ use nalgebra::Matrix3;
 const SAME_MAP: f64 = 1e-9;
 
 /// The rotation that explains the matches which agree with a pose, at the given focal length or near it. `inner`: these matches.
-pub fn search(matches: &Matches, inner: &Field, found: &Found<Pose>) -> Option<TwoView> {
+pub fn search(matches: &Matches, inner: &Field, found: &Found<RelativePose>) -> Option<TwoView> {
     let rotations = Rotations { field: inner, limits: matches.limits };
     let turned = consensus(&rotations, None, &matches.search(NEARLY_ALL_SAMPLES))?.model;
     if matches.explains(&turned, found) {

@@ -25,7 +25,7 @@ function described(cv, name, file) {
   detector.detectAndCompute(image, mask, points, descriptors);
   const ms = performance.now() - start;
   const positions = Array.from({ length: points.size() }, (_, k) => points.get(k).pt).map(({ x, y }) => [x + 0.5, y + 0.5]);
-  [image, detector, points, mask].forEach((part) => part.delete());
+  for (const part of [image, detector, points, mask]) part.delete();
   return { positions, descriptors, ms };
 }
 
@@ -41,7 +41,7 @@ export async function byOpenCvJs(pairs) {
     const began = performance.now();
     const matches = cameras ? all : onPlane(cv, all);
     const geometry = performance.now() - began;
-    [left, right].forEach((side) => side.descriptors.delete());
+    for (const side of [left, right]) side.descriptors.delete();
     const seconds = { features: (left.ms + right.ms) / 1000, matching: matching / 1000, geometry: geometry / 1000 };
     return { case: name, a, b, matches, R: null, t: null, points: [left, right].map((side) => side.positions.length), seconds };
   });
@@ -61,7 +61,7 @@ function mutual(cv, left, right) {
     if (best && second && best.distance < 0.8 * second.distance && partner[best.trainIdx] === best.queryIdx) found.push([best.queryIdx, best.trainIdx]);
     of.delete();
   }
-  [matcher, two, back, mask].forEach((part) => part.delete());
+  for (const part of [matcher, two, back, mask]) part.delete();
   return found;
 }
 
@@ -72,6 +72,6 @@ function onPlane(cv, matches) {
   const [left, right, mask] = [side(0), side(2), new cv.Mat()];
   const homography = cv.findHomography(left, right, cv.USAC_MAGSAC, 1.0, mask, 2000, 0.9999);
   const kept = matches.filter((_, k) => mask.data[k]);
-  [left, right, mask, homography].forEach((part) => part.delete());
+  for (const part of [left, right, mask, homography]) part.delete();
   return kept;
 }

@@ -30,19 +30,19 @@ function completed(places: readonly (number[] | null)[], connections: readonly V
   const known = places.filter((place) => place !== null);
   const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
   const flat = new Float64Array(2 * places.length);
-  const sums = places.map(() => [0, 0, 0]);
+  const sums = places.map(() => ({ x: 0, y: 0, count: 0 }));
   for (const { images: [a, b], outcome } of connections) {
     if (outcome.kind !== 'connected') continue;
     for (const [of, from] of [[a, b], [b, a]] as const) {
       const [place, sum] = [places[from], sums[of]];
       if (place == null || sum === undefined) continue;
-      sum[0]! += place[0] ?? 0;
-      sum[1]! += place[1] ?? 0;
-      sum[2]! += 1;
+      sum.x += place[0] ?? 0;
+      sum.y += place[1] ?? 0;
+      sum.count += 1;
     }
   }
   places.forEach((place, i) => {
-    const [x = 0, y = 0, count = 0] = sums[i] ?? [];
+    const { x, y, count } = sums[i] ?? { x: 0, y: 0, count: 0 };
     flat.set(place ?? (count > 0 ? [x / count, y / count] : least), 2 * i);
   });
   return flat;

@@ -1,4 +1,5 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
+import type { FoundFile, Taker } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
 import { sentence } from '../../shared/text/format';
 import type { BlockFile } from '../state/state';
@@ -6,22 +7,23 @@ import type { BlockEngine, BlockStore } from '../engine/engine';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
 import type { GivenText } from '../state/given';
 
-/** A file with its path below the folder that was given; the path is empty for a file given by itself. */
-export interface FoundFile {
-  file: File;
-  path: string;
-}
-
 const IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 const PROJECT = /\.tiepoint$/iu;
 const CAMERAS = /\.json$/iu;
 
 let nextId = 1;
 
-const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Control points', marks: 'Marks of control points' };
+const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Ground control points', marks: 'Image measurements' };
 
 export class BlockFiles {
   constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
+
+  /** Takes what is dropped on the page while the block is shown. */
+  readonly taker: Taker = {
+    isActive: () => this.store.state.mode === 'block',
+    markAt: () => 'block',
+    take: (found) => { void this.take(found); },
+  };
 
   /** Adds images to the block; what a folder holds besides images is left aside. */
   async take(found: readonly FoundFile[]): Promise<void> {
@@ -39,7 +41,7 @@ export class BlockFiles {
   async simulate(): Promise<void> {
     const { flight } = this.store.state;
     if (flight === null) return;
-    this.say('busy', 'Building the town of the simulated block …');
+    this.say('busy', 'Building the synthetic scene …');
     try {
       const { files, truth } = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
@@ -70,7 +72,7 @@ export class BlockFiles {
     this.say('busy', `Reading ${file.name} …`);
     try {
       await this.engine.open(new Uint8Array(await file.arrayBuffer()));
-      this.say('info', `${file.name} was opened. Its images are not in the file: drop them too to look at pairs.`);
+      this.say('info', `${file.name} was opened. The file does not hold its images: drop them too to open pairs.`);
     } catch (error) {
       this.failed(`${file.name} cannot be opened`, error);
     }
@@ -89,8 +91,8 @@ export class BlockFiles {
     if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
     const notes = [
       `${images(sorted.length)} in the block.`,
-      twice > 0 ? `${images(twice)} left aside: of a name that is there already.` : '',
-      aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} left aside: no image by name.` : '',
+      twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : '',
+      aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} skipped: not an image by name.` : '',
       sorted.length >= 2 ? 'Press Run.' : 'A block needs two images or more.',
     ];
     this.say('info', notes.filter((note) => note !== '').join(' '));
@@ -102,7 +104,7 @@ export class BlockFiles {
 
   private failed(what: string, error: unknown): void {
     if (error instanceof Cancelled) this.say('info', 'Cancelled. Nothing was changed.');
-    else this.say('problem', `${what}: ${error instanceof Error ? error.message : String(error)}. What was there is kept.`);
+    else this.say('problem', `${what}: ${error instanceof Error ? error.message : String(error)}. The block is unchanged.`);
   }
 }
 

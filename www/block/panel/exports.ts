@@ -38,7 +38,7 @@ async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind):
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: `${name} was saved.` } });
   } catch (error) {
     if (error instanceof Cancelled) {
-      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is still there.' } });
+      store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is unchanged.' } });
       return;
     }
     const reason = error instanceof Error ? error.message : String(error);

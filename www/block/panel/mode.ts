@@ -13,7 +13,7 @@ export function mountMode(store: BlockStore, parts: Readonly<Record<Mode, readon
     for (const { mode: own, press } of buttons) press.setAttribute('aria-pressed', String(own === mode));
     for (const [own] of MODES) for (const part of parts[own]) part.hidden = own !== mode;
     document.querySelector('.skip')?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
-    document.body.dataset['mode'] = mode;
+    document.body.dataset.mode = mode;
   });
   return h('div', { class: 'mode', role: 'group', aria: { label: 'What is matched' } }, ...buttons.map(({ press }) => press));
 }

@@ -6,7 +6,7 @@ import type { BlockStore } from '../engine/engine';
 import type { Steps } from '../state/state';
 
 const STAGES: Readonly<Record<StageName, string>> = {
-  photos: 'Photos', images: 'Images: features', likeness: 'Likeness of images', pairs: 'Pairs: matches', points: 'Multi-ray points', windows: 'Windows of rays', refinement: 'Refinement', orientation: 'Orientation',
+  photos: 'Photos', images: 'Images: features', likeness: 'Similarity of images', pairs: 'Pairs: matches', points: 'Tie points', windows: 'Windows of observations', refinement: 'Refinement', orientation: 'Orientation',
 };
 
 /** Stages whose steps are parts of one computation, none that the user counts. */
@@ -36,11 +36,11 @@ function stage(name: StageName, step: Step): HTMLElement {
   return line(bar);
 }
 
-/** "7 of 12, 3 of them from before; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
+/** "7 of 12, 3 from an earlier run; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
 function stepText(stage: StageName, { done, total, found, seconds, secondsLeft, name }: Step): string {
   const goesOn = done < total;
   const parts = [
-    OF_ONE_PIECE.has(stage) ? '' : `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} of them from before` : ''}`,
+    OF_ONE_PIECE.has(stage) ? '' : `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} from an earlier run` : ''}`,
     `${duration(seconds)}${secondsLeft === undefined || !goesOn ? '' : `, about ${duration(secondsLeft)} left`}`,
     goesOn ? (name ?? '') : '',
   ];

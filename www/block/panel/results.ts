@@ -17,7 +17,7 @@ export function mountResults(host: HTMLElement, store: BlockStore): void {
   host.append(body);
   store.watch((s) => [s.shown, s.files, s.options] as const, ([shown]) => {
     body.classList.toggle('is-stale', isOutdated(store.state));
-    if (shown === null) fill(body, h('p', { class: 'note' }, 'No block yet. Drop images or a folder, or take the simulated block, then press Run.'));
+    if (shown === null) fill(body, h('p', { class: 'note' }, 'No block yet. Drop images or a folder, or simulate a block, then press Run.'));
     else fill(body, ...sectionsOf(shown.view));
   });
 }
@@ -26,14 +26,14 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
   if (view.partial) return [leftOut(view), section('So far', 'block-facts', facts(partialFacts(view))), section('Cameras', 'block-cameras', cameraTable(view))];
   return [
     leftOut(view),
-    strays('Masks of no image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
-    strays('Marks in images that are not here', 'block-stray-marks', view.strayMarks, 'not among the images that were read'),
+    strays('Masks without an image', 'block-stray-masks', view.strayMasks, 'no image has their name'),
+    strays('Image measurements without an image', 'block-stray-marks', view.strayMarks, 'not among the images read'),
     listOf('Remarks', 'block-remarks', view.remarks),
     section('Block', 'block-facts', facts(factsOf(view))),
     view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
     listOf('Weaknesses', 'block-weaknesses', view.weaknesses),
     notOriented(view),
-    section('Points by rays', 'block-by-rays', rayTable(view)),
+    section('Tie points by number of rays', 'block-by-rays', rayTable(view)),
     section('Cameras', 'block-cameras', cameraTable(view)),
   ];
 }
@@ -42,7 +42,7 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
 function partialFacts(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
   return [
-    { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are found.' },
+    { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are detected.' },
     { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry.' },
     { name: 'Matches', testid: 'block-matches', value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)), help: 'Verified matches of all connected pairs.' },
   ];
@@ -62,21 +62,21 @@ function factsOf(view: BlockView): Fact[] {
   const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
   const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
   return [
-    { name: 'Images oriented', testid: 'block-oriented', value: `${count(view.oriented)} of ${count(view.images.length)}`, help: 'Images with an exterior orientation: place and turn in the object space.' },
-    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry. The matrix tells of each pair why it is or is not connected.' },
-    { name: 'Groups', testid: 'block-groups', value: groupText(view), help: 'Images that are connected with each other directly or through others. Only within a group can images be oriented to each other.' },
+    { name: 'Images oriented', testid: 'block-oriented', value: `${count(view.oriented)} of ${count(view.images.length)}`, help: 'Images with an exterior orientation: position and attitude in object space.' },
+    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry. The matrix states for each pair why it is connected or not.' },
+    { name: 'Groups', testid: 'block-groups', value: groupText(view), help: 'Images that are connected directly or through others. Images are oriented to each other only within a group.' },
     { name: 'Matches', testid: 'block-matches', value: count(matches), help: 'Verified matches of all connected pairs.' },
-    ...(view.found === null ? [] : [{ name: 'Multi-ray points', testid: 'block-found', value: `${count(view.found.points)}, ${count(view.found.rays)} rays`, help: 'Matches of several pairs joined to points; few of them, well distributed, are chosen.' }]),
+    ...(view.found === null ? [] : [{ name: 'Tie points', testid: 'block-found', value: `${count(view.found.points)}, ${count(view.found.rays)} observations`, help: 'Points seen in two or more images. A well distributed selection of them is adjusted.' }]),
     ...(view.refinement === null ? [] : [refinementFact(view.refinement)]),
-    { name: 'Chosen points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} rays`, help: 'The points of the block, and how often the images see them.' },
-    { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted rays after the adjustment.' },
-    { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, by the adjustment.' },
+    { name: 'Selected tie points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} observations`, help: 'The tie points of the block and their image observations.' },
+    { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted observations after the adjustment.' },
+    { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, from the adjustment.' },
   ];
 }
 
-/** Why rays keep their places. */
+/** Why observations keep their positions. */
 const KEPT: Readonly<Record<Exclude<RefinementOutcome, 'reference' | 'refined'>, string>> = {
-  not_converged: 'did not settle', left_image: 'at the border', moved_too_far: 'too far', low_correlation: 'too unlike', no_texture: 'no texture', inconsistent: 'not the same both ways',
+  not_converged: 'did not converge', left_image: 'at the border', moved_too_far: 'moved too far', low_correlation: 'low correlation', no_texture: 'no texture', inconsistent: 'inconsistent',
 };
 
 function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
@@ -87,18 +87,18 @@ function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
     return number === 0 ? [] : [`${count(number)} ${words}`];
   });
   return {
-    name: 'Refined rays', testid: 'block-refined', value: `${count(refined)} of ${count(refined + others)}`,
-    help: `Rays moved by least squares matching to the reference rays of ${count(reference)} points. The others keep their places${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
+    name: 'Refined observations', testid: 'block-refined', value: `${count(refined)} of ${count(refined + others)}`,
+    help: `Observations moved by least squares matching to the reference observations of ${count(reference)} points. The others keep their positions${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
   };
 }
 
 function scoreFacts(score: BlockScore): Fact[] {
   const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(', ');
   return [
-    { name: 'Right points', testid: 'score-points', value: `${count(score.right_points)} of ${count(score.points)}`, help: 'Points of which all rays meet, by the true orientations, within 1.5 px in each image.' },
-    { name: 'Their rays', testid: 'score-rays', value: `${fixed(score.right_rmse_px, 3)} px`, help: 'Root mean square distance of the rays of right points from where they meet.' },
-    { name: 'Positions', testid: 'score-positions', value: positions === undefined ? '–' : `${positions} m`, help: 'Root mean square errors of x, y, z of the perspective centres, after the similarity transformation that brings all of them nearest to the truth.' },
-    { name: 'Angles', testid: 'score-angles', value: `${fixed(score.angle_rmse_deg, 4)}°`, help: 'Root mean square angle between the oriented and the true directions, after the same transformation.' },
+    { name: 'Right points', testid: 'score-points', value: `${count(score.right_points)} of ${count(score.points)}`, help: 'Points whose observations all agree within 1.5 px in each image, by the true orientations.' },
+    { name: 'Their observations', testid: 'score-rays', value: `${fixed(score.right_rmse_px, 3)} px`, help: 'Root mean square distance of the observations of right points from their intersection.' },
+    { name: 'Positions', testid: 'score-positions', value: positions === undefined ? '–' : `${positions} m`, help: 'Root mean square errors of x, y, z of the projection centres after the best similarity transformation to the truth.' },
+    { name: 'Angles', testid: 'score-angles', value: `${fixed(score.angle_rmse_deg, 4)}°`, help: 'Root mean square angle between the oriented and the true attitudes after the same transformation.' },
   ];
 }
 
@@ -112,7 +112,7 @@ function groupText({ groups, images }: BlockView): string {
 
 function leftOut(view: BlockView): HTMLElement | null {
   if (view.leftOut.length === 0) return null;
-  return section(`Left out: ${count(view.leftOut.length)} that could not be read`, 'block-left-out', reasons(view.leftOut));
+  return section(`Skipped: ${count(view.leftOut.length)} that cannot be read`, 'block-left-out', reasons(view.leftOut));
 }
 
 function notOriented(view: BlockView): HTMLElement | null {

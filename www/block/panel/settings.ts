@@ -2,6 +2,8 @@
 import { makeControl } from '../../shared/panel/control';
 import type { Value } from '../../shared/panel/control';
 import { button, fill, h } from '../../shared/panel/dom';
+import { fileButton } from '../../shared/panel/picker';
+import type { Picked } from '../../shared/panel/picker';
 import type { BlockSettings, Parameter } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
@@ -72,23 +74,23 @@ function positions(store: BlockStore): HTMLElement {
   const input = h('input', { id: 'block-gps', type: 'checkbox', testid: 'block-gps' });
   input.addEventListener('change', () => { store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }); });
   store.watch((s) => [s.options.gps] as const, ([gps]) => { input.checked = gps === 'use'; });
-  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use recorded positions (GPS)')),
-    h('p', { class: 'help' }, 'To choose near pairs, and to place the block on the earth.'));
+  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
+    h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'));
 }
 
-const CAMERAS = 'From EXIF. A JSON file says it better: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
-const CONTROL = 'None. Two files place the block by surveyed points: lines of name, x, y, z and perhaps two standard errors, and lines of image, point, column, row.';
+const CAMERAS = 'From EXIF. A JSON file overrides it: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
+const CONTROL = 'None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.';
 
 /** Files that say more of the block than its images do. */
 function besides(store: BlockStore, files: BlockFiles): HTMLElement {
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
     textFile(store, files, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
-    textFile(store, files, 'control', 'Control points', CONTROL, '.txt,.csv,text/*'),
-    textFile(store, files, 'marks', 'Their marks in images', '', '.txt,.csv,text/*'),
+    textFile(store, files, 'control', 'Ground control points', CONTROL, '.txt,.csv,text/*'),
+    textFile(store, files, 'marks', 'Image measurements', '', '.txt,.csv,text/*'),
     masks(store, files));
 }
 
-const MASKS = 'None. Images of the same size, black where no features are wanted; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
+const MASKS = 'None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
 
 /** What is wrong with what was given, beside where it is given. */
 function problemOf(store: BlockStore, given: Given): HTMLElement {
@@ -101,38 +103,35 @@ function problemOf(store: BlockStore, given: Given): HTMLElement {
 }
 
 function masks(store: BlockStore, files: BlockFiles): HTMLElement {
-  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: 'block-masks-input', aria: { label: 'Files: Masks' } });
-  input.accept = 'image/*,.tif,.tiff,.pgm,.pnm';
-  input.multiple = true;
-  input.addEventListener('change', () => {
-    const given = [...(input.files ?? [])];
-    if (given.length > 0) files.takeMasks(given);
-    input.value = '';
-  });
-  const name = h('p', { class: 'note', testid: 'block-masks-name' });
-  const remove = button('Remove', 'block-masks-remove', () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
-  remove.setAttribute('aria-label', 'Remove: Masks');
+  const part = besideField(store, 'masks', 'Masks', { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
+    (given) => { files.takeMasks(given); }, () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
   store.watch((s) => [s.options.masks] as const, ([given]) => {
-    fill(name, given.length === 0 ? MASKS : given.length === 1 ? (given[0]?.name ?? '') : `${String(given.length)} masks: ${given.slice(0, 3).map((mask) => mask.name).join(', ')}${given.length > 3 ? ' …' : ''}`);
-    remove.hidden = given.length === 0;
+    const names = given.slice(0, 3).map(({ name }) => name).join(', ');
+    part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? ' …' : ''}`, MASKS);
   });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button('Masks …', 'block-masks', () => { input.click(); }), remove), name, problemOf(store, 'masks'), input);
+  return part.element;
 }
 
 function textFile(store: BlockStore, files: BlockFiles, option: GivenText, title: string, none: string, accept: string): HTMLElement {
-  const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `block-${option}-input`, aria: { label: `File: ${title}` } });
-  input.accept = accept;
-  input.addEventListener('change', () => {
-    const file = input.files?.[0];
-    if (file !== undefined) void files.takeText(option, file);
-    input.value = '';
-  });
-  const name = h('p', { class: 'note', testid: `block-${option}-name` });
-  const remove = button('Remove', `block-${option}-remove`, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
+  const part = besideField(store, option, title, { accept },
+    ([file]) => { if (file !== undefined) void files.takeText(option, file); }, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
+  store.watch((s) => [s.options[option]] as const, ([given]) => { part.show(given?.name ?? null, none); });
+  return part.element;
+}
+
+/** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
+function besideField(
+  store: BlockStore, given: Given, title: string, how: Pick<Picked, 'accept' | 'multiple'>, take: (files: File[]) => void, clear: () => void,
+): { element: HTMLElement; show: (name: string | null, none: string) => void } {
+  const [press, input] = fileButton(`${title} …`, { testid: `block-${given}`, label: `File: ${title}`, ...how }, take);
+  const remove = button('Remove', `block-${given}-remove`, clear);
   remove.setAttribute('aria-label', `Remove: ${title}`);
-  store.watch((s) => [s.options[option]] as const, ([given]) => {
-    fill(name, given?.name ?? none);
-    remove.hidden = given === null;
-  });
-  return h('div', { class: 'control' }, h('div', { class: 'buttons' }, button(`${title} …`, `block-${option}`, () => { input.click(); }), remove), name, problemOf(store, option), input);
+  const name = h('p', { class: 'note', testid: `block-${given}-name` });
+  return {
+    element: h('div', { class: 'control' }, h('div', { class: 'buttons' }, press, remove), name, problemOf(store, given), input),
+    show: (text, none) => {
+      fill(name, text ?? none);
+      remove.hidden = text === null;
+    },
+  };
 }

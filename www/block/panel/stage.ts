@@ -1,5 +1,6 @@
 /** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
 import { button, fill, h } from '../../shared/panel/dom';
+import { zoomButtons } from '../../shared/panel/zoom';
 import { count } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
@@ -11,17 +12,15 @@ import type { Choice } from '../state/state';
 import type { BlockView, Layout } from '../state/view';
 import { describe, matchesOf } from '../state/words';
 
-const ZOOM = 1.5;
-
 const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
   oriented: 'Oriented positions, from above',
-  recorded: 'Recorded positions (GPS), from above',
-  connections: 'Arranged by connections: places mean nothing',
+  recorded: 'GNSS positions, from above',
+  connections: 'Arranged by connections: positions have no meaning',
 };
 
 export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, files: BlockFiles): void {
   const pictureHost = h('div', { class: 'view block-view', id: 'block-view', testid: 'block-picture', tabindex: 0, role: 'group',
-    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines as wide as they have points in common', describedby: 'block-keys' } });
+    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines whose width grows with their common points', describedby: 'block-keys' } });
   const matrixHost = h('div', { class: 'view block-matrix', testid: 'block-matrix', tabindex: 0, hidden: true, role: 'group',
     aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' } });
   const pointed = h('p', { class: 'pointed', testid: 'block-pointed' });
@@ -30,7 +29,7 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     const { choice } = store.state;
     if (choice?.kind === 'pair') looking.open(choice.images);
   });
-  const hint = 'Point at an image, a line or a cell to see what it is, and why a pair is not connected.';
+  const hint = 'Point at an image, a line or a cell to see what it is and why a pair is not connected.';
   let pointedAt: Choice | null = null;
   const showPointed = () => {
     say(pointed, store, pointedAt, hint);
@@ -42,15 +41,14 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     showPointed();
   } };
   const picture = new Picture(pictureHost, store, looks);
-  new Matrix(matrixHost, store, looks);
+  const matrix = new Matrix(matrixHost, store, looks);
   const layout = h('span', { class: 'note', testid: 'block-layout' });
-  const tools = h('div', { class: 'actions' },
-    button('Fit', 'block-fit', () => { picture.fit(); }), button('+', 'block-zoom-in', () => { picture.zoomMiddle(ZOOM); }, 'Larger'), button('−', 'block-zoom-out', () => { picture.zoomMiddle(1 / ZOOM); }, 'Smaller'), layout);
   const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
-  const switched = switcher([['Picture', pictureHost, tools], ['Matrix', matrixHost, cells]]);
-  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, cells),
+  const switched = switcher([['Picture', pictureHost, layout], ['Matrix', matrixHost, cells]]);
+  const tools = h('div', { class: 'actions' }, ...zoomButtons('block-', 'Whole block', () => (matrixHost.hidden ? picture : matrix)));
+  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
     welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
-    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Picture: N P images · C its pairs · arrows pan · + − zoom · 0 fit. Matrix: arrows.'));
+    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose.'));
   looks.point(null);
   // The invitation lies over the picture.
   store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });
@@ -77,7 +75,7 @@ function cellLegend(view: BlockView): string {
 function legend(view: BlockView): string {
   const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
   const matches = mostMatches(view);
-  const widest = most > 0 ? `${count(most)} points in common` : `${count(matches)} matches`;
+  const widest = most > 0 ? `${count(most)} common points` : `${count(matches)} matches`;
   return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ''}`;
 }
 
@@ -102,13 +100,13 @@ function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[
 
 /** The picture with the invitation over it while there is no block. */
 function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTMLElement {
-  const simulate = button('Take the simulated block', 'block-simulate-first', () => { void files.simulate(); });
+  const simulate = button('Simulate a block', 'block-simulate-first', () => { void files.simulate(); });
   const list = h('p', { class: 'note', testid: 'block-given' });
   const welcome = h('div', { class: 'welcome', testid: 'block-welcome' },
     h('h2', {}, 'Match a block of photographs'),
-    h('p', {}, 'Drop the images of a block, or a folder of them. Features are found in each image, pairs are matched and checked by their geometry, and the matches joined to points that many images see.'),
+    h('p', {}, 'Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block.'),
     h('p', { class: 'buttons' }, simulate), list,
-    h('p', { class: 'note' }, 'What is done is kept while this tab is open: a run that was cancelled goes on. Nothing leaves this computer.'));
+    h('p', { class: 'note' }, 'Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer.'));
   host.append(welcome);
   store.watch((s) => [s.shown, s.files, s.running, s.notice, s.catalogue] as const, ([shown, given, , , catalogue]) => {
     welcome.hidden = shown !== null;

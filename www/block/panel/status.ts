@@ -15,7 +15,7 @@ export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLEl
   const cancel = button('Cancel', 'block-cancel', () => { engine.cancel(); });
   store.watch((s) => [s] as const, ([state]) => {
     const { text, kind } = lineOf(state);
-    line.dataset['kind'] = kind;
+    line.dataset.kind = kind;
     // Each image and pair would be read out.
     line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
     // Messages of the crate name parameters by their keys.
@@ -33,13 +33,13 @@ function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'don
   if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
   if (state.refused !== null) return { text: refusedText(state.refused), kind: 'problem' };
   if (running.kind === 'ended') {
-    const former = shown !== null && !shown.view.partial ? ' The block on the screen is the former one.' : '';
-    if (running.failure === null) return { text: `Cancelled.${former} What was done is ${former === '' ? 'shown and ' : ''}kept: Go on takes it up where it ended.`, kind: 'idle' };
-    return { text: `The block was not finished: ${sentence(running.failure)}${former === '' ? ' What was done is kept.' : former}`, kind: 'problem' };
+    const former = shown !== null && !shown.view.partial ? ' The screen shows the former block.' : '';
+    if (running.failure === null) return { text: `Cancelled.${former} The work done is ${former === '' ? 'shown and ' : ''}kept: Go on continues from there.`, kind: 'idle' };
+    return { text: `The block was not finished: ${sentence(running.failure)}${former === '' ? ' The work done is kept.' : former}`, kind: 'problem' };
   }
   if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
-  if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null || shown.view.partial ? 'Press Run.' : 'Other images or settings than those of the block on the screen: press Run.'}`, kind: 'idle' };
-  return { text: 'Give the images of a block: files, a folder, or the simulated block.', kind: 'idle' };
+  if (files.length >= 2) return { text: `${count(files.length)} images. ${shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.'}`, kind: 'idle' };
+  return { text: 'Open the images of a block: files, a folder, or a simulated block.', kind: 'idle' };
 }
 
 function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
@@ -50,12 +50,12 @@ function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
   const group = view.groups[0]?.length ?? 0;
   const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : '';
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
-  return { text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, 'connected pair')}, ${counted(view.points.count, 'point')}.`, kind: 'problem' };
+  return { text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, 'connected pair')}, ${counted(view.points.count, 'tie point')}.`, kind: 'problem' };
 }
 
 function doneText({ view, seconds }: Shown): string {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
-  const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} left out`;
+  const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} skipped`;
   const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
   const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
   const weak = view.weaknesses.length === 0 ? '' : ` ${counted(view.weaknesses.length, 'weakness', 'weaknesses')}, see Results.`;
@@ -63,7 +63,7 @@ function doneText({ view, seconds }: Shown): string {
 }
 
 function pointsText({ points, found }: BlockView): string {
-  return found === null ? counted(points.count, 'point') : `${count(points.count)} of ${counted(found.points, 'point')} chosen`;
+  return found === null ? counted(points.count, 'tie point') : `${count(points.count)} of ${counted(found.points, 'tie point')} selected`;
 }
 
 function counted(number: number, one: string, many = `${one}s`): string {

@@ -16,8 +16,8 @@ export type Problems = Readonly<Partial<Record<Given, string>>>;
 
 /** Control points and their marks are of use together. */
 export const PARTNER_MISSING: Readonly<Partial<Record<Given, string>>> = {
-  control: 'Control points need their marks in images: give both files, or neither',
-  marks: 'Marks need the control points that they mark: give both files, or neither',
+  control: 'Ground control points need their image measurements: give both files, or neither',
+  marks: 'Image measurements need their ground control points: give both files, or neither',
 };
 
 export function problemsOf({ files, options }: Pick<BlockState, 'files' | 'options'>): Problems {

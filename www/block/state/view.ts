@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, Connection, ExportFormat, ModelCamera } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, Connection, ExportFormat, Camera } from '../../../pkg/wasm/tiepoint.js';
 import type { LeftOut, Refinement } from '../../../pkg/block/index.js';
 
 export interface ViewImage {
@@ -25,9 +25,9 @@ export interface ViewCamera {
   label: string;
   images: number;
   /** What was known before; null where its focal length was not. */
-  given: ModelCamera | null;
+  given: Camera | null;
   /** As the block adjusted it; null before. */
-  calibrated: ModelCamera | null;
+  calibrated: Camera | null;
   focalErrorPx: number | null;
 }
 

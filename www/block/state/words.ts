@@ -36,12 +36,12 @@ function describeImage(view: BlockView, index: number): string {
   if (image === undefined) return '';
   const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === 'connected').length;
   const parts = [
-    `${image.name}: ${image.features === null ? '' : `${count(image.features)} features, `}${count(image.rays)} rays${image.places === null ? '' : ` in ${String(image.places)} of 9 places`}`,
+    `${image.name}: ${image.features === null ? '' : `${count(image.features)} features, `}${count(image.rays)} observations${image.places === null ? '' : ` in ${String(image.places)} of 9 von Gruber positions`}`,
     `connected with ${count(partners)} of ${count(view.images.length - 1)} images`,
     image.rmsePx === null ? '' : `RMSE ${fixed(image.rmsePx, 2)} px`,
     image.oriented ? 'oriented' : image.why,
     // 1 is the usual one.
-    image.exifOrientation === null || image.exifOrientation === 1 ? '' : `taken as stored, EXIF orientation ${String(image.exifOrientation)}`,
+    image.exifOrientation === null || image.exifOrientation === 1 ? '' : `used as stored, EXIF orientation ${String(image.exifOrientation)}`,
   ];
   return `${parts.filter((part) => part !== '').join('; ')}.`;
 }
@@ -49,8 +49,8 @@ function describeImage(view: BlockView, index: number): string {
 function describePair(view: BlockView, images: readonly [number, number]): string {
   const names = images.map((image) => view.images[image]?.name ?? '').join(' – ');
   const connection = connectionOf(view, images);
-  if (connection === undefined) return `${names}: this pair was not tried (the choice of pairs left it out).`;
+  if (connection === undefined) return `${names}: this pair was not tried (the choice of pairs skips it).`;
   const { reason, geometry, shared, chosen } = connection;
-  const parts = [reason.replace(/\.$/u, ''), geometry, shared > 0 ? `${count(shared)} points in common, ${count(chosen)} of them chosen` : ''];
+  const parts = [reason.replace(/\.$/u, ''), geometry, shared > 0 ? `${count(shared)} common points, ${count(chosen)} selected` : ''];
   return `${names}: ${parts.filter((part) => part !== '').join('; ')}.`;
 }

@@ -11,6 +11,12 @@ export interface Looking {
   open: (images: [number, number]) => void;
 }
 
+/** What the buttons over a picture do. */
+export interface Zoomable {
+  fit: () => void;
+  zoomMiddle: (factor: number) => void;
+}
+
 /** A press chooses; a press on the pair that is chosen opens it. */
 export function press(store: BlockStore, looking: Looking, choice: Choice | null): void {
   const { choice: before } = store.state;

@@ -1,89 +1,120 @@
 /** The matrix of matches: images by images, darker where a pair has more; marked where it was tried in vain, blank where it was not tried. */
+import { onRecolour, themeColours } from '../../shared/view/colours';
+import type { Colours } from '../../shared/view/colours';
+import { listen } from '../../shared/view/gestures';
+import { Layers } from '../../shared/view/layers';
+import { panned, toCanvas, toPosition, zoomedAbout } from '../../shared/view/transform';
+import type { Transform } from '../../shared/view/transform';
 import type { BlockStore } from '../engine/engine';
-import { press } from './looking';
-import type { Looking } from './looking';
 import type { Choice } from '../state/state';
-import { Surface } from '../../shared/view/surface';
-import type { Colours } from '../../shared/view/surface';
 import type { BlockView } from '../state/view';
 import { connectionOf, connectionsOf, matchesOf } from '../state/words';
+import { press } from './looking';
+import type { Looking, Zoomable } from './looking';
 
-/** Side of a cell in CSS px: as large as there is room for, within these. */
-const SMALLEST = 4;
-/** Browsers draw no larger canvas on a screen of two device pixels a CSS px. */
-const LARGEST_SHEET = 8000;
-const LARGEST = 44;
+/** Side of a cell in CSS px: in the whole matrix, and enlarged. */
+const LARGEST_WHOLE = 44;
+const LARGEST = 160;
 /** Room for the numbers of the images. */
 const HEAD = 30;
 /** From this side on a cell holds the number of matches. */
 const NUMBERED = 30;
 
-export class Matrix {
-  private readonly sheet = document.createElement('div');
-  private readonly surface: Surface;
-  private hovered: [number, number] | null = null;
+type Cell = [row: number, column: number];
 
-  constructor(private readonly host: HTMLElement, private readonly store: BlockStore, private readonly looking: Looking) {
-    this.sheet.className = 'matrix-sheet';
-    host.append(this.sheet);
-    this.surface = new Surface(this.sheet, (context, colours) => { this.paint(context, colours); });
-    this.surface.canvas.dataset['testid'] = 'block-matrix-canvas';
-    new ResizeObserver(() => { this.size(); }).observe(host);
-    this.sheet.addEventListener('pointermove', (event) => { this.hover(this.cellAt(event)); });
-    this.sheet.addEventListener('pointerleave', () => { this.hover(null); });
-    this.sheet.addEventListener('click', (event) => {
-      const cell = this.cellAt(event);
-      press(store, looking, cell === null ? null : choiceOf(cell));
+export class Matrix implements Zoomable {
+  private readonly layers: Layers<'matrix'>;
+  /** Of columns and rows to the canvas; null: the whole matrix is shown. */
+  private moved: Transform | null = null;
+  private of: BlockView | null = null;
+  private hovered: Cell | null = null;
+
+  constructor(host: HTMLElement, private readonly store: BlockStore, private readonly looking: Looking) {
+    this.layers = new Layers(host, ['matrix'], (_, context) => { this.paint(context, themeColours()); });
+    onRecolour(() => { this.layers.redraw(); });
+    listen<BlockView>(host, {
+      at: () => this.view(),
+      focused: () => this.view(),
+      pan: (view, dx, dy) => { this.move(panned(this.current(view), dx, dy)); },
+      zoom: (view, factor, x, y) => { this.zoom(view, factor, x, y); },
+      zoomMiddle: (factor) => { this.zoomMiddle(factor); },
+      fit: () => { this.fit(); },
+      pressed: (x, y) => {
+        const cell = this.cellAt(x, y);
+        press(store, looking, cell === null ? null : choiceOf(cell));
+      },
+      pointed: (at, dragging) => { if (!dragging) this.hover(at === null ? null : this.cellAt(...at)); },
+      command: (key) => this.command(key),
     });
-    host.addEventListener('keydown', (event) => {
-      if (event.ctrlKey || event.metaKey || event.altKey || event.target !== host) return;
-      if (this.key(event.key)) event.preventDefault();
+    store.watch((s) => [s.shown] as const, ([shown]) => {
+      // What the user looks at stays while more images come in.
+      if (shown === null || this.of?.partial !== true) this.moved = null;
+      this.of = shown?.view ?? null;
+      this.layers.redraw();
     });
-    store.watch((s) => [s.shown] as const, () => { this.size(); });
-    store.watch((s) => [s.choice] as const, () => { this.surface.redraw(); });
+    store.watch((s) => [s.choice] as const, () => { this.layers.redraw(); });
+  }
+
+  fit(): void {
+    this.move(null);
+  }
+
+  zoomMiddle(factor: number): void {
+    const view = this.view();
+    if (view !== null) this.zoom(view, factor, (HEAD + this.layers.width) / 2, (HEAD + this.layers.height) / 2);
   }
 
   private view(): BlockView | null {
     return this.store.state.shown?.view ?? null;
   }
 
-  private cellSide(): number {
-    const count = this.view()?.images.length ?? 1;
-    const room = Math.min(this.host.clientWidth, this.host.clientHeight) - HEAD - 4;
-    const smallest = Math.max(1, Math.min(SMALLEST, Math.floor(LARGEST_SHEET / count)));
-    return Math.min(LARGEST, Math.max(smallest, Math.floor(room / count)));
+  /** The whole matrix. */
+  private whole({ images: { length } }: BlockView): Transform {
+    const room = Math.min(this.layers.width, this.layers.height) - HEAD - 4;
+    const side = Math.min(LARGEST_WHOLE, room / Math.max(1, length));
+    return { scale: side > 4 ? Math.floor(side) : side, x: HEAD, y: HEAD };
   }
 
-  /** A matrix larger than its host is scrolled; one that is hidden is sized when it comes into sight. */
-  private size(): void {
-    if (this.host.closest('[hidden]') !== null) return;
-    const side = `${String(HEAD + 2 + this.cellSide() * (this.view()?.images.length ?? 0))}px`;
-    Object.assign(this.sheet.style, { width: side, height: side });
-    this.surface.redraw();
+  private current(view: BlockView): Transform {
+    return this.moved ?? this.whole(view);
   }
 
-  private cellAt(event: MouseEvent): [number, number] | null {
+  private zoom(view: BlockView, factor: number, x: number, y: number): void {
+    const least = this.whole(view).scale;
+    this.move(zoomedAbout(this.current(view), factor, x, y, { least, most: Math.max(LARGEST, least) }));
+  }
+
+  /** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
+  private move(wanted: Transform | null): void {
+    const count = this.view()?.images.length ?? 0;
+    const { width, height } = this.layers;
+    const held = (shift: number, scale: number, room: number) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - count * scale), shift));
+    this.moved = wanted === null ? null : { scale: wanted.scale, x: held(wanted.x, wanted.scale, width), y: held(wanted.y, wanted.scale, height) };
+    this.layers.redraw();
+  }
+
+  private cellAt(x: number, y: number): Cell | null {
     const view = this.view();
-    const [x, y] = this.surface.place(event);
-    const [column, row] = [x, y].map((v) => Math.floor((v - HEAD) / this.cellSide())) as [number, number];
-    const inside = (index: number) => index >= 0 && index < (view?.images.length ?? 0);
+    if (view === null || x < HEAD || y < HEAD) return null;
+    const [column, row] = toPosition(this.current(view), x, y).map(Math.floor) as [number, number];
+    const inside = (index: number) => index >= 0 && index < view.images.length;
     return inside(column) && inside(row) ? [row, column] : null;
   }
 
-  private hover(cell: [number, number] | null): void {
+  private hover(cell: Cell | null): void {
     this.hovered = cell;
     this.looking.point(cell === null ? null : choiceOf(cell));
-    this.surface.redraw();
+    this.layers.redraw();
   }
 
-  /** Runs the command of a key; false where it has none. */
-  private key(key: string): boolean {
+  /** Arrows go from cell to cell. */
+  private command(key: string): boolean {
     const { choice } = this.store.state;
     const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[key];
     if (step !== undefined) {
       const [row, column] = choice === null ? [0, 0] : choice.kind === 'pair' ? choice.images : [choice.image, choice.image];
       const within = (index: number) => Math.min(Math.max(index, 0), (this.view()?.images.length ?? 1) - 1);
-      const cell: [number, number] = [within(row + (step[0] ?? 0)), within(column + (step[1] ?? 0))];
+      const cell: Cell = [within(row + (step[0] ?? 0)), within(column + (step[1] ?? 0))];
       this.looking.choose(choiceOf(cell));
       this.reveal(cell);
       return true;
@@ -94,56 +125,76 @@ export class Matrix {
     return true;
   }
 
-  private reveal([row, column]: [number, number]): void {
-    const side = this.cellSide();
-    const bring = (at: number, from: number, length: number) => (at < from ? at - side : at + 2 * side > from + length ? at + 2 * side - length : from);
-    this.host.scrollTop = bring(row * side, this.host.scrollTop, this.host.clientHeight - HEAD);
-    this.host.scrollLeft = bring(column * side, this.host.scrollLeft, this.host.clientWidth - HEAD);
+  private reveal([row, column]: Cell): void {
+    const view = this.view();
+    if (view === null) return;
+    const t = this.current(view);
+    const bring = (index: number, shift: number, room: number) => Math.max(HEAD - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
+    const [x, y] = [bring(column, t.x, this.layers.width), bring(row, t.y, this.layers.height)];
+    const seen = (index: number, shift: number, room: number) => index * t.scale + shift >= HEAD && (index + 1) * t.scale + shift <= room;
+    this.move({ scale: t.scale, x: seen(column, t.x, this.layers.width) ? t.x : x, y: seen(row, t.y, this.layers.height) ? t.y : y });
   }
 
   private paint(context: CanvasRenderingContext2D, colours: Colours): void {
     const view = this.view();
-    if (view === null) return;
-    const side = this.cellSide();
+    if (view === null || view.images.length === 0) return;
+    const t = this.current(view);
+    const { width, height } = this.layers;
+    paintHeads(context, colours, view.images.length, t, width, height);
+    context.save();
+    context.beginPath();
+    context.rect(HEAD - 1, HEAD - 1, width, height);
+    context.clip();
+    this.paintCells(context, colours, view, t);
+    this.paintMarks(context, colours, view, t);
+    context.restore();
+  }
+
+  private paintCells(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void {
+    const { scale: side } = t;
     const count = view.images.length;
-    paintHeads(context, colours, count, side);
     const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 1);
     for (const connection of connectionsOf(view).values()) {
       const [a, b] = connection.images;
       const matches = matchesOf(connection);
       const tried = connection.outcome.kind === 'connected';
-      context.globalAlpha = tried ? 0.15 + 0.85 * Math.sqrt(matches / most) : 0.6;
-      // Images without common ground are nothing wrong.
-      context.fillStyle = tried ? colours.bars : connection.outcome.kind === 'failed' ? colours.problem : colours.muted;
-      for (const [row, column] of [[a, b], [b, a]] as const) paintCell(context, HEAD + column * side, HEAD + row * side, side, tried);
-      context.globalAlpha = 1;
-      if (tried && side >= NUMBERED) paintNumbers(context, colours, [a, b], side, matches);
+      const alpha = tried ? 0.15 + 0.85 * Math.sqrt(matches / most) : 0.6;
+      for (const [row, column] of [[a, b], [b, a]] as const) {
+        const [x, y] = toCanvas(t, column, row);
+        if (x > this.layers.width || y > this.layers.height || x + side < HEAD || y + side < HEAD) continue;
+        context.globalAlpha = alpha;
+        // Images without common ground are nothing wrong.
+        context.fillStyle = tried ? colours.bars : connection.outcome.kind === 'failed' ? colours.problem : colours.muted;
+        paintCell(context, x, y, side, tried);
+        context.globalAlpha = 1;
+        if (tried && side >= NUMBERED) paintNumber(context, colours, x + side / 2, y + side / 2 + 3.5, matches);
+      }
     }
     context.strokeStyle = colours.line;
     context.lineWidth = 1;
-    context.strokeRect(HEAD - 0.5, HEAD - 0.5, count * side + 1, count * side + 1);
+    context.strokeRect(t.x - 0.5, t.y - 0.5, count * side + 1, count * side + 1);
     context.fillStyle = colours.line;
-    for (let i = 0; i < count; i++) context.fillRect(HEAD + i * side, HEAD + i * side, side, side);
-    this.paintMarks(context, colours, view, side);
+    for (let i = 0; i < count; i++) context.fillRect(...toCanvas(t, i, i), side, side);
   }
 
-  private paintMarks(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, side: number): void {
+  private paintMarks(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void {
     const { choice } = this.store.state;
+    const { scale: side } = t;
     context.strokeStyle = colours.accent;
     context.lineWidth = 2;
     const cells = [choice?.kind === 'pair' ? choice.images : null, this.hovered].filter((cell) => cell !== null);
     for (const [row, column] of cells) {
-      context.strokeRect(HEAD + column * side, HEAD + row * side, side, side);
-      if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(HEAD + row * side, HEAD + column * side, side, side);
+      context.strokeRect(...toCanvas(t, column, row), side, side);
+      if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(...toCanvas(t, row, column), side, side);
     }
     if (choice?.kind !== 'image') return;
     const length = view.images.length * side;
-    context.strokeRect(HEAD, HEAD + choice.image * side, length, side);
-    context.strokeRect(HEAD + choice.image * side, HEAD, side, length);
+    context.strokeRect(...toCanvas(t, 0, choice.image), length, side);
+    context.strokeRect(...toCanvas(t, choice.image, 0), side, length);
   }
 }
 
-function choiceOf([row, column]: [number, number]): Choice {
+function choiceOf([row, column]: Cell): Choice {
   return row === column ? { kind: 'image', image: row } : { kind: 'pair', images: [row, column] };
 }
 
@@ -155,28 +206,26 @@ function paintCell(context: CanvasRenderingContext2D, x: number, y: number, side
   else context.fillRect(x + 0.5 * (1 - share) * side, y + 0.5 * (1 - share) * side, share * side, share * side);
 }
 
-function paintNumbers(context: CanvasRenderingContext2D, colours: Colours, [a, b]: [number, number], side: number, matches: number): void {
+function paintNumber(context: CanvasRenderingContext2D, colours: Colours, x: number, y: number, matches: number): void {
   context.font = '10px system-ui, sans-serif';
   context.textAlign = 'center';
-  for (const [row, column] of [[a, b], [b, a]] as const) {
-    const [x, y] = [HEAD + (column + 0.5) * side, HEAD + (row + 0.5) * side + 3.5];
-    context.lineWidth = 3;
-    context.strokeStyle = colours.surface;
-    context.strokeText(String(matches), x, y);
-    context.fillStyle = colours.text;
-    context.fillText(String(matches), x, y);
-  }
+  context.lineWidth = 3;
+  context.strokeStyle = colours.surface;
+  context.strokeText(String(matches), x, y);
+  context.fillStyle = colours.text;
+  context.fillText(String(matches), x, y);
 }
 
-/** Numbers of the images, as in their table, so many that they do not touch. */
-function paintHeads(context: CanvasRenderingContext2D, colours: Colours, count: number, side: number): void {
-  const step = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((s) => s * side >= 24) ?? 1000;
+/** Numbers of the images, as in their table, so many that they do not touch; they stay in sight wherever the matrix is moved. */
+function paintHeads(context: CanvasRenderingContext2D, colours: Colours, count: number, t: Transform, width: number, height: number): void {
+  const step = [1, 2, 5, 10, 20, 50, 100, 200, 500].find((s) => s * t.scale >= 24) ?? 1000;
   context.font = '10px system-ui, sans-serif';
   context.fillStyle = colours.muted;
   for (let i = 0; i < count; i += step) {
+    const [x, y] = toCanvas(t, i + 0.5, i + 0.5);
     context.textAlign = 'center';
-    context.fillText(String(i + 1), HEAD + (i + 0.5) * side, HEAD - 6);
+    if (x > HEAD && x < width) context.fillText(String(i + 1), x, HEAD - 6);
     context.textAlign = 'right';
-    context.fillText(String(i + 1), HEAD - 5, HEAD + (i + 0.5) * side + 3.5);
+    if (y > HEAD && y < height) context.fillText(String(i + 1), HEAD - 5, y + 3.5);
   }
 }

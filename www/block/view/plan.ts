@@ -1,24 +1,21 @@
 /** The plan of a block: where its images are drawn, which lines join them, and what lies at a place. Lengths are CSS px. */
+import { toCanvas, zoomedAbout } from '../../shared/view/transform';
+import type { Transform } from '../../shared/view/transform';
 import type { Choice } from '../state/state';
 import type { BlockView } from '../state/view';
 import { matchesOf } from '../state/words';
-
-/** canvas = scale · place + shift, y turned down. */
-export interface PlanView {
-  scale: number;
-  x: number;
-  y: number;
-}
 
 /** Room about the outermost images. */
 const MARGIN = 48;
 const MARK_REACH = 12;
 const LINE_REACH = 6;
 const WIDEST = 7;
-export const ZOOM_LIMIT = 200;
+/** Scales as shares of the one that shows all. */
+const LEAST = 0.2;
+const MOST = 200;
 
-/** The view that shows all images. */
-export function fitPlan({ layout: { places } }: BlockView, width: number, height: number): PlanView {
+/** The view that shows all images. The plan's y goes up, the canvas's down. */
+export function fitPlan({ layout: { places } }: BlockView, width: number, height: number): Transform {
   const box = [Infinity, Infinity, -Infinity, -Infinity] as [number, number, number, number];
   for (let i = 0; i < places.length; i += 2) {
     const [x = 0, y = 0] = places.subarray(i, i + 2);
@@ -34,13 +31,14 @@ export function fitPlan({ layout: { places } }: BlockView, width: number, height
   return { scale, x: width / 2 - (scale * (box[0] + box[2])) / 2, y: height / 2 + (scale * (box[1] + box[3])) / 2 };
 }
 
-export function placeOf(view: BlockView, plan: PlanView, image: number): [number, number] {
+export function placeOf(view: BlockView, plan: Transform, image: number): [number, number] {
   const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
-  return [plan.scale * x + plan.x, plan.y - plan.scale * y];
+  return toCanvas(plan, x, -y);
 }
 
-export function zoomedPlan(plan: PlanView, factor: number, x: number, y: number): PlanView {
-  return { scale: plan.scale * factor, x: x + factor * (plan.x - x), y: y + factor * (plan.y - y) };
+/** The plan enlarged about a place, within limits. `whole`: the one that shows all images. */
+export function zoomedPlan(plan: Transform, whole: Transform, factor: number, x: number, y: number): Transform {
+  return zoomedAbout(plan, factor, x, y, { least: LEAST * whole.scale, most: MOST * whole.scale });
 }
 
 /** A line for each connected pair: its width grows with the points in common, of matches where no points were made. */
@@ -69,7 +67,7 @@ export function linesOf(view: BlockView): readonly Line[] {
 }
 
 /** The image at a place, else the pair whose line passes there. */
-export function hitPlan(view: BlockView, plan: PlanView, x: number, y: number): Choice | null {
+export function hitPlan(view: BlockView, plan: Transform, x: number, y: number): Choice | null {
   let image = -1;
   let least = MARK_REACH;
   view.images.forEach((_, i) => {

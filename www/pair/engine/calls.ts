@@ -1,7 +1,7 @@
 /** Every call that a worker answers for a pair: name to input and output. Both ends are typed by this one table. */
 import type { WorkerClient } from '../../shared/engine/client';
 import type {
-  Camera, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, Flight, GivenPoints, MatchScore,
+  CameraMm, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, Flight, GivenPoints, MatchScore,
   NearestPiece, OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
   Strategy, TwoViewModel, WindowReport,
 } from '../../shared/crate';
@@ -70,7 +70,7 @@ export interface ReportInput {
 export interface PhotoInput {
   width: number;
   height: number;
-  camera: Camera;
+  camera: CameraMm;
   /** The focal length of the pair: the photo is taken to it where its own is another. */
   pairFocalMm: number;
   fiducials: Fiducial[];
@@ -116,7 +116,7 @@ export interface PairCalls {
   // Files.
   mask: { input: { file: Blob; overlaySide: number }; output: MaskImage };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
-  parseCamera: { input: { text: string }; output: Camera };
+  parseCamera: { input: { text: string }; output: CameraMm };
   matchesCsv: { input: { matches: Float64Array }; output: string };
 }
 

@@ -1,6 +1,6 @@
 /** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
 import { check_flight, constant_offset, interior, parse_camera } from '../../../pkg/wasm/tiepoint.js';
-import type { Camera, Flight } from '../../shared/crate';
+import type { CameraMm, Flight } from '../../shared/crate';
 
 /** The message of the crate's refusal; null where it takes what it is given. */
 function refusalOf(call: () => unknown): string | null {
@@ -20,7 +20,7 @@ function allowedInstead(call: () => unknown): string | null {
 }
 
 /** What of a camera is allowed; the rest of it is taken for granted. */
-export function allowedOfCamera(part: Partial<Camera>): string | null {
+export function allowedOfCamera(part: Partial<CameraMm>): string | null {
   return allowedInstead(() => parse_camera(JSON.stringify({ focal_mm: 1, ...part })));
 }
 

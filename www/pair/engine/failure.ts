@@ -5,7 +5,7 @@ import type { Catalogue } from '../../shared/crate';
 import { CallError } from '../../shared/engine/client';
 import { STAGES } from '../state/stages';
 
-const KEPT = 'Your images, settings and earlier results are kept.';
+const KEPT = 'Images, settings and earlier results are kept.';
 
 function advice(stage: StageName): string {
   switch (stage) {

@@ -4,8 +4,13 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
+import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
+import type { Taker } from '../../shared/files/drop';
+import { contains } from '../../shared/view/transform';
+import { panesOf } from '../view/geometry';
+import type { View } from '../view/view';
 import { sortFiles } from './sort';
 
 /** Longest side of the copy of a mask that is shown, px. */
@@ -64,7 +69,7 @@ export class Files {
         return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
-      return info(`${file.name} leaves out ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+      return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
     } catch (error) {
       return this.failed(`${file.name} cannot be used as a mask`, error);
     }
@@ -72,7 +77,7 @@ export class Files {
 
   /** Renders the pair of a flight in a worker and opens it. */
   async takeFlight(name: string, flight: Flight): Promise<void> {
-    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a made landscape …' } });
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a synthetic scene …' } });
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
@@ -95,7 +100,7 @@ export class Files {
     const bad = said.some(({ kind }) => kind === 'problem');
     const { left, right } = this.store.state.images;
     // Where nothing was open there is nothing to be afraid for.
-    const kept = bad && (left !== null || right !== null) ? ' What was open is kept.' : '';
+    const kept = bad && (left !== null || right !== null) ? ' The open images are kept.' : '';
     const text = `${said.map((one) => one.text).join(' ')}${kept}`;
     this.store.dispatch({ type: 'notice', notice: said.length === 0 ? null : { kind: bad ? 'problem' : 'info', text } });
   }
@@ -169,3 +174,16 @@ export class Files {
   }
 }
 
+/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
+export function takerOf(view: View, files: Files): Taker {
+  const sideAt = (event: DragEvent) => {
+    const box = view.host.getBoundingClientRect();
+    const panes = panesOf(box.width, box.height);
+    return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+  };
+  return {
+    isActive: () => true,
+    markAt: (event) => sideAt(event) ?? 'page',
+    take: (found, at) => { void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null); },
+  };
+}

@@ -1,6 +1,6 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
-import type { Camera, ExifCamera } from '../../shared/crate';
+import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -13,8 +13,8 @@ interface CameraNumber {
   label: string;
   unit: string;
   testid: string;
-  of: (camera: Camera) => number | null | undefined;
-  alone: (value: number) => Partial<Camera>;
+  of: (camera: CameraMm) => number | null | undefined;
+  alone: (value: number) => Partial<CameraMm>;
 }
 
 const NUMBERS = [
@@ -28,7 +28,7 @@ const NUMBERS = [
 ] as const satisfies readonly CameraNumber[];
 
 /** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): Camera | null {
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): CameraMm | null {
   if (focal === undefined) return null;
   return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), radial_distortion: [k1, k2, k3] };
 }
@@ -73,12 +73,12 @@ function sourceText(state: State): string {
     .join(' ');
   const used = pairCameras(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: EXIF. Values below take its place. ${exif}`;
+  if (!('missing' in used)) return `In use: EXIF. Values below replace it. ${exif}`;
   const focal = state.results.match?.value.geometry?.focal ?? null;
   if (focal !== null && state.results.match?.value.estimated != null) {
-    return `In use: as the matches tell it, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal points in the middle. Values below take its place. ${exif}`;
+    return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
   }
-  return `Without a principal distance, and a pixel size or fiducial marks, matches are not oriented, unless they tell the focal length themselves (gradients). ${exif}`;
+  return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
 }
 
 /** The offset of the right image: estimated, or given. */
@@ -98,16 +98,16 @@ function offsetGroup(store: Store): HTMLElement {
   });
   store.watch((s) => [s.results.offset, s.offset, s.settings] as const, ([result, given, settings]) => {
     if (settings !== null && comparesGradients(settings)) {
-      fill(found, 'The strategy that compares gradients looks in the whole right image: it needs no offset.');
+      fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
       return;
     }
     if (given !== null || result === undefined) {
-      fill(found, given !== null ? 'Given. Empty both fields to estimate it.' : 'Right minus left position; empty: estimated by correlation, coarse to fine.');
+      fill(found, given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.');
       return;
     }
     const [mx, my] = result.value.median_px;
     const correlation = result.value.correlation;
-    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low, so the images may not overlap; a given offset may help' : ''}.`);
+    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`);
   });
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
 }

@@ -123,7 +123,7 @@ function scoreLines(state: State): HTMLElement | null {
     h('tbody', {},
       line('Right', 'score-right', score.right, share(score.right), 'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.'),
       line('Strictly right', 'score-strict', score.strict, share(score.strict), 'Within 1.5 px of where the surface at the left pixel itself is seen.'),
-      line('Missed', 'score-missed', score.missed, '', 'Left points that are seen in the right image and have no right match.')));
+      line('Missed', 'score-missed', score.missed, '', 'Left points that are visible in the right image and have no right match.')));
 }
 
 /** What became of the points, in one sentence for the status line. */

@@ -49,7 +49,7 @@ function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLEl
 }
 
 function interiorText(sigma: number | null | undefined, freedom: number | undefined, marks: number): string {
-  if (marks === 0) return 'No fiducial marks: the pixel size is used.';
+  if (marks === 0) return 'No fiducial marks. The pixel size is used.';
   if (freedom === undefined) return `${String(marks)} marks.`;
   return `${String(marks)} marks, σ₀ ${sigma == null ? 'not determined' : `${fixed(1000 * sigma, 1)} µm`}, ${String(freedom)} degrees of freedom.`;
 }
@@ -116,5 +116,5 @@ function originFields(side: Side, store: Store): HTMLElement {
   store.watch((s) => [s.photos[side].origin] as const, ([origin]) => {
     inputs.forEach((input, axis) => { showNumber({ input, problem }, origin?.[axis]); });
   });
-  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row, in the scan whose marks were measured, of this image’s top-left corner. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs, problem);
+  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row of this image’s top-left corner in the scan in which the marks were measured. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs, problem);
 }

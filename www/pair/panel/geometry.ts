@@ -53,11 +53,11 @@ function figures(match: MatchResult, { model, sigma_px: sigma, threshold_px: thr
   return [
     { name: 'Model', testid: 'geometry-kind', value: KINDS[model.kind].name, help: KINDS[model.kind].help },
     { name: 'Matches that agree', testid: 'geometry-matches', value: count(match.counts.matches), help: 'All others are refused. Matches that only the geometry made unambiguous are among them.' },
-    { name: 'Standard error of a coordinate', testid: 'geometry-sigma', value: `${fixed(sigma, 3)} px`, help: 'From the distances of the matches that agree, across the epipolar lines or from the places.' },
+    { name: 'Standard error of a coordinate', testid: 'geometry-sigma', value: `${fixed(sigma, 3)} px`, help: 'From the distances of these matches to their epipolar lines, or to their predicted positions.' },
     { name: 'Threshold', testid: 'geometry-threshold', value: `${fixed(threshold, 2)} px`, help: 'Largest distance of a match that agrees. It follows from the scatter of the matches where none is given.' },
     ...(focal === null ? [] : [{
       name: 'Focal length, estimated', testid: 'geometry-focal', value: `${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`,
-      help: 'Of both cameras, by the matches alone, with its standard error; principal points are taken to lie in the middle of the images. Known to a tenth it serves the relative orientation.',
+      help: 'Of both cameras, from the matches alone, with its standard error. The principal point is assumed at the image centre. A relative error of a tenth is small enough for the relative orientation.',
     }]),
   ];
 }

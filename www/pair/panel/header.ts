@@ -72,7 +72,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt }: Heade
 function swap(store: Store, engine: Engine): void {
   const known = truthOf(store.state) !== null;
   engine.swap();
-  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The simulated pair is compared with its truth in its own order only: swap again for that.' } });
+  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The truth of the simulated pair holds in its own order only: swap again to compare.' } });
 }
 
 /** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */

@@ -41,7 +41,7 @@ async function update(body: HTMLElement, store: Store, round: () => number, own:
     const made = make(store.state);
     if (made !== null) charts.push(made);
   }
-  fill(body, ...(charts.length > 0 ? charts : [h('p', { class: 'note' }, 'Appear with the first points.')]));
+  fill(body, ...(charts.length > 0 ? charts : [h('p', { class: 'note' }, 'No points yet.')]));
 }
 
 const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [

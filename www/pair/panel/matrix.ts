@@ -20,7 +20,7 @@ export function correlationPicture({ correlations }: RelativeOrientation): HTMLE
   ]);
   const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
   return h('figure', { testid: 'correlations' },
-    h('figcaption', { title: 'From the inverse of the normal equations: near ±1 two unknowns can hardly be told apart, and an error of one passes into the other.' }, 'Correlations of the unknowns'),
+    h('figcaption', { title: 'From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other.' }, 'Correlations of the unknowns'),
     svg('svg', { viewBox: `0 0 ${String(size)} ${String(size)}`, class: 'correlations', role: 'img', 'aria-label': `Correlations: ${words.join(', ')}` }, ...heads, ...cells));
 }
 

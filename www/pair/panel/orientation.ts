@@ -43,7 +43,7 @@ function estimatedFocal(state: State): HTMLElement[] {
   const focal = match?.value.geometry?.focal ?? null;
   if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
   return [h('p', { class: 'note', testid: 'estimated-focal' },
-    `With the focal length that the matches tell: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below take for free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
+    `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
 }
 
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
@@ -65,13 +65,13 @@ export function whyNotOriented(state: State): string | null {
   const match = isCurrent(state, 'match') ? (state.results.match?.value ?? null) : null;
   if (match?.geometry?.degenerate === 'pure-rotation') {
     return areEqual(match.matches)
-      ? 'Not oriented: both images show the same in the same places. Is it one photo twice?'
+      ? 'Not oriented: both images show the same at the same positions. Is it one photo twice?'
       : 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
   }
   if (match?.geometry_reason != null) return `Not oriented: ${readable(state.catalogue, match.geometry_reason)}. Do both photos show the same ground?`;
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
-    const untold = match?.geometry == null ? '' : ', and the matches do not tell the focal length';
+    const untold = match?.geometry == null ? '' : ', and the matches do not determine the focal length';
     return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
   }
   for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
@@ -106,11 +106,11 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const heads: [string, string][] = [
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
     ['Std error', 'What the scatter of the matches leaves uncertain.'],
-    ...(total === null ? [] : [['In total', 'The same with what does not average out over the matches: neighbouring ones share errors, since their windows see the same, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
+    ...(total === null ? [] : [['In total', 'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
     ...(ofPaper ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
     ...(truth === null
       ? []
-      : [['True error', 'Value minus truth, that of by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
+      : [['True error', 'Value minus truth; by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
   ];
   const paper = ofPaper ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
   return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
@@ -142,17 +142,17 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
     },
     {
       name: 'of a y-parallax (√2 σ₀)', testid: 'sigma-parallax', value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
-      help: 'Standard error of the y-parallax of a match: how far its two rays pass each other.',
+      help: 'Standard error of the y-parallax of a match: the distance at which its two rays pass each other.',
     },
     ...(test === null ? [] : [{
       name: 'Global test', testid: 'global-test', value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`, ...(test.passed ? {} : { kind: 'problem' as const }),
       help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
     }]),
     { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
-    { name: 'Matches used', testid: 'matches-used', value: `${count(used)} of ${count(result.residuals_mm.length)}`, help: 'The others were left out as gross errors by data snooping, or because their rays meet behind a camera.' },
+    { name: 'Matches used', testid: 'matches-used', value: `${count(used)} of ${count(result.residuals_mm.length)}`, help: 'Data snooping rejected the others as gross errors, or their rays meet behind a camera.' },
     {
       name: 'Condition', testid: 'condition', value: significant(result.condition),
-      help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they can hardly be told apart.',
+      help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they are hardly separable.',
     },
     {
       name: 'Misfit to a plane', testid: 'plane-misfit', value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,

@@ -41,9 +41,9 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
   replace.setAttribute('aria-label', `Replace the ${side} image`);
   const empty = button(`Open the ${side} image …`, `open-${side}`, () => { actions.open(side); });
   empty.className = 'invitation';
-  const mask = button('Mask …', `mask-${side}`, () => { actions.mask(side); }, 'An image of the same size: where it is 0 (black), no points are wanted');
+  const mask = button('Mask …', `mask-${side}`, () => { actions.mask(side); }, 'An image of the same size: no points are detected where it is 0 (black)');
   const unmask = button('× mask', `unmask-${side}`, () => { actions.unmask(side); });
-  unmask.setAttribute('aria-label', `Take the mask of the ${side} image away`);
+  unmask.setAttribute('aria-label', `Remove the mask of the ${side} image`);
   const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
   const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);
   const show = (state: State) => {
@@ -53,7 +53,7 @@ function label(side: Side, actions: PaneActions): { element: HTMLElement; show: 
     head.hidden = image === null;
     mask.hidden = given !== null;
     unmask.hidden = given === null;
-    unmask.title = given === null ? '' : `Take ${given.name} away`;
+    unmask.title = given === null ? '' : `Remove ${given.name}`;
     empty.hidden = image !== null;
     const size = opened === undefined || image === null ? '' : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
     // Beside the buttons a long one is cut off, and the size left out where it has no place.

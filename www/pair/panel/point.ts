@@ -49,7 +49,7 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
   if (shown.match === null) return [...parts, h('p', { class: 'note' }, 'Not matched yet.')];
   parts.push(verdict(state, shown, shown.match));
   const inspection = state.results.inspection?.value;
-  if (inspection === undefined || !isCurrent(state, 'inspection')) return [...parts, h('p', { class: 'note' }, problemOr(state, 'Looking up the window and the candidates …'))];
+  if (inspection === undefined || !isCurrent(state, 'inspection')) return [...parts, h('p', { class: 'note' }, problemOr(state, 'Loading the window and the candidates …'))];
   // Grey values are compared as they are: moments of their windows would say nothing about the verdict.
   const byGrey = state.settings !== null && comparesGreyValues(state.settings);
   const byGradients = state.settings !== null && comparesGradients(state.settings);
@@ -64,9 +64,9 @@ function content(state: State, select: (side: 'left' | 'right', index: number) =
 function lineNote({ line }: Inspection, { geometry }: MatchResult): HTMLElement[] {
   if (line === null || geometry === null) return [];
   const text = 'fundamental' in geometry.model
-    ? `The dashed line in the ${line.side} image is the epipolar line of this point: its match lies on it, whatever its height.`
+    ? `The dashed line in the ${line.side} image is the epipolar line of this point: its match lies on it, whatever the height.`
     : `The cross in the ${line.side} image is where the geometry has this point.`;
-  return [h('p', { class: 'note', testid: 'point-line' }, line.positions.length === 0 ? `By the geometry of the two views the ${line.side} image does not show this point.` : text)];
+  return [h('p', { class: 'note', testid: 'point-line' }, line.positions.length === 0 ? `By the geometry of the two views this point lies outside the ${line.side} image.` : text)];
 }
 
 function problemOr(state: State, text: string): string {
@@ -132,7 +132,7 @@ function candidateTable(state: State, match: MatchResult, { candidates }: Inspec
   });
   const measure = state.settings !== null && comparesGradients(state.settings) ? 'Distance' : 'Measure';
   const heads = ['', 'Right point', 'x px', 'y px', measure].map((text) => h('th', { scope: 'col' }, text));
-  heads.push(h('th', { scope: 'col', title: 'The least of all divided by its own: the second one’s decides whether the best is ambiguous.' }, 'Ratio'));
+  heads.push(h('th', { scope: 'col', title: 'The smallest measure divided by its own: that of the second decides whether the best is ambiguous.' }, 'Ratio'));
   const caption = `${count(total)} ${total === 1 ? 'candidate' : 'candidates'} of left point ${count(leftIndex + 1)}${total > MOST_ROWS ? `, the best ${String(MOST_ROWS)}` : ''}`;
   return [h('h4', {}, caption), h('div', { class: 'scroll candidates' }, h('table', { testid: 'point-candidates', aria: { label: caption } }, h('thead', {}, h('tr', {}, ...heads)), h('tbody', {}, ...rows)))];
 }

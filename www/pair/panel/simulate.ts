@@ -69,7 +69,7 @@ class SimulatePanel {
       if (flight !== null) store.dispatch({ type: 'flight', flight: { ...flight, seed: (flight.seed + 1) % 2 ** 32 } });
     }, 'The next seed');
     host.append(
-      h('p', { class: 'note' }, 'A flight over a made town. Its truth is known, so that matches and orientation are scored and errors shown beside their standard errors.'),
+      h('p', { class: 'note' }, 'A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors.'),
       h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
       h('div', { class: 'previews' }, ...this.pictures), this.problem, h('div', { class: 'buttons' }, go, another), ...this.groups());
     store.watch((s) => [s.flight] as const, ([flight]) => {

@@ -54,7 +54,7 @@ export function isBusy(state: State): boolean {
 }
 
 function show(line: HTMLElement, { text, kind }: Line): void {
-  line.dataset['kind'] = kind;
+  line.dataset.kind = kind;
   if (line.textContent !== text) line.textContent = text;
 }
 
@@ -75,7 +75,7 @@ function lineOf(state: State): Line {
 
 function resting(state: State, wanted: number, done: number): Line {
   if (state.catalogue === null) return { text: 'Loading the program …', kind: 'busy' };
-  if (state.images.left === null && state.images.right === null) return { text: 'Ready. Open two overlapping images, or take the sample pair.', kind: 'idle' };
+  if (state.images.left === null && state.images.right === null) return { text: 'Ready. Open two overlapping images, or use the sample pair.', kind: 'idle' };
   if (state.images.left === null || state.images.right === null) {
     return { text: `One image is open. Open the ${state.images.left === null ? 'left' : 'right'} one.`, kind: 'idle' };
   }

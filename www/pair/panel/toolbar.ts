@@ -4,6 +4,7 @@ import type { Store } from '../state/store';
 import type { Navigator } from '../view/navigate';
 import { SOME_LINES } from '../view/marks';
 import { button, h } from '../../shared/panel/dom';
+import { labelled, zoomButtons } from '../../shared/panel/zoom';
 
 const VECTOR_FACTORS = [0, 10, 20, 50, 100, 200, 500, 1000];
 
@@ -27,16 +28,9 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
   const [vectors, vectorSelect] = choice('Residuals', 'layer-vectors', VECTOR_FACTORS.map((f) => [String(f), f === 0 ? 'none' : `× ${String(f)}`] as const), (value) => { set({ vectors: Number(value) }); });
   const linked = toggle('Linked', 'linked', 'Pan and zoom both images together (L)', (on) => { set({ linked: on }); });
   const magnifier = toggle('Magnifier', 'magnifier', 'Enlarge what is under the pointer (M)', (on) => { set({ magnifier: on }); });
-  const labelled = (text: string, testid: string, label: string, action: () => void) => {
-    const made = button(text, testid, action, label);
-    made.setAttribute('aria-label', label);
-    return made;
-  };
   host.append(
     points, lines, vectors, h('span', { class: 'divider' }), linked, magnifier, h('span', { class: 'divider' }),
-    labelled('−', 'zoom-out', 'Zoom out (−)', () => { navigator.zoomMiddle(1 / 1.5); }),
-    labelled('+', 'zoom-in', 'Zoom in (+)', () => { navigator.zoomMiddle(1.5); }),
-    labelled('Fit', 'zoom-fit', 'Whole images (0)', () => { navigator.fit(); }),
+    ...zoomButtons('', 'Whole images', () => navigator),
     labelled('1:1', 'zoom-actual', 'One image pixel to one screen pixel (1)', () => { navigator.actualSize(); }),
     h('span', { class: 'divider' }),
     labelled('‹', 'previous-point', 'Previous point (P)', () => { navigator.step(-1); }),

@@ -1,5 +1,5 @@
 /** Everything that can happen to the state. */
-import type { Camera, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
+import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
 import type {
   Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart,
@@ -16,7 +16,7 @@ export type Action =
   | { type: 'settings'; settings: Settings }
   /** Of the fields of a part of the state, the one of this label holds a value that is not allowed; null where none does. */
   | { type: 'refused'; part: TypedPart; label: string | null }
-  | { type: 'camera'; camera: Camera | null }
+  | { type: 'camera'; camera: CameraMm | null }
   | { type: 'photo'; side: Side; photo: Partial<PhotoData> }
   | { type: 'mask'; side: Side; mask: GivenMask | null }
   | { type: 'fiducialModel'; model: FiducialModel }

@@ -2,7 +2,7 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import type { Camera, Settings } from '../../shared/crate';
+import type { CameraMm, Settings } from '../../shared/crate';
 import { truthOf } from './truth';
 import { SIDES } from './state';
 import type { Side, StageName, State } from './state';
@@ -29,7 +29,7 @@ function keyOf(kind: string, inputs: readonly (string | null)[], options: unknow
 }
 
 /** The cameras of a pair and where they are known from; or, in words, what is missing. */
-export type PairCameras = { left: Camera; right: Camera; from: 'given' | 'exif' } | { missing: string };
+export type PairCameras = { left: CameraMm; right: CameraMm; from: 'given' | 'exif' } | { missing: string };
 
 /** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
 export function pairCameras(state: State): PairCameras {
@@ -41,7 +41,7 @@ export function pairCameras(state: State): PairCameras {
   return { left, right, from: state.camera === null ? 'exif' : 'given' };
 }
 
-function cameraOf(state: State, side: Side): Camera | string {
+function cameraOf(state: State, side: Side): CameraMm | string {
   const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
   const marked = state.photos[side].fiducials.length > 0;
   const camera = state.camera ?? (exif === null ? null : { focal_mm: exif.focal_mm, pixel_mm: exif.pixel_mm });

@@ -1,7 +1,7 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
 import { INITIAL, TYPED_PARTS } from './state';
-import type { Display, PhotoData, Results, Side, State } from './state';
+import type { Display, PhotoData, Results, Side, State, TypedPart } from './state';
 
 const NO_DATA: PhotoData = { fiducials: [], origin: null };
 
@@ -19,7 +19,8 @@ export function reduce(state: State, action: Action): State {
 
 /** Fields show new values in place of what they held. */
 function withShown(state: State, next: State): State {
-  return TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]).reduce((shown, part) => ({ ...shown, refused: without(shown.refused, part) }), next);
+  const shown = TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]);
+  return shown.length === 0 ? next : { ...next, refused: shown.reduce(without<State['refused'], TypedPart>, next.refused) };
 }
 
 function changed(state: State, action: Action): State {

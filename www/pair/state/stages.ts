@@ -16,8 +16,8 @@ export interface StageInfo {
 export const STAGES: Readonly<Record<StageName, StageInfo>> = {
   openLeft: { label: 'decoding the left image', worker: 'left', needs: [] },
   openRight: { label: 'decoding the right image', worker: 'right', needs: [] },
-  pointsLeft: { label: 'finding points, left', worker: 'left', needs: ['openLeft'] },
-  pointsRight: { label: 'finding points, right', worker: 'right', needs: ['openRight'] },
+  pointsLeft: { label: 'detecting points, left', worker: 'left', needs: ['openLeft'] },
+  pointsRight: { label: 'detecting points, right', worker: 'right', needs: ['openRight'] },
   descriptorsLeft: { label: 'describing points, left', worker: 'left', needs: ['pointsLeft'] },
   descriptorsRight: { label: 'describing points, right', worker: 'right', needs: ['pointsRight'] },
   offset: { label: 'estimating the offset of the images', worker: 'pair', needs: ['openLeft', 'openRight'] },
@@ -26,7 +26,7 @@ export const STAGES: Readonly<Record<StageName, StageInfo>> = {
   interiorRight: { label: 'interior orientation, right', worker: 'pair', needs: ['openRight'] },
   orientation: { label: 'relative orientation', worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
   score: { label: 'comparing with the truth', worker: 'pair', needs: ['match'] },
-  inspection: { label: 'looking at the selected point', worker: 'pair', needs: ['match'] },
+  inspection: { label: 'loading the selected point', worker: 'pair', needs: ['match'] },
 };
 
 export const STAGE_NAMES = Object.keys(STAGES) as StageName[];

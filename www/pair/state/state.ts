@@ -1,7 +1,7 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
 import type {
-  Camera, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
+  CameraMm, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
   PhotoInfo, RelativeOrientation, WindowReport,
 } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
@@ -164,7 +164,7 @@ export interface State {
   images: Record<Side, GivenImage | null>;
   photos: Record<Side, PhotoData>;
   masks: Record<Side, GivenMask | null>;
-  camera: Camera | null;
+  camera: CameraMm | null;
   fiducialModel: FiducialModel;
   /** Offset given by the user; estimated where null. */
   offset: [number, number] | null;

@@ -2,8 +2,8 @@
 import { comparesGradients } from '../state/keys';
 import type { Settings } from '../../shared/crate';
 import type { State } from '../state/state';
-import type { Rect, Transform } from './geometry';
-import { toCanvas } from './geometry';
+import type { Rect, Transform } from '../../shared/view/transform';
+import { toCanvas } from '../../shared/view/transform';
 import { SELECTED, STYLES } from './palette';
 import { isShown } from './scene';
 import type { Pane } from './scene';
@@ -34,8 +34,8 @@ export function drawFrames(context: CanvasRenderingContext2D, state: State, pane
     const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
     if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
     drawn += 1;
-    let path = paths.get(code);
-    if (path === undefined) paths.set(code, path = new Path2D());
+    const path = paths.get(code) ?? new Path2D();
+    paths.set(code, path);
     addFrame(path, [x, y], radius, ticks ? (frames[2 * i + 1] ?? 0) : null);
   });
   if (drawn > MOST_DRAWN) return;

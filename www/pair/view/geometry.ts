@@ -1,12 +1,7 @@
 /** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
+import { toPosition, zoomedAbout } from '../../shared/view/transform';
+import type { Rect, Transform } from '../../shared/view/transform';
 import type { PaneView, Side } from '../state/state';
-
-export interface Rect {
-  left: number;
-  top: number;
-  width: number;
-  height: number;
-}
 
 /** Space between the panes, crossed by the match lines. */
 const GAP = 10;
@@ -21,31 +16,12 @@ export function panesOf(width: number, height: number): Record<Side, Rect> {
   return { left: { left: 0, top: 0, width, height: pane }, right: { left: 0, top: height - pane, width, height: pane } };
 }
 
-export function contains(rect: Rect, x: number, y: number): boolean {
-  return x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
-}
-
-/** canvas = scale · image + shift. */
-export interface Transform {
-  scale: number;
-  x: number;
-  y: number;
-}
-
 export function transformOf(pane: Rect, view: PaneView): Transform {
   return {
     scale: view.scale,
     x: pane.left + pane.width / 2 - view.scale * view.x,
     y: pane.top + pane.height / 2 - view.scale * view.y,
   };
-}
-
-export function toCanvas(t: Transform, x: number, y: number): [number, number] {
-  return [t.scale * x + t.x, t.scale * y + t.y];
-}
-
-export function toImage(t: Transform, x: number, y: number): [number, number] {
-  return [(x - t.x) / t.scale, (y - t.y) / t.scale];
 }
 
 /** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
@@ -65,17 +41,13 @@ export function fitView(pane: Rect, width: number, height: number): PaneView {
   return { x: width / 2, y: (pane.height / 2 - top) / scale, scale };
 }
 
-export const MAX_SCALE = 64;
+const MAX_SCALE = 64;
 
 /** The view after zooming by `factor` about a canvas position, within sensible limits. */
 export function zoomed(pane: Rect, view: PaneView, factor: number, x: number, y: number, least: number): PaneView {
-  const scale = Math.min(MAX_SCALE, Math.max(least, view.scale * factor));
-  const [ix, iy] = toImage(transformOf(pane, view), x, y);
-  return {
-    scale,
-    x: ix - (x - pane.left - pane.width / 2) / scale,
-    y: iy - (y - pane.top - pane.height / 2) / scale,
-  };
+  const t = zoomedAbout(transformOf(pane, view), factor, x, y, { least, most: MAX_SCALE });
+  const [centreX, centreY] = toPosition(t, pane.left + pane.width / 2, pane.top + pane.height / 2);
+  return { scale: t.scale, x: centreX, y: centreY };
 }
 
 /** Keeps the centre of the pane on the image. */

@@ -6,7 +6,7 @@ import { SIDES } from '../state/state';
 import type { PointLayer, Side, State } from '../state/state';
 import { drawFrames } from './frames';
 import { drawView } from './geometry';
-import type { Rect, Transform } from './geometry';
+import type { Rect, Transform } from '../../shared/view/transform';
 import { DRAWN, LINE, LINE_REJECTED, STYLES } from './palette';
 import { isShown } from './scene';
 import type { Pane, Scene } from './scene';

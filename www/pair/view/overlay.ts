@@ -4,8 +4,8 @@ import { expectedPosition } from '../state/offset';
 import { leftIndexOf, placeOf } from '../state/selected';
 import type { State } from '../state/state';
 import { drawSupport } from './frames';
-import { contains, toCanvas, toImage } from './geometry';
-import type { Rect, Transform } from './geometry';
+import { contains, toCanvas, toPosition } from '../../shared/view/transform';
+import type { Rect, Transform } from '../../shared/view/transform';
 import { drawPoints } from './marks';
 import { CANDIDATE, EPIPOLAR, SELECTED } from './palette';
 import { paintPicture } from './picture';
@@ -135,7 +135,7 @@ export function drawLens(
 ): void {
   const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
   if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
-  const [x, y] = toImage(pane.transform, at[0], at[1]);
+  const [x, y] = toPosition(pane.transform, at[0], at[1]);
   const rect = lensRect(at, bounds);
   const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
   const transform: Transform = { scale, x: rect.left + rect.width / 2 - scale * x, y: rect.top + rect.height / 2 - scale * y };

@@ -1,7 +1,7 @@
 /** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
 import type { MaskImage, Overview } from '../state/data';
-import type { Rect, Transform } from './geometry';
-import { toImage } from './geometry';
+import type { Rect, Transform } from '../../shared/view/transform';
+import { toPosition } from '../../shared/view/transform';
 import { TILE_SIDE } from './tilecache';
 import type { TileCache } from './tilecache';
 
@@ -14,8 +14,8 @@ export interface Picture {
 
 /** The part of the image that a rectangle of the canvas shows: left, top, right, bottom in px, within the image. */
 function visiblePart(picture: Picture, t: Transform, clip: Rect): [number, number, number, number] {
-  const [left, top] = toImage(t, clip.left, clip.top);
-  const [right, bottom] = toImage(t, clip.left + clip.width, clip.top + clip.height);
+  const [left, top] = toPosition(t, clip.left, clip.top);
+  const [right, bottom] = toPosition(t, clip.left + clip.width, clip.top + clip.height);
   return [Math.max(0, left), Math.max(0, top), Math.min(picture.width, right), Math.min(picture.height, bottom)];
 }
 

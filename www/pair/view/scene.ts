@@ -9,7 +9,8 @@ import { SIDES } from '../state/state';
 import type { Display, Side, State } from '../state/state';
 import { wantedKeys } from '../state/keys';
 import { fitView, panesOf, transformOf } from './geometry';
-import type { Rect, Transform } from './geometry';
+import { contains } from '../../shared/view/transform';
+import type { Rect, Transform } from '../../shared/view/transform';
 import type { Picture } from './picture';
 
 export interface Pane {
@@ -83,9 +84,6 @@ export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, 
 
 /** The pane at a canvas position. */
 export function paneAt(scene: Scene, x: number, y: number): Pane | null {
-  for (const side of SIDES) {
-    const { rect } = scene.panes[side];
-    if (x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height) return scene.panes[side];
-  }
-  return null;
+  const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
+  return side === undefined ? null : scene.panes[side];
 }

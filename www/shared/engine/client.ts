@@ -1,6 +1,6 @@
 /** One worker as the page sees it: typed calls that are answered, refused, or ended with the worker. */
 import type { RequestMessage, ResponseMessage, StartMessage, Table, WireFailure } from './messages';
-import { spawnWorker, wasmModule } from './spawn';
+import { spawnWorker, wasmModule } from './platform';
 
 /** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 export class CallError extends Error {

@@ -2,7 +2,7 @@
 import { initSync } from '../../../pkg/wasm/tiepoint.js';
 import { readCatalogue } from '../crate';
 import type { Catalogue } from '../crate';
-import { wasmModule } from './spawn';
+import { wasmModule } from './platform';
 
 /** Loads the module and reads what the crate says of itself. */
 export async function loadCatalogue(): Promise<Catalogue> {

@@ -39,7 +39,7 @@ export class RowsInSight {
   /** Says on the heads of columns how the rows are sorted. */
   markOrder(key: string, descending: boolean): void {
     for (const cell of this.head.querySelectorAll('th')) {
-      cell.setAttribute('aria-sort', cell.dataset['key'] === key ? (descending ? 'descending' : 'ascending') : 'none');
+      cell.setAttribute('aria-sort', cell.dataset.key === key ? (descending ? 'descending' : 'ascending') : 'none');
     }
   }
 
@@ -58,7 +58,7 @@ export class RowsInSight {
   /** The key of the button that has the keyboard; null where none has. */
   private focused(): string | null {
     const { activeElement } = document;
-    return activeElement instanceof HTMLElement && this.body.contains(activeElement) ? (activeElement.dataset['key'] ?? '') : null;
+    return activeElement instanceof HTMLElement && this.body.contains(activeElement) ? (activeElement.dataset.key ?? '') : null;
   }
 
   /** Gives the keyboard back to a button that was built anew, or to the table where it is out of sight. */

@@ -22,13 +22,13 @@ function keep(theme: string): void {
 
 export function mountTheme(button: HTMLElement): void {
   const show = (theme: string) => {
-    document.documentElement.dataset['theme'] = theme;
+    document.documentElement.dataset.theme = theme;
     button.textContent = { auto: 'Theme: auto', light: 'Theme: light', dark: 'Theme: dark' }[theme] ?? 'Theme';
   };
   const saved = remembered();
   show(saved !== null && saved in NEXT ? saved : 'auto');
   button.addEventListener('click', () => {
-    const theme = NEXT[document.documentElement.dataset['theme'] ?? 'auto'] ?? 'auto';
+    const theme = NEXT[document.documentElement.dataset.theme ?? 'auto'] ?? 'auto';
     show(theme);
     keep(theme);
   });

@@ -33,5 +33,5 @@ export function sentence(text: string): string {
 
 /** What is said while a field holds a value that is not allowed. */
 export function refusedText(label: string): string {
-  return `${label}: the value typed is not allowed and not used. Results are of the last valid one.`;
+  return `${label}: this value is not allowed. The last valid one stays in use.`;
 }

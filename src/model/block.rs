@@ -1,5 +1,6 @@
-//! A block as it is exchanged with other programs: cameras, images, points with their rays.
+//! A block as files hold it: cameras, images, object points with their observations.
 
+use crate::camera::{Camera, Pose};
 use serde::{Deserialize, Serialize};
 
 /// A block: whatever is not known yet is absent.
@@ -7,37 +8,12 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct BlockModel {
-    pub cameras: Vec<ModelCamera>,
+    pub cameras: Vec<Camera>,
     pub images: Vec<ModelImage>,
-    pub points: Vec<ModelPoint>,
+    pub points: Vec<ObjectPoint>,
     /// Where on the earth the object space is; absent for a block in a system of its own.
     #[serde(default)]
     pub origin: Option<GeographicOrigin>,
-}
-
-/// A camera. With x = U/-W, y = -V/-W of photo = (U, V, W) = M·(X - X₀) and r² = x² + y², a point is seen at
-/// col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
-///
-/// # Source
-/// Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ModelCamera {
-    pub width_px: u32,
-    pub height_px: u32,
-    pub focal_px: f64,
-    /// `[c_x, c_y]` in px; the centre of the top-left pixel is (0.5, 0.5).
-    pub principal_point_px: [f64; 2],
-    /// `[k1, k2, k3]`, without unit.
-    #[serde(default)]
-    pub radial: [f64; 3],
-    /// `[p1, p2]`, without unit.
-    #[serde(default)]
-    pub tangential: [f64; 2],
-    /// Side of a pixel in mm, which formats with photo coordinates need.
-    #[serde(default)]
-    pub pixel_mm: Option<f64>,
 }
 
 /// An image.
@@ -51,25 +27,14 @@ pub struct ModelImage {
     pub camera: usize,
     /// Absent where it is not oriented.
     #[serde(default)]
-    pub pose: Option<ModelPose>,
+    pub pose: Option<Pose>,
 }
 
-/// The exterior orientation of an image.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ModelPose {
-    /// Rows of M, from object to photo, x right, y up, against the view: photo = M·(X - X₀).
-    pub rotation: [[f64; 3]; 3],
-    /// X₀, in m where the object space has a scale.
-    pub position: [f64; 3],
-}
-
-/// A multi-ray point.
+/// A tie point or control point.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ModelPoint {
+pub struct ObjectPoint {
     /// Absent where it is not intersected.
     #[serde(default)]
     pub position: Option<[f64; 3]>,
@@ -79,17 +44,17 @@ pub struct ModelPoint {
     /// Root mean square length of its residuals in px.
     #[serde(default)]
     pub rmse_px: Option<f64>,
-    /// Probability, 0..1, that its rays belong together.
+    /// Probability, 0..1, that its observations belong together.
     #[serde(default = "one")]
     pub confidence: f64,
-    pub rays: Vec<ModelRay>,
+    pub rays: Vec<ImageObservation>,
 }
 
-/// A point in an image.
+/// The measured position of a point in one image.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ModelRay {
+pub struct ImageObservation {
     /// Index of the image.
     pub image: usize,
     /// Measured column and row in px; the centre of the top-left pixel is (0.5, 0.5).
@@ -112,10 +77,46 @@ pub struct GeographicOrigin {
     pub height_m: f64,
 }
 
+/// The image that has two of the observations, if any has.
+pub(super) fn seen_twice(observations: &[ImageObservation]) -> Option<usize> {
+    let mut images: Vec<usize> = observations.iter().map(|observation| observation.image).collect();
+    images.sort_unstable();
+    images.windows(2).find(|pair| pair[0] == pair[1]).map(|pair| pair[0])
+}
+
 fn one() -> f64 {
     1.0
 }
 
 fn grey() -> [u8; 3] {
     [128; 3]
+}
+
+/// Three images and three points: one of three rays, one of two, one of two that is not intersected.
+#[cfg(test)]
+pub(crate) fn tiny_block() -> BlockModel {
+    let upright = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let image = |name: &str, x: Option<f64>| ModelImage {
+        name: name.into(),
+        camera: 0,
+        pose: x.map(|x| Pose { rotation: upright, position: [x, 0.0, 100.0] }),
+    };
+    let ray = |image, x_px, y_px| ImageObservation { image, x_px, y_px, confidence: 1.0 };
+    let point = |position, rays: &[ImageObservation]| ObjectPoint {
+        position,
+        colour: [10, 20, 30],
+        rmse_px: Some(0.25),
+        confidence: 1.0,
+        rays: rays.into(),
+    };
+    BlockModel {
+        cameras: vec![Camera { pixel_mm: Some(0.01), ..Camera::without_distortion(400, 300, 500.0) }],
+        images: vec![image("a.jpg", Some(0.0)), image("b.jpg", Some(10.0)), image("c.jpg", None)],
+        points: vec![
+            point(Some([5.0, 0.0, 0.0]), &[ray(0, 225.0, 150.0), ray(1, 175.0, 150.0), ray(2, 100.5, 20.25)]),
+            point(Some([5.0, 10.0, 0.0]), &[ray(0, 225.0, 100.0), ray(1, 175.0, 100.0)]),
+            point(None, &[ray(1, 10.0, 20.0), ray(2, 30.0, 40.0)]),
+        ],
+        origin: Some(GeographicOrigin { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 200.0 }),
+    }
 }

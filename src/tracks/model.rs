@@ -1,8 +1,7 @@
 //! Chosen multi-ray points as points of a block that is exchanged.
 
-use super::check::refuse;
-use super::{BlockModel, ModelPoint, ModelRay};
-use crate::{Error, FeatureObservation, ImageFeatures, TiePoints};
+use crate::error::refuse;
+use crate::{BlockModel, Error, FeatureObservation, ImageFeatures, ImageObservation, ObjectPoint, TiePoints};
 
 impl BlockModel {
     /// Adds points, not intersected yet, in the order of `chosen`; `features` are those of the block's images, in their order.
@@ -23,7 +22,12 @@ impl BlockModel {
             let Some([x, y]) = place else {
                 return refuse(what, format!("feature {} of image {}", ray.feature, ray.image), "features that exist");
             };
-            Ok(ModelRay { image: ray.image as usize, x_px: f64::from(*x), y_px: f64::from(*y), confidence: f64::from(ray.confidence) })
+            Ok(ImageObservation {
+                image: ray.image as usize,
+                x_px: f64::from(*x),
+                y_px: f64::from(*y),
+                confidence: f64::from(ray.confidence),
+            })
         };
         let point = |index: &u32| {
             let index = *index as usize;
@@ -31,7 +35,7 @@ impl BlockModel {
                 return refuse(what, format!("point {index}"), &format!("points below {}", points.len()));
             }
             let rays = points.rays(index).iter().map(ray).collect::<Result<_, _>>()?;
-            Ok(ModelPoint { position: None, colour: [128; 3], rmse_px: None, confidence: f64::from(points.confidence(index)), rays })
+            Ok(ObjectPoint { position: None, colour: [128; 3], rmse_px: None, confidence: f64::from(points.confidence(index)), rays })
         };
         let added = chosen.iter().map(point).collect::<Result<Vec<_>, _>>()?;
         self.points.extend(added);
@@ -41,8 +45,8 @@ impl BlockModel {
 
 #[cfg(test)]
 mod tests {
-    use super::super::sight::tiny_block;
     use super::*;
+    use crate::model::tiny_block;
     use crate::{BlockMatches, BlockOptions, FeatureMatch, tie_points};
 
     #[test]

@@ -1,8 +1,10 @@
 //! What a block must be before it is written, and after it is read.
 
-use super::{BlockModel, GeographicOrigin, ModelCamera, ModelPoint, ModelPose};
+use super::block::seen_twice;
+use super::{BlockModel, GeographicOrigin, ObjectPoint};
 use crate::Error;
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::camera::Pose;
+use crate::error::refuse;
 use std::collections::BTreeMap;
 
 /// How far rows of a rotation may be from unit length and right angles.
@@ -15,10 +17,7 @@ impl BlockModel {
     /// [`Error::InvalidInput`] for indices of nothing, names that are empty, doubled or hold control characters, numbers that are none or out
     /// of range, matrices that are no rotations, rays outside their image, and a point that an image sees twice.
     pub fn check(&self) -> Result<(), Error> {
-        self.cameras
-            .iter()
-            .enumerate()
-            .try_for_each(|(index, camera)| check_camera(camera, || format!("camera {index} (counted from 0)")))?;
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
         let mut names = BTreeMap::new();
         for (index, image) in self.images.iter().enumerate() {
             let what = "image of the block";
@@ -49,7 +48,7 @@ impl BlockModel {
         self.origin.iter().try_for_each(check_origin)
     }
 
-    fn check_point(&self, index: usize, point: &ModelPoint) -> Result<(), Error> {
+    fn check_point(&self, index: usize, point: &ObjectPoint) -> Result<(), Error> {
         let what = "point of the block";
         let share = |value: f64| (0.0..=1.0).contains(&value);
         if !point.position.iter().flatten().all(|v| v.is_finite()) || !point.rmse_px.iter().all(|v| v.is_finite() && *v >= 0.0) {
@@ -62,7 +61,6 @@ impl BlockModel {
         if !share(point.confidence) || !point.rays.iter().all(|ray| share(ray.confidence)) {
             return refuse(what, format!("a confidence of point {index} (counted from 0) outside 0 to 1"), "0 to 1");
         }
-        let mut images = Vec::with_capacity(point.rays.len());
         for ray in &point.rays {
             let Some(image) = self.images.get(ray.image) else {
                 return refuse(
@@ -72,43 +70,22 @@ impl BlockModel {
                 );
             };
             let camera = &self.cameras[image.camera];
-            let inside = (0.0..=f64::from(camera.width_px)).contains(&ray.x_px) && (0.0..=f64::from(camera.height_px)).contains(&ray.y_px);
-            if !inside {
+            if !camera.sees(ray.x_px, ray.y_px) {
                 let got = format!("the ray of point {index} (counted from 0) at ({}, {}) in '{}'", ray.x_px, ray.y_px, image.name);
                 return refuse(what, got, &format!("places within {} x {} px", camera.width_px, camera.height_px));
             }
-            images.push(ray.image);
         }
-        images.sort_unstable();
-        match images.windows(2).find(|pair| pair[0] == pair[1]) {
-            Some(pair) => refuse(
-                what,
-                format!("two rays of point {index} (counted from 0) in '{}'", self.images[pair[0]].name),
-                "one ray in an image",
-            ),
+        match seen_twice(&point.rays) {
+            Some(image) => {
+                let got = format!("two rays of point {index} (counted from 0) in '{}'", self.images[image].name);
+                refuse(what, got, "one ray in an image")
+            }
             None => Ok(()),
         }
     }
 }
 
-/// Refuses what is no camera; `name` says which one it is.
-pub(super) fn check_camera(camera: &ModelCamera, name: impl Fn() -> String) -> Result<(), Error> {
-    let what = "camera of the block";
-    let finite = |values: &[f64]| values.iter().all(|v| v.abs() <= 1e9);
-    if camera.width_px == 0 || camera.height_px == 0 {
-        return refuse(what, format!("{} x {} px of {}", camera.width_px, camera.height_px, name()), "1 px a side or more");
-    }
-    check_values("focal length of a camera", &[camera.focal_px], FOCAL_PX, || format!("focal_px of {}", name()))?;
-    if !finite(&camera.principal_point_px) || !finite(&camera.radial) || !finite(&camera.tangential) {
-        return refuse(what, format!("principal point or distortion of {}", name()), "finite numbers");
-    }
-    match camera.pixel_mm {
-        Some(pixel) if !(1e-6..=10.0).contains(&pixel) => refuse(what, format!("a pixel of {pixel} mm of {}", name()), "0.000001 to 10"),
-        _ => Ok(()),
-    }
-}
-
-fn check_pose(name: &str, pose: &ModelPose) -> Result<(), Error> {
+fn check_pose(name: &str, pose: &Pose) -> Result<(), Error> {
     let what = "image of the block";
     let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let m = &pose.rotation;
@@ -129,14 +106,10 @@ fn check_origin(origin: &GeographicOrigin) -> Result<(), Error> {
     if place { Ok(()) } else { refuse("origin of the block", format!("{origin:?}"), "a longitude, a latitude and a height up to 1000 km") }
 }
 
-pub(super) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
-    Err(Error::InvalidInput { what, got, allowed: allowed.into() })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::sight::tiny_block;
     use super::*;
+    use crate::model::tiny_block;
 
     #[test]
     fn what_no_file_should_hold_is_refused() {
@@ -152,7 +125,7 @@ mod tests {
         refused(&|m| m.images[0].camera = 1, "index 1 for");
         refused(&|m| m.cameras[0].focal_px = f64::NAN, "focal");
         refused(&|m| m.cameras[0].radial[1] = f64::INFINITY, "distortion");
-        refused(&|m| m.cameras[0].height_px = 0, "1 px");
+        refused(&|m| m.cameras[0].height_px = 0, "size of the images");
         refused(&|m| m.cameras[0].pixel_mm = Some(0.0), "pixel");
         refused(&|m| m.images[0].pose.as_mut().unwrap().rotation[0][0] = 0.5, "rotation");
         refused(&|m| m.images[0].pose.as_mut().unwrap().rotation.iter_mut().for_each(|r| r[2] = -r[2]), "rotation");

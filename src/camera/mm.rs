@@ -1,0 +1,190 @@
+//! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
+
+use super::distortion::{MOST_STEPS, undistorted};
+use super::{Camera, ExifCamera};
+use crate::Error;
+use crate::parameters::refuse;
+use nalgebra::{Matrix3, Vector3};
+use serde::{Deserialize, Serialize};
+
+/// The constants of a camera.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CameraMm {
+    /// Principal distance in mm, above 0 and up to 100,000.
+    pub focal_mm: f64,
+    /// Principal point `[x, y]` in mm: in the system of the calibrated fiducials, or from the middle of the image, x right, y up.
+    #[serde(default)]
+    pub principal_point_mm: [f64; 2],
+    /// Side of a pixel in mm, 0.000001 to 10; needed where there are no fiducials.
+    #[serde(default)]
+    pub pixel_mm: Option<f64>,
+    /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+    #[serde(default)]
+    pub radial_distortion: [f64; 3],
+}
+
+impl CameraMm {
+    /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
+    pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
+        let camera = Self { focal_mm: exif.focal_mm, principal_point_mm: [0.0; 2], pixel_mm: exif.pixel_mm, radial_distortion: [0.0; 3] };
+        camera.check().map(|()| camera)
+    }
+
+    /// Refuses values outside their ranges.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`], naming the field and its range.
+    pub fn check(&self) -> Result<(), Error> {
+        if !(self.focal_mm > 0.0 && self.focal_mm <= 1e5) {
+            return Err(refuse("camera.focal_mm", self.focal_mm, "above 0, up to 100000"));
+        }
+        if !self.principal_point_mm.iter().all(|v| v.abs() <= 1e4) {
+            return Err(refuse("camera.principal_point_mm", format!("{:?}", self.principal_point_mm), "two numbers from -10000 to 10000"));
+        }
+        if let Some(pixel) = self.pixel_mm
+            && !(1e-6..=10.0).contains(&pixel)
+        {
+            return Err(refuse("camera.pixel_mm", pixel, "0.000001 to 10"));
+        }
+        if !self.radial_distortion.iter().all(|k| k.is_finite()) {
+            return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
+        }
+        Ok(())
+    }
+}
+
+/// Side of a pixel where nobody knows it, mm.
+const NOMINAL_PIXEL_MM: f64 = 0.001;
+/// Radii at which the two directions of the distortion are compared.
+const RADII: usize = 128;
+
+impl Camera {
+    /// The camera as one photo has it: lengths in mm from the middle of the image, and the radial distortion as a correction of what was
+    /// measured.
+    ///
+    /// The correction is the polynomial of three terms that comes nearest to the inverse of this camera's radial distortion, by least squares
+    /// over all radii of the image; for lenses of aerial cameras it is within some hundredths of a pixel of it. A photo's camera has no
+    /// tangential distortion: it is left out. A pixel is taken to be 0.001 mm where its side is not known.
+    ///
+    /// # Errors
+    /// [`Error::NotConverged`] where the distortion folds the image, so that it has no inverse; [`Error::InvalidOption`] where the camera is
+    /// none that a photo may have.
+    pub fn photo_camera(&self) -> Result<CameraMm, Error> {
+        let pixel_mm = self.pixel_mm.unwrap_or(NOMINAL_PIXEL_MM);
+        let [cx, cy] = self.principal_point_px;
+        let (width, height) = (f64::from(self.width_px), f64::from(self.height_px));
+        let focal_mm = self.focal_px * pixel_mm;
+        let camera = CameraMm {
+            focal_mm,
+            principal_point_mm: [(cx - 0.5 * width) * pixel_mm, (0.5 * height - cy) * pixel_mm],
+            pixel_mm: Some(pixel_mm),
+            radial_distortion: self.correction()?.map_or([0.0; 3], |[k1, k2, k3]| {
+                let f2 = focal_mm * focal_mm;
+                [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)]
+            }),
+        };
+        camera.check().map(|()| camera)
+    }
+
+    /// The terms of the correction in units of the focal length; absent where there is nothing to correct.
+    fn correction(&self) -> Result<Option<[f64; 3]>, Error> {
+        if self.radial == [0.0; 3] {
+            return Ok(None);
+        }
+        let farthest = self.farthest_corner();
+        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+        for k in 1..=RADII {
+            // In units of the farthest radius the powers stay near each other.
+            let t = k as f64 / RADII as f64;
+            let measured = t * farthest;
+            let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or_else(|| Error::NotConverged {
+                what: "the correction of distortion",
+                iterations: MOST_STEPS,
+                reason: format!("the camera's distortion has no inverse {:.0} px from the principal point", measured * self.focal_px),
+            })?;
+            let t2 = t * t;
+            let row = Vector3::new(t2, t2 * t2, t2 * t2 * t2) * measured;
+            normal += row * row.transpose();
+            right += row * (ideal - measured);
+        }
+        let solved = normal.lu().solve(&right).filter(|terms| terms.iter().all(|term| term.is_finite()));
+        let r2 = farthest * farthest;
+        Ok(solved.map(|terms| [terms.x / r2, terms.y / (r2 * r2), terms.z / (r2 * r2 * r2)]))
+    }
+
+    /// Its distance from the principal point in units of the focal length.
+    fn farthest_corner(&self) -> f64 {
+        let [cx, cy] = self.principal_point_px;
+        let reach = |at: f64, length: u32| at.abs().max((f64::from(length) - at).abs());
+        let (x, y) = (reach(cx, self.width_px), reach(cy, self.height_px));
+        (x * x + y * y).sqrt() / self.focal_px
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Interior;
+
+    fn camera() -> Camera {
+        Camera {
+            principal_point_px: [2010.0, 1490.0],
+            radial: [-0.08, 0.02, -0.003],
+            pixel_mm: Some(0.0024),
+            ..Camera::without_distortion(4000, 3000, 3500.0)
+        }
+    }
+
+    #[test]
+    fn a_photo_sees_the_same_rays_as_the_block() {
+        for camera in [camera(), Camera { radial: [0.0; 3], pixel_mm: None, ..camera() }] {
+            let own = camera.photo_camera().unwrap();
+            let interior = Interior::from_pixel_size(&own, 4000, 3000).unwrap();
+            for (x, y) in [(0.0, 0.0), (4000.0, 3000.0), (2010.0, 1490.0), (1000.0, 2500.0), (3999.0, 10.0)] {
+                let [x_mm, y_mm] = interior.photo_mm(x, y);
+                let [u, v] = camera.undistorted_px([x, y]).unwrap();
+                let [dx, dy] = [x_mm / own.focal_mm - (u - 2010.0) / 3500.0, y_mm / own.focal_mm + (v - 1490.0) / 3500.0];
+                assert!((dx * dx + dy * dy).sqrt() * 3500.0 < 0.02, "{dx} {dy} at {x}, {y}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_distortion_without_inverse_is_refused() {
+        let folded = Camera { radial: [-9.0, 0.0, 0.0], ..camera() };
+        assert_eq!(folded.photo_camera().unwrap_err().code(), "not-converged");
+        assert_eq!(Camera { focal_px: f64::NAN, ..camera() }.photo_camera().unwrap_err().code(), "not-converged");
+        assert_eq!(Camera { focal_px: -5.0, radial: [0.0; 3], ..camera() }.photo_camera().unwrap_err().code(), "invalid-option");
+    }
+
+    #[test]
+    fn values_outside_their_ranges_are_refused_by_name() {
+        let in_mm = camera().photo_camera().unwrap();
+        let wrong = [
+            (CameraMm { focal_mm: 0.0, ..in_mm }, "camera.focal_mm"),
+            (CameraMm { focal_mm: f64::NAN, ..in_mm }, "camera.focal_mm"),
+            (CameraMm { principal_point_mm: [0.0, f64::INFINITY], ..in_mm }, "camera.principal_point_mm"),
+            (CameraMm { pixel_mm: Some(-0.1), ..in_mm }, "camera.pixel_mm"),
+            (CameraMm { pixel_mm: None, ..in_mm }, "camera.pixel_mm"),
+            (CameraMm { radial_distortion: [f64::NAN, 0.0, 0.0], ..in_mm }, "camera.radial_distortion"),
+        ];
+        for (camera, name) in wrong {
+            match Interior::from_pixel_size(&camera, 100, 100) {
+                Err(Error::InvalidOption { field, .. }) => assert_eq!(field, name),
+                other => panic!("{name}: {other:?}"),
+            }
+        }
+    }
+
+    #[test]
+    fn a_camera_without_focal_length_or_with_an_unknown_field_is_no_camera() {
+        assert!(serde_json::from_str::<CameraMm>(r#"{"focal_mm": 24}"#).is_ok());
+        assert!(serde_json::from_str::<CameraMm>(r#"{"pixel_mm": 0.01}"#).is_err());
+        assert!(serde_json::from_str::<CameraMm>(r#"{"focal_mm": 24, "focus": 1}"#).is_err());
+    }
+}

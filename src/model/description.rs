@@ -1,0 +1,183 @@
+//! What is known of a block before it is oriented: cameras, images, ground control points.
+
+use super::block::seen_twice;
+use super::{BlockModel, GroundControlPoint, ModelImage, ObservedPosition};
+use crate::Error;
+use crate::camera::{Camera, FreeParameters};
+use crate::error::refuse;
+use crate::text::counted;
+use serde::{Deserialize, Serialize};
+
+/// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
+const GUESSED_FOCAL: f64 = 1.2;
+
+/// The cameras and images of a block with whatever positions were observed.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct BlockDescription {
+    pub cameras: Vec<KnownCamera>,
+    pub images: Vec<KnownImage>,
+    #[serde(default)]
+    pub control: Vec<GroundControlPoint>,
+}
+
+impl BlockDescription {
+    /// Refuses what no block can be, as [`reconstruct_block`](crate::reconstruct_block) does, before anything is measured.
+    ///
+    /// # Errors
+    /// [`Error::TooFew`] below two images; [`Error::InvalidInput`] for indices of nothing, values that are none or out of range, and marks of
+    /// surveyed points that are outside their image or twice in it.
+    pub fn check(&self) -> Result<(), Error> {
+        if self.images.len() < 2 {
+            return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
+        }
+        let named = |index| move || self.camera_named(index);
+        self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
+        for image in &self.images {
+            if image.camera >= self.cameras.len() {
+                let got = format!("index {} for {}", image.camera, image.name);
+                return refuse("camera of an image", got, &format!("indices below {}", self.cameras.len()));
+            }
+            image.position.iter().try_for_each(|position| position.check(|| image.name.clone()))?;
+        }
+        self.control.iter().try_for_each(|control| self.check_control(control))
+    }
+
+    fn check_control(&self, point: &GroundControlPoint) -> Result<(), Error> {
+        let name = format!("surveyed point {}", point.name);
+        point.position.check(|| name.clone())?;
+        if matches!(point.position, ObservedPosition::Geographic { height_m: None, .. }) {
+            return refuse("height", format!("none of {name}"), "-100000 to 1000000");
+        }
+        let what = "mark of a surveyed point";
+        for ray in &point.measurements {
+            let Some(image) = self.images.get(ray.image) else {
+                let got = format!("index {} as image of {name}", ray.image);
+                return refuse(what, got, &format!("indices below {}", self.images.len()));
+            };
+            let camera = self.cameras[image.camera].approximate();
+            if !camera.sees(ray.x_px, ray.y_px) {
+                let got = format!("({}, {}) for {} in {}, outside the image", ray.x_px, ray.y_px, point.name, image.name);
+                return refuse(what, got, &format!("positions within its {} x {} px", camera.width_px, camera.height_px));
+            }
+        }
+        match seen_twice(&point.measurements) {
+            Some(image) => refuse(what, format!("two for {} in {}", point.name, self.images[image].name), "one in an image"),
+            None => Ok(()),
+        }
+    }
+
+    /// The block before any of its images is oriented, without points; what is not known of a camera is guessed as
+    /// [`reconstruct_block`](crate::reconstruct_block) guesses it.
+    pub fn to_model(&self) -> BlockModel {
+        let images = self.images.iter().map(|image| ModelImage { name: image.name.clone(), camera: image.camera, pose: None });
+        BlockModel {
+            cameras: self.cameras.iter().map(KnownCamera::approximate).collect(),
+            images: images.collect(),
+            ..BlockModel::default()
+        }
+    }
+
+    /// A camera by its number, from 1, and by its images: files number cameras from 0.
+    pub(crate) fn camera_named(&self, camera: usize) -> String {
+        if self.cameras.len() == 1 {
+            return "the camera".into();
+        }
+        let mut images = self.images.iter().filter(|image| image.camera == camera).map(|image| image.name.as_str());
+        let number = camera + 1;
+        match (images.next(), images.count()) {
+            (None, _) => format!("camera {number}"),
+            (Some(name), 0) => format!("camera {number} ({name})"),
+            (Some(name), more) => format!("camera {number} ({name} and {})", counted(more, "more image")),
+        }
+    }
+}
+
+/// A camera before its calibration; symbols as at [`Camera`](crate::Camera).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct KnownCamera {
+    pub width_px: u32,
+    pub height_px: u32,
+    /// Approximate principal distance in px; absent: not known. It is guessed then, and estimated in any case.
+    #[serde(default)]
+    pub focal_px: Option<f64>,
+    /// Approximate principal point in px; absent: the middle of the image.
+    #[serde(default)]
+    pub principal_point_px: Option<[f64; 2]>,
+    #[serde(default)]
+    pub radial: [f64; 3],
+    #[serde(default)]
+    pub tangential: [f64; 2],
+    /// What the block estimates of it, where it determines that: by default all but k3, p1 and p2.
+    #[serde(default = "usual")]
+    pub free: FreeParameters,
+    /// Side of a pixel in mm, for exports in photo coordinates.
+    #[serde(default)]
+    pub pixel_mm: Option<f64>,
+}
+
+impl KnownCamera {
+    /// A camera of which only the size of its images and, perhaps, its focal length is known.
+    pub fn of_size(width_px: u32, height_px: u32, focal_px: Option<f64>) -> Self {
+        Self {
+            width_px,
+            height_px,
+            focal_px,
+            principal_point_px: None,
+            radial: [0.0; 3],
+            tangential: [0.0; 2],
+            free: FreeParameters::USUAL,
+            pixel_mm: None,
+        }
+    }
+
+    /// The camera with what is known of it, and guesses for the rest; a guessed focal length is estimated.
+    pub fn approximate(&self) -> Camera {
+        let Self { width_px, height_px, radial, tangential, pixel_mm, .. } = *self;
+        let longer_side_px = f64::from(width_px.max(height_px));
+        let plain = Camera::without_distortion(width_px, height_px, self.focal_px.unwrap_or(GUESSED_FOCAL * longer_side_px));
+        let principal_point_px = self.principal_point_px.unwrap_or(plain.principal_point_px);
+        let free = FreeParameters { focal: self.free.focal || self.focal_px.is_none(), ..self.free };
+        Camera { principal_point_px, radial, tangential, pixel_mm, free, ..plain }
+    }
+}
+
+fn usual() -> FreeParameters {
+    FreeParameters::USUAL
+}
+
+/// An image before its orientation.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct KnownImage {
+    /// File name; no two images have the same.
+    pub name: String,
+    /// Index of its camera.
+    pub camera: usize,
+    /// Where GNSS has the projection centre.
+    #[serde(default)]
+    pub position: Option<ObservedPosition>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
+        let known = KnownCamera { principal_point_px: Some([2010.0, 1490.0]), ..KnownCamera::of_size(4000, 3000, Some(3500.0)) };
+        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None };
+        let cameras = vec![KnownCamera::of_size(600, 800, None), known];
+        let description = BlockDescription { cameras, images: vec![image("a.jpg", 1), image("b.jpg", 0)], control: Vec::new() };
+        let model = description.to_model();
+        model.check().unwrap();
+        let seen: Vec<_> = model.cameras.iter().map(|camera| (camera.focal_px, camera.principal_point_px)).collect();
+        assert_eq!(seen, [(960.0, [300.0, 400.0]), (3500.0, [2010.0, 1490.0])]);
+        let images: Vec<_> = model.images.iter().map(|image| (image.name.as_str(), image.camera, image.pose)).collect();
+        assert_eq!(images, [("a.jpg", 1, None), ("b.jpg", 0, None)]);
+    }
+}

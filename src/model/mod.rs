@@ -1,0 +1,14 @@
+//! A block: its cameras, images, object points with their image observations, GNSS positions and ground control points.
+//!
+//! [`BlockDescription`] is what is known before the orientation, [`BlockModel`] what the orientation gives and files hold.
+
+mod block;
+mod check;
+mod control;
+mod description;
+
+#[cfg(test)]
+pub(crate) use block::tiny_block;
+pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, ObjectPoint};
+pub use control::{GroundControlPoint, ObservedPosition};
+pub use description::{BlockDescription, KnownCamera, KnownImage};

@@ -1,0 +1,137 @@
+/** Pointer, wheel, touch and keys: every canvas of the page is moved in the same way. */
+
+/** What gestures move. `T` names what lies at a place: one of two images, or the one plan. */
+export interface Movable<T> {
+  /** What is moved at a place of the host (CSS px); null where nothing is. */
+  at: (x: number, y: number) => T | null;
+  /** What keys move; null where nothing is. */
+  focused: () => T | null;
+  /** Moves the content by CSS px. */
+  pan: (target: T, dx: number, dy: number) => void;
+  /** Enlarges about a place. */
+  zoom: (target: T, factor: number, x: number, y: number) => void;
+  /** Enlarges about what is looked at: the middle, or what is chosen. */
+  zoomMiddle: (factor: number) => void;
+  fit: () => void;
+  /** A press begins on a target. */
+  grabbed?: (target: T) => void;
+  /** A press ended where it began. */
+  pressed: (x: number, y: number) => void;
+  /** The pointer is at a place, or has left. */
+  pointed: (at: [number, number] | null, dragging: boolean) => void;
+  /** Runs a command of the picture's own; false where the key has none. */
+  command: (key: string) => boolean;
+}
+
+/** Movement below which a press is a click, CSS px. */
+const CLICK_SLACK = 5;
+const KEY_PAN = 60;
+const KEY_ZOOM = 1.25;
+/** Wheels that count in lines scroll about so many px each. */
+const LINE_PX = 24;
+/** Natural logarithm of the enlargement a px of wheel; a pinch on a touch pad comes as a wheel event with Ctrl and small steps. */
+const WHEEL_RATE = 0.0016;
+const PINCH_RATE = 0.01;
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
+
+interface Press {
+  x: number;
+  y: number;
+  startX: number;
+  startY: number;
+}
+
+/** Listens on a host, and for keys on it or on a larger element that belongs to it. */
+export function listen<T>(host: HTMLElement, movable: Movable<T>, keyHost: HTMLElement = host): void {
+  new Gestures(host, movable, keyHost);
+}
+
+class Gestures<T> {
+  private readonly presses = new Map<number, Press>();
+  private target: T | null = null;
+  private clicked = false;
+
+  constructor(private readonly host: HTMLElement, private readonly movable: Movable<T>, keyHost: HTMLElement) {
+    host.addEventListener('pointerdown', (event) => { this.down(event); });
+    host.addEventListener('pointermove', (event) => { this.move(event); });
+    host.addEventListener('pointerup', (event) => { this.up(event); });
+    host.addEventListener('pointercancel', (event) => { this.presses.delete(event.pointerId); });
+    host.addEventListener('pointerleave', () => { movable.pointed(null, false); });
+    host.addEventListener('wheel', (event) => { this.wheel(event); }, { passive: false });
+    keyHost.addEventListener('keydown', (event) => { this.key(event); });
+  }
+
+  private place(event: MouseEvent): [number, number] {
+    const box = this.host.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+
+  private down(event: PointerEvent): void {
+    if (event.button !== 0 || (event.target as Element).closest('button') !== null) return;
+    const [x, y] = this.place(event);
+    const target = this.movable.at(x, y);
+    if (target === null) return;
+    this.host.setPointerCapture(event.pointerId);
+    this.clicked = this.presses.size === 0;
+    this.target = target;
+    this.presses.set(event.pointerId, { x, y, startX: x, startY: y });
+    this.movable.grabbed?.(target);
+  }
+
+  private move(event: PointerEvent): void {
+    const [x, y] = this.place(event);
+    const press = this.presses.get(event.pointerId);
+    this.movable.pointed([x, y], press !== undefined);
+    if (press === undefined || this.target === null) return;
+    if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
+    this.clicked = false;
+    const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
+    if (still === undefined) this.movable.pan(this.target, x - press.x, y - press.y);
+    else this.pinch(this.target, press, still, x, y);
+    press.x = x;
+    press.y = y;
+  }
+
+  /** Two fingers: pan by their middle, zoom by their distance. */
+  private pinch(target: T, moved: Press, still: Press, x: number, y: number): void {
+    const before = Math.hypot(moved.x - still.x, moved.y - still.y);
+    const after = Math.hypot(x - still.x, y - still.y);
+    this.movable.pan(target, (x - moved.x) / 2, (y - moved.y) / 2);
+    if (before > 1 && after > 1) this.movable.zoom(target, after / before, (x + still.x) / 2, (y + still.y) / 2);
+  }
+
+  private up(event: PointerEvent): void {
+    if (this.presses.delete(event.pointerId) && this.clicked) this.movable.pressed(...this.place(event));
+  }
+
+  private wheel(event: WheelEvent): void {
+    const [x, y] = this.place(event);
+    const target = this.movable.at(x, y);
+    if (target === null) return;
+    event.preventDefault();
+    const px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX * event.deltaY : event.deltaY;
+    this.movable.zoom(target, Math.exp(-(event.ctrlKey ? PINCH_RATE : WHEEL_RATE) * px), x, y);
+  }
+
+  private key(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select, .welcome') !== null) return;
+    if (this.movable.command(event.key) || this.moved(event)) event.preventDefault();
+  }
+
+  /** The keys that move a picture; with Shift they pan farther. */
+  private moved({ key, shiftKey }: KeyboardEvent): boolean {
+    const [dx, dy] = ARROWS[key] ?? [0, 0];
+    const target = this.movable.focused();
+    if (dx !== 0 || dy !== 0) {
+      const step = KEY_PAN * (shiftKey ? 4 : 1);
+      if (target !== null) this.movable.pan(target, dx * step, dy * step);
+      return true;
+    }
+    if (key === '+' || key === '=') this.movable.zoomMiddle(KEY_ZOOM);
+    else if (key === '-' || key === '_') this.movable.zoomMiddle(1 / KEY_ZOOM);
+    else if (key === '0') this.movable.fit();
+    else return false;
+    return true;
+  }
+}
