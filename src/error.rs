@@ -49,6 +49,9 @@ pub enum Error {
     /// A file that is not what it should be, is damaged, or is of a newer version.
     #[error("{what} cannot be read: {place}: {reason}")]
     UnreadableFile { what: &'static str, place: String, reason: String },
+    /// Images whose names formats cannot hold.
+    #[error("these images cannot be exported as {formats} ({reason}): rename them, or leave out what cannot hold their names")]
+    NotExportable { formats: String, reason: String },
     /// A run of a block that no image and no pair stops, but what goes on around it.
     #[error("the run cannot go on: {reason}")]
     Interrupted { reason: String },
@@ -68,7 +71,7 @@ impl Error {
         match self {
             Error::InvalidOption { .. } => "invalid-option",
             Error::InvalidJson { .. } => "invalid-json",
-            Error::InvalidInput { .. } => "invalid-input",
+            Error::InvalidInput { .. } | Error::NotExportable { .. } => "invalid-input",
             Error::UnreadableImage { .. } => "unreadable-image",
             Error::UnsupportedImage { .. } => "unsupported-image",
             Error::TooManyPixels { .. } => "too-many-pixels",

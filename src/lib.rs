@@ -15,6 +15,7 @@ mod matching;
 mod math;
 mod model;
 mod orientation;
+mod outputs;
 mod pair;
 mod parameters;
 mod pipeline;
@@ -44,9 +45,8 @@ pub use descriptors::{
 };
 pub use error::Error;
 pub use formats::{
-    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, PROJECT_VERSION, Project, colmap_features,
-    colmap_matches, csv_field, export_block, parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
-    read_project, write_project,
+    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
+    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to};
 pub use matching::{
@@ -63,6 +63,10 @@ pub use model::{
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
     RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
+};
+pub use outputs::{
+    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairRow, PointColumns, Project,
+    RayCount, Summary, block_files, coverage, planned_files, read_project, write_block_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PhotoInput,
@@ -91,7 +95,7 @@ pub use reconstruction::{
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
     BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
-    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_block,
+    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block,
     score_matches, simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 23] = [
+const ORDER: [&str; 24] = [
     "error",
     "parameters",
     "text",
@@ -31,6 +31,7 @@ const ORDER: [&str; 23] = [
     "pipeline",
     "tables",
     "simulate",
+    "outputs",
     "report",
     "wasm",
 ];

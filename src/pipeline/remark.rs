@@ -22,6 +22,8 @@ pub enum Remark {
     },
     /// GNSS positions, or their heights, that cannot be: images, each with the value.
     ImpossiblePositions { images: Vec<[String; 2]> },
+    /// The block comes from a project file that holds less than is known of a block.
+    OlderProject { version: u32 },
 }
 
 /// Images are named one by one up to so many.
@@ -30,6 +32,9 @@ const NAMED: usize = 5;
 impl fmt::Display for Remark {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::OlderProject { version } => {
+                write!(f, "the project file is of version {version}: it does not hold features, cameras as given, or standard errors")
+            }
             Self::UnusedCamera { images } => write!(f, "the camera of {images} is of none of the images"),
             Self::DoubtfulFocal { camera, focal_px, sides, usual: [least, most] } => {
                 let in_mm = if sides < least { ": is it in mm?" } else { "" };

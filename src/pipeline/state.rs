@@ -2,8 +2,8 @@
 
 use super::cameras::doubtful;
 use super::control::gnss_observation;
-use super::input::Checked;
-use super::{BlockRun, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use super::input::{Checked, RunInput};
+use super::{BlockRun, Failure, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::{
     BlockDescription, BlockModel, Connection, Error, ExifImage, FeatureMatch, ImageFeatures, KnownImage, Reconstruction, TiePoints,
     TwoView, local_from_geographic,
@@ -29,6 +29,7 @@ pub(super) struct Matched {
 
 /// What a run knows.
 pub(super) struct State {
+    pub given: RunInput,
     pub input: Checked,
     pub images: Vec<RunImage>,
     pub skipped: Vec<SkippedImage>,
@@ -54,8 +55,9 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(input: Checked) -> Self {
+    pub fn new(given: RunInput, input: Checked) -> Self {
         Self {
+            given,
             input,
             images: Vec::new(),
             skipped: Vec::new(),
@@ -152,7 +154,7 @@ impl State {
     pub fn ended(self) -> Option<BlockRun> {
         let (connections, geometries) = self.pairs.into_iter().map(|pair| (pair.connection, pair.geometry)).unzip();
         Some(BlockRun {
-            settings: self.input.settings,
+            input: self.given,
             images: self.images,
             skipped: self.skipped,
             unused_masks: self.input.unused_masks,
@@ -161,9 +163,9 @@ impl State {
             cameras: self.cameras,
             connections,
             geometries,
-            points: self.joined?,
+            points: Some(self.joined?),
             refinement: self.refinement,
-            reconstruction: self.reconstruction?,
+            reconstruction: self.reconstruction?.map_err(|error| Failure::from(&error)),
             model: self.model,
         })
     }

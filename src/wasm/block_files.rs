@@ -1,10 +1,9 @@
-//! Files of a block: what EXIF tells, cameras and surveyed points in, the project and the exchange formats.
+//! Files of a block: what EXIF tells, cameras and surveyed points in, the exchange formats.
 
-use super::convert::{JsResult, object, pack, read, thrown};
+use super::convert::{JsResult, emitting, object, pack, read, thrown};
 use crate::{
-    BlockModel, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, Project, export_block as write_block,
-    parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
-    read_project as parse_project, write_project as format_project,
+    BlockModel, Connection, ConnectionGraph, ExifImage, ExportFormat, export_block as write_block, parse_camera_rules as read_rules,
+    parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -34,18 +33,6 @@ pub fn parse_image_measurements(text: &str) -> JsResult<JsValue> {
     read_marks(text).map(|marks| pack(&marks)).map_err(thrown)
 }
 
-/// Writes a project.
-#[wasm_bindgen]
-pub fn write_project(#[wasm_bindgen(unchecked_param_type = "Project")] project: &JsValue) -> JsResult<String> {
-    format_project(&read::<Project>("project", project)?).map_err(thrown)
-}
-
-/// Reads a project; a file that is damaged or of another kind is refused whole.
-#[wasm_bindgen(unchecked_return_type = "Project")]
-pub fn read_project(bytes: &[u8]) -> JsResult<JsValue> {
-    parse_project(bytes).map(|project| pack(&project)).map_err(thrown)
-}
-
 /// The names of the formats that blocks are written in.
 #[wasm_bindgen(unchecked_return_type = "ExportFormat[]")]
 pub fn export_formats() -> JsValue {
@@ -60,15 +47,7 @@ pub fn export_block(
     #[wasm_bindgen(unchecked_param_type = "(path: string, text: string) => void")] emit: &Function,
 ) -> JsResult<()> {
     let (model, format): (BlockModel, ExportFormat) = (read("block", model)?, read("format", format)?);
-    // What the caller's function throws goes back to the caller as it is.
-    let mut threw = None;
-    let written = write_block(&model, format, &mut |path, text| {
-        emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
-            threw = Some(error);
-            Error::NotWritten { what: "the export" }
-        })
-    });
-    written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
+    emitting(emit, |emit| write_block(&model, format, emit))
 }
 
 /// Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
