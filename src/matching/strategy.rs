@@ -1,54 +1,8 @@
 //! One entry for all strategies: the same points, the same rules.
 
 use super::refine::refine;
-use super::{Expectation, MatchOptions, MatchSet, Strategy, area, gradients, match_points};
-use crate::{Descriptor, Error, GreyView, InterestPoint, LocalFrame};
-
-/// What the strategies compare points by, one for each point.
-#[derive(Debug, Clone, Copy)]
-pub enum Descriptors<'a> {
-    /// For the strategies that compare grey values.
-    None,
-    /// Moments or invariants.
-    Moments(&'a [Option<Descriptor>]),
-    /// Histograms of gradients, [`DESCRIPTOR_BYTES`](crate::DESCRIPTOR_BYTES) each.
-    Gradients(&'a [u8]),
-}
-
-/// An image with its interest points.
-#[derive(Clone, Copy)]
-pub struct MatchImage<'a> {
-    pub grey: GreyView<'a>,
-    pub points: &'a [InterestPoint],
-    /// One for each point, or none at all.
-    pub frames: &'a [LocalFrame],
-    pub descriptors: Descriptors<'a>,
-}
-
-impl<'a> MatchImage<'a> {
-    fn moments(&self) -> Result<&'a [Option<Descriptor>], Error> {
-        match self.descriptors {
-            Descriptors::Moments(moments) => Ok(moments),
-            _ => Err(self.lacks("moments of each point")),
-        }
-    }
-
-    fn gradients(&self) -> Result<&'a [u8], Error> {
-        match self.descriptors {
-            Descriptors::Gradients(bytes) if bytes.len() == self.points.len() * super::DESCRIPTOR_BYTES => Ok(bytes),
-            _ => Err(self.lacks("a gradient descriptor of each point")),
-        }
-    }
-
-    fn lacks(&self, allowed: &str) -> Error {
-        let got = match self.descriptors {
-            Descriptors::None => "none".to_string(),
-            Descriptors::Moments(moments) => format!("{} of moments", moments.len()),
-            Descriptors::Gradients(bytes) => format!("{} bytes of gradients", bytes.len()),
-        };
-        Error::InvalidInput { what: "descriptors", got: format!("{got} for {} points", self.points.len()), allowed: allowed.into() }
-    }
-}
+use super::{Expectation, MatchImage, MatchOptions, MatchSet, Strategy, area, gradients, match_points};
+use crate::Error;
 
 /// Matches the left points by the strategy of the options, and refines the matches where that is wanted.
 ///

@@ -1,6 +1,7 @@
 //! The short textbook form: least squares of the coplanarity determinants, unweighted.
 
-use super::adjustment::{Adjusted, move_within_bounds, step_tolerance};
+use super::adjusted::Adjusted;
+use super::adjustment::{move_within_bounds, step_tolerance};
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::Normals;
 use super::refusal::{check_parallax, diverged, undetermined};

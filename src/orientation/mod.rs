@@ -1,5 +1,6 @@
 //! Relative orientation: coplanarity, consensus of minimal samples, rigorous adjustment.
 
+mod adjusted;
 mod adjustment;
 mod coplanarity;
 mod determinant;

@@ -1,6 +1,6 @@
 //! Errors of neighbouring points depend on each other: what that does to the result.
 
-use super::adjustment::Adjusted;
+use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
 use super::normals::Matrix5;
 use super::precision::derivatives;

@@ -1,6 +1,6 @@
 //! What cannot be oriented, and why.
 
-use super::adjustment::Adjusted;
+use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;

@@ -1,6 +1,7 @@
 //! Rejection of gross errors by standardised residuals.
 
-use super::adjustment::{Adjusted, NEARLY_SETTLED, SETTLED, adjust};
+use super::adjusted::Adjusted;
+use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
 use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::robust_start::{Consensus, least_agreement};
 use crate::Error;

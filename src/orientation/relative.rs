@@ -1,6 +1,7 @@
 //! The dependent relative orientation of the right photo: from observations to the result.
 
-use super::adjustment::{Adjusted, SETTLED, adjust};
+use super::adjusted::Adjusted;
+use super::adjustment::{SETTLED, adjust};
 use super::coplanarity::{Ray, RelativePose};
 use super::determinant::adjust_determinants;
 use super::normals::{Matrix5, correlations};

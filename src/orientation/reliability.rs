@@ -1,6 +1,6 @@
 //! What can be said of each observation: its share in the result, its test, the blunders that it may hide.
 
-use super::adjustment::Adjusted;
+use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::Matrix5;
 use super::precision::derivatives;

@@ -1,6 +1,6 @@
 //! Errors that many observations share, as those of the interior orientation: what they do to the result.
 
-use super::adjustment::Adjusted;
+use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, Unknowns};
 use super::normals::Matrix5;
 use super::precision::derivatives;

@@ -1,6 +1,7 @@
 //! Robust weights: what the residuals of an adjustment make of the weights of the next.
 
-use super::adjustment::{self, Adjusted, adjust};
+use super::adjusted::Adjusted;
+use super::adjustment::{self, adjust};
 use super::coplanarity::Ray;
 use super::options::Weighting;
 use super::rejection::share_of_unknowns;

@@ -28,5 +28,6 @@ mod view;
 pub use block::{BlockFlight, BlockScene, BlockScore, BlockView, Exposure, SimulatedBlock, check_truth, score_block, simulate_block};
 pub use flight::{Flight, Preset};
 pub use network::{NetworkFlight, NetworkKind, SimulatedNetwork, simulate_network};
-pub use sample::{SAMPLE_SEED, Sample, check_flight, sample_pair, simulate};
+pub use random::SAMPLE_SEED;
+pub use sample::{Sample, check_flight, sample_pair, simulate};
 pub use score::{DenseTruth, MatchScore, RIGHT_WITHIN_PX, Rightness, score_matches};

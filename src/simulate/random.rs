@@ -4,6 +4,9 @@ use nalgebra::Vector2;
 use rand_pcg::Pcg32;
 use rand_pcg::rand_core::Rng;
 
+/// The seed of the built-in sample.
+pub const SAMPLE_SEED: u32 = 1;
+
 /// What random numbers are drawn for.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Stream {

@@ -5,7 +5,7 @@ use super::flight::Flight;
 use super::photo::{Photo, Scan, photos};
 use super::random::{Random, Stream};
 use super::render::render;
-use super::scene::{Exposure, Scene};
+use super::scene::{Moment, Scene};
 use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
@@ -13,9 +13,6 @@ use crate::camera::{CameraMm, Fiducial};
 use crate::orientation::FiveParameters;
 use crate::parameters::refuse;
 use crate::{Error, GreyImage};
-
-/// The seed of the built-in sample.
-pub const SAMPLE_SEED: u32 = 1;
 
 /// A simulated pair and its truth.
 #[derive(Debug, Clone)]
@@ -57,8 +54,8 @@ pub fn simulate(flight: &Flight) -> Result<Sample, Error> {
     let Stage { scene, photos, mut scan_random } = Stage::new(flight)?;
     let (width, height) = (flight.width_px, flight.height_px);
     let [left_photo, right_photo] = &photos;
-    let left_view = View::new(&scene, left_photo, Exposure::First, width, height);
-    let right_view = View::new(&scene, right_photo, Exposure::Second, width, height);
+    let left_view = View::new(&scene, left_photo, Moment::First, width, height);
+    let right_view = View::new(&scene, right_photo, Moment::Second, width, height);
     let take = |view: &View<'_>, psf_px, gain, offset_grey, [noise, grain]: [Stream; 2]| {
         let Flight { noise_grey, grain_grey, grain_px, haze, .. } = *flight;
         let sensor = Sensor { gain, offset_grey, noise_grey, grain_grey, grain_px, haze };

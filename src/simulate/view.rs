@@ -2,7 +2,7 @@
 
 use super::buckets::{Buckets, Rectangle};
 use super::photo::{Photo, RayField};
-use super::scene::{Exposure, Hit, Scene};
+use super::scene::{Hit, Moment, Scene};
 use nalgebra::Vector3;
 
 /// Side of the cells in which solids are looked up, in px: whole, so that no pixel lies in two.
@@ -18,7 +18,7 @@ const SAME_DEPTH: f64 = 2e-6;
 pub(super) struct View<'a> {
     scene: &'a Scene,
     photo: &'a Photo,
-    exposure: Exposure,
+    moment: Moment,
     rays: RayField,
     size_px: [f64; 2],
     /// The solids whose picture touches each cell of the patch.
@@ -26,11 +26,11 @@ pub(super) struct View<'a> {
 }
 
 impl<'a> View<'a> {
-    pub(super) fn new(scene: &'a Scene, photo: &'a Photo, exposure: Exposure, width: usize, height: usize) -> Self {
+    pub(super) fn new(scene: &'a Scene, photo: &'a Photo, moment: Moment, width: usize, height: usize) -> Self {
         let size_px = [width as f64, height as f64];
         let area = [-BORDER_PX, -BORDER_PX, size_px[0] + BORDER_PX, size_px[1] + BORDER_PX];
         let extents: Vec<Rectangle> = scene.bounds().map(|bounds| picture(photo, &bounds.corners())).collect();
-        Self { scene, photo, exposure, rays: photo.rays(), size_px, pictures: Buckets::new(area, CELL_PX, &extents) }
+        Self { scene, photo, moment, rays: photo.rays(), size_px, pictures: Buckets::new(area, CELL_PX, &extents) }
     }
 
     /// What is seen at a position in px of the patch.
@@ -45,8 +45,7 @@ impl<'a> View<'a> {
         let (x, y) = (col + 0.5, row + 0.5);
         let ground = self.scene.ground(&self.rays.ray(x, y));
         let candidates = self.pictures.at(x, y);
-        places
-            .map(|[dx, dy]| self.scene.grey(&self.scene.first_hit(&self.rays.ray(col + dx, row + dy), &ground, candidates), self.exposure))
+        places.map(|[dx, dy]| self.scene.grey(&self.scene.first_hit(&self.rays.ray(col + dx, row + dy), &ground, candidates), self.moment))
     }
 
     /// Whether a moving car hides the ground at a hit in either exposure.
@@ -105,7 +104,7 @@ mod tests {
         let stage = stage();
         let all: Vec<u32> = (0..stage.scene.bounds().count() as u32).collect();
         for photo in &stage.photos {
-            let view = View::new(&stage.scene, photo, Exposure::First, 120, 90);
+            let view = View::new(&stage.scene, photo, Moment::First, 120, 90);
             for (x, y) in positions() {
                 let ray = photo.rays().ray(x, y);
                 let wanted = stage.scene.first_hit(&ray, &stage.scene.ground(&ray), &all);
@@ -118,7 +117,7 @@ mod tests {
     fn a_hit_is_seen_where_its_ray_started() {
         let stage = stage();
         for photo in &stage.photos {
-            let view = View::new(&stage.scene, photo, Exposure::First, 120, 90);
+            let view = View::new(&stage.scene, photo, Moment::First, 120, 90);
             for (x, y) in positions().filter(|&(x, y)| x >= 0.0 && y >= 0.0 && x < 120.0 && y < 90.0) {
                 let [u, v] = view.find(view.hit(x, y).point).expect("a point that was hit is visible");
                 assert!((u - x).abs() < 1e-8 && (v - y).abs() < 1e-8, "{u} {v} for {x} {y}");
@@ -129,7 +128,7 @@ mod tests {
     #[test]
     fn nothing_is_entered_before_the_hit() {
         let stage = stage();
-        let view = View::new(&stage.scene, &stage.photos[1], Exposure::Second, 120, 90);
+        let view = View::new(&stage.scene, &stage.photos[1], Moment::Second, 120, 90);
         let mut hits_above_ground = 0;
         for (x, y) in positions() {
             let (centre, end) = (stage.photos[1].centre, view.hit(x, y).point);

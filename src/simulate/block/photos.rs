@@ -7,7 +7,7 @@ use crate::simulate::flight::Flight;
 use crate::simulate::photo::{Photo, Scan};
 use crate::simulate::random::{Random, Stream};
 use crate::simulate::render::render;
-use crate::simulate::scene::{Exposure as Moment, Scene};
+use crate::simulate::scene::{Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
 use crate::{BlockModel, Camera, Error, GeographicOrigin, GreyImage, ModelImage, Pose, geographic_from_local};

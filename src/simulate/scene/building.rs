@@ -2,7 +2,7 @@
 
 use super::super::photo::Ray;
 use super::axes::Axes;
-use super::solid::{Box3, Span};
+use super::span::{Box3, Span};
 use nalgebra::Vector3;
 
 /// A face of a building, as the half-spaces of [`Building::span`] number them.

@@ -5,9 +5,11 @@ mod blocks;
 mod building;
 mod facade;
 mod ground;
+mod moment;
 mod planting;
 mod river;
 mod solid;
+mod span;
 mod streets;
 mod sun;
 mod terrain;
@@ -18,11 +20,12 @@ use super::flight::Flight;
 use super::photo::Ray;
 use super::random::{Random, Stream};
 use blocks::Blocks;
+pub(super) use moment::Moment;
 use nalgebra::Vector3;
 use planting::Site;
 use river::River;
-pub(super) use solid::Box3;
 use solid::Solid;
+pub(super) use span::Box3;
 use streets::Streets;
 use sun::Sun;
 pub(super) use terrain::Ground;
@@ -39,13 +42,6 @@ pub(super) struct Scene {
     solids: Vec<Solid>,
     sun: Sun,
     floor_m: f64,
-}
-
-/// When a photo is taken: between the two, cars drive and water moves.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Exposure {
-    First,
-    Second,
 }
 
 /// Where a ray meets the scene.
@@ -110,12 +106,12 @@ impl Scene {
     }
 
     /// The light that comes from a point, as a grey value of an ideal camera.
-    pub(super) fn grey(&self, hit: &Hit, exposure: Exposure) -> f64 {
+    pub(super) fn grey(&self, hit: &Hit, moment: Moment) -> f64 {
         let point = hit.point;
         let (tone, normal, own) = match hit.surface {
-            Surface::Ground(normal) if self.is_water(hit) => (river::tone(point.x, point.y, exposure), normal, None),
+            Surface::Ground(normal) if self.is_water(hit) => (river::tone(point.x, point.y, moment), normal, None),
             Surface::Ground(normal) => {
-                let driven_m = if exposure == Exposure::Second { self.driven_m } else { 0.0 };
+                let driven_m = if moment == Moment::Second { self.driven_m } else { 0.0 };
                 (ground::tone(&self.streets, &self.blocks, point.x, point.y, driven_m), normal, None)
             }
             Surface::Solid(index, face) => {

@@ -3,8 +3,8 @@
 use super::super::buckets::Rectangle;
 use super::super::lattice::fractal;
 use super::super::random::Random;
-use super::Exposure;
 use super::axes::Axes;
+use super::moment::Moment;
 
 /// A winding band of water.
 pub(super) struct River {
@@ -37,8 +37,8 @@ impl River {
 }
 
 /// Grey of the water in full sun: dark, with ripples that no other exposure shows.
-pub(super) fn tone(x: f64, y: f64, exposure: Exposure) -> f64 {
-    let seed = if exposure == Exposure::First { 0x31 } else { 0x77 };
+pub(super) fn tone(x: f64, y: f64, moment: Moment) -> f64 {
+    let seed = if moment == Moment::First { 0x31 } else { 0x77 };
     let ripples = fractal(x, y, 9.0, 3, 0.8, seed);
     48.0 + 16.0 * ripples + if ripples > 0.55 { 90.0 } else { 0.0 }
 }

@@ -2,7 +2,7 @@
 
 use super::super::lattice::value;
 use super::super::photo::Ray;
-use super::solid::{Box3, Span};
+use super::span::{Box3, Span};
 use nalgebra::Vector3;
 
 /// A tree's crown, a sphere.
