@@ -69,11 +69,8 @@ fn every_module_has_a_place() {
 }
 
 /// The modules of which no file is in a circle.
-<<<<<<< HEAD
-const WITHOUT_CIRCLES: [&str; 7] = ["error", "text", "json", "math", "camera", "two_view", "pipeline"];
-=======
-const WITHOUT_CIRCLES: [&str; 9] = ["error", "text", "json", "math", "camera", "points", "matching", "orientation", "two_view"];
->>>>>>> 632cc55
+const WITHOUT_CIRCLES: [&str; 10] =
+    ["error", "text", "json", "math", "camera", "points", "matching", "orientation", "two_view", "pipeline"];
 
 #[test]
 fn no_files_import_each_other_in_a_circle() {
