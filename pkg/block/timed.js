@@ -6,7 +6,7 @@
 /**
  * Adds to each step of a run the time since its stage began, and the time that is left.
  * @param {number} width so many jobs go on at the same time
- * @returns {(step: import('../wasm/tiepoint.js').Step) => Step}
+ * @returns {(step: Pick<Step, 'stage' | 'done' | 'total' | 'found' | 'name'>) => Step}
  */
 export function timed(width) {
   /** @type {string | null} */

@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
+import '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
