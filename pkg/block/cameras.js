@@ -56,7 +56,7 @@ export function doubtfulCameras(cameras) {
   return cameras.flatMap(({ label, focal_px, width_px, height_px }) => {
     const widths = focal_px === null ? 1 : focal_px / Math.max(width_px, height_px);
     if (widths >= least && widths <= most) return [];
-    return [{ kind: 'doubtful_focal', camera: label, focal_px: focal_px ?? 0, sides: widths, usual: [least, most] }];
+    return [{ kind: 'doubtful_focal', label, focal_px: focal_px ?? 0, sides: widths, least, most, in_mm: widths < least }];
   });
 }
 

@@ -41,7 +41,7 @@ export function describeBlock(images, cameras, useGps, placing, control) {
 
 /** What is said of recorded positions that cannot be.  @param {readonly BlockImage[]} images @returns {import('../wasm/tiepoint.js').Remark[]} */
 export function impossiblePositions(images) {
-  const found = images.flatMap(({ name, exif }) => (exif.impossible ? [/** @type {[string, string]} */ ([name, exif.impossible])] : []));
+  const found = images.flatMap(({ name, exif }) => (exif.impossible ? [{ name, value: exif.impossible }] : []));
   return found.length === 0 ? [] : [{ kind: 'impossible_positions', images: found }];
 }
 

@@ -16,6 +16,7 @@ mod features;
 mod finished;
 mod geometry;
 mod matching;
+mod message;
 mod orientation;
 mod photo;
 mod reconstruction;

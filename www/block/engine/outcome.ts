@@ -1,13 +1,13 @@
 /** What of a block, finished or under way, the page shows. */
 import { knownCamera } from '../../../pkg/block/index.js';
 import type { BlockRun, GroupedCamera, ReadImage } from '../../../pkg/block/index.js';
-import { explain_connections, export_formats } from '../../../pkg/wasm/tiepoint.js';
+import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
 import type { Connection, FinishedBlock, PairRow } from '../../../pkg/wasm/tiepoint.js';
 import { layoutOf } from './layout';
 import type { BlockView, ViewConnection } from '../state/view';
 
 export function viewOf(block: FinishedBlock): BlockView {
-  const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, weaknesses, points } = block.overview();
+  const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, points } = block.overview();
   const connections = pairs.map(connectionOf);
   return {
     partial: false,
@@ -29,7 +29,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     score: null,
-    weaknesses,
+    warnings,
     formats: export_formats(),
   };
 }
@@ -38,9 +38,8 @@ export function viewOf(block: FinishedBlock): BlockView {
 export function viewOfParts(
   read: readonly ReadImage[], cameras: readonly GroupedCamera[], of: readonly number[], connections: readonly Connection[], geometries: BlockRun['geometries'],
 ): BlockView {
-  const { reasons, groups } = explain_connections(read.length, [...connections]);
-  const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => (
-    { images, rule, outcome, reason: reasons[i] ?? '', geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
+  const links: ViewConnection[] = connections.map((connection, i) => (
+    { ...connection, reason: message('connection', connection), geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
   const none = new Float64Array();
   return {
     partial: true,
@@ -52,7 +51,7 @@ export function viewOfParts(
     remarks: [],
     cameras: cameras.map((camera, i) => ({ label: camera.label, images: of.filter((own) => own === i).length, given: knownCamera(camera), calibrated: null, focalErrorPx: null })),
     connections: links,
-    groups,
+    groups: connected_groups(read.length, [...connections]),
     layout: layoutOf(read.map(() => null), read.map(({ head }) => head.exif.position), links),
     points: { count: 0, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
     found: null,
@@ -62,7 +61,7 @@ export function viewOfParts(
     rmsePx: null,
     sigma0Px: null,
     score: null,
-    weaknesses: [],
+    warnings: [],
     formats: export_formats(),
   };
 }
@@ -71,13 +70,9 @@ function connectionOf({ images, rule, outcome, reason, geometry, common_points: 
   return { images, rule, outcome, reason, geometry: geometryName(geometry), shared, chosen };
 }
 
-const MODELS: Readonly<Record<string, string>> = {
-  calibrated: 'relative orientation', fundamental: 'fundamental matrix', homography: 'plane', rotation: 'rotation about one place',
-};
-
 function geometryName(geometry: BlockRun['geometries'][number]): string {
   if (geometry === null) return '';
   const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
-  const weak = degenerate === null ? '' : { plane: ', ground nearly plane', 'pure-rotation': ', no base' }[degenerate];
-  return `${MODELS[kind] ?? kind}${weak}, ± ${sigma.toFixed(2)} px`;
+  const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;
+  return `${message('two_view_model', { kind }, 'short')}${weak}, ± ${sigma.toFixed(2)} px`;
 }
