@@ -1,5 +1,6 @@
 //! The project file of version 1: a block without what its run knew beside it.
 
+use crate::catalogue::read_options;
 use crate::{
     BlockModel, BlockOptions, BlockRun, BlockSettings, Connection, ExifImage, Failure, InitialCamera, NoGeometry, PairOutcome, PairRule,
     Reconstruction, Remark, RunImage, RunInput, SelectOptions,
@@ -11,7 +12,9 @@ use serde::Deserialize;
 pub(super) struct Project {
     pub(super) block: BlockModel,
     pub(super) connections: Vec<OlderConnection>,
+    #[serde(deserialize_with = "read_options")]
     pub(super) joining: BlockOptions,
+    #[serde(deserialize_with = "read_options")]
     pub(super) selection: SelectOptions,
 }
 
