@@ -9,11 +9,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 24] = [
+const ORDER: [&str; 25] = [
+    "message",
     "error",
-    "parameters",
     "text",
     "json",
+    "catalogue",
     "math",
     "camera",
     "model",
@@ -69,8 +70,23 @@ fn every_module_has_a_place() {
 }
 
 /// The modules of which no file is in a circle.
-const WITHOUT_CIRCLES: [&str; 10] =
-    ["error", "text", "json", "math", "camera", "points", "matching", "orientation", "two_view", "pipeline"];
+const WITHOUT_CIRCLES: [&str; 15] = [
+    "error",
+    "text",
+    "json",
+    "math",
+    "camera",
+    "model",
+    "points",
+    "matching",
+    "orientation",
+    "two_view",
+    "tracks",
+    "adjustment",
+    "reconstruction",
+    "formats",
+    "pipeline",
+];
 
 #[test]
 fn no_files_import_each_other_in_a_circle() {

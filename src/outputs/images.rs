@@ -78,7 +78,7 @@ fn reason(run: &BlockRun, image: usize, model: Option<usize>) -> String {
         Some(model) => format!("in a model of its own, of {} images", model.images.len()),
         None => {
             let known = assembly.unoriented.iter().find(|unoriented| unoriented.image == image);
-            known.map_or("not oriented".into(), |unoriented| unoriented.text.clone())
+            known.map_or("not oriented".into(), |unoriented| unoriented.reason.to_string())
         }
     }
 }

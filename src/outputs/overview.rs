@@ -35,7 +35,7 @@ pub struct BlockOverview {
     pub rmse_px: Option<f64>,
     pub sigma0_px: Option<f64>,
     /// What is weak about the block, in words.
-    pub weaknesses: Vec<String>,
+    pub warnings: Vec<String>,
 }
 
 /// A camera of a finished block.
@@ -116,7 +116,7 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
-            weaknesses: weaknesses(run),
+            warnings: warnings(run),
         })
     }
 }
@@ -160,7 +160,7 @@ fn camera_rows(run: &BlockRun) -> Vec<CameraRow> {
     rows.collect()
 }
 
-fn weaknesses(run: &BlockRun) -> Vec<String> {
+fn warnings(run: &BlockRun) -> Vec<String> {
     match &run.reconstruction {
         Err(failure) => vec![format!("No image could be oriented: {failure}.")],
         Ok(assembly) => match assembly.models.split_first() {
@@ -168,7 +168,7 @@ fn weaknesses(run: &BlockRun) -> Vec<String> {
                 let apart = others
                     .iter()
                     .map(|model| format!("{} images are oriented apart from the others, in a model of their own.", model.images.len()));
-                first.weaknesses.iter().cloned().chain(apart).collect()
+                first.warnings.iter().map(ToString::to_string).chain(apart).collect()
             }
             // A project of version 1 has oriented images, and nothing of their adjustment.
             None if run.model.images.iter().any(|image| image.pose.is_some()) => Vec::new(),

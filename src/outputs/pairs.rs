@@ -37,18 +37,16 @@ pub(super) fn pair_rows(run: &BlockRun) -> Result<(Vec<PairRow>, Vec<Vec<u32>>),
         run.points.as_ref().map(|points| points.shared.iter().map(|shared| (shared.images, shared.points)).collect());
     let common = found.as_ref().unwrap_or(&chosen);
     let count = |counts: &BTreeMap<[u32; 2], u32>, images| counts.get(&images).copied().unwrap_or(0);
-    let rows = run.connections.iter().zip(&run.geometries).map(|(connection, geometry)| {
-        Ok(PairRow {
-            images: connection.images,
-            rule: connection.rule,
-            outcome: connection.outcome.clone(),
-            reason: graph.explain(connection.images)?,
-            geometry: geometry.clone(),
-            common_points: count(common, connection.images),
-            chosen_points: count(&chosen, connection.images),
-        })
+    let rows = run.connections.iter().zip(&run.geometries).map(|(connection, geometry)| PairRow {
+        images: connection.images,
+        rule: connection.rule,
+        outcome: connection.outcome.clone(),
+        reason: connection.to_string(),
+        geometry: geometry.clone(),
+        common_points: count(common, connection.images),
+        chosen_points: count(&chosen, connection.images),
     });
-    Ok((rows.collect::<Result<_, Error>>()?, graph.groups()))
+    Ok((rows.collect(), graph.groups()))
 }
 
 /// The points of a model that both images of a pair see.

@@ -3,11 +3,13 @@
 use super::coverage::coverage;
 use super::pairs::PairRow;
 use crate::{
-    BlockRun, BlockScore, BlockSettings, Camera, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts, ObservationVerdict,
-    PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
+    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts,
+    ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
+    UnorientedReason,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
+use std::fmt::Display;
 
 /// The figures of a finished block.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -54,6 +56,28 @@ pub struct ImageCounts {
 pub struct NamedReason {
     pub name: String,
     pub reason: String,
+}
+
+/// An image that is in no model, and why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct NotOriented {
+    pub name: String,
+    pub reason: WithText<UnorientedReason>,
+}
+
+/// A message and its text.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WithText<M> {
+    #[serde(flatten)]
+    pub message: M,
+    pub text: String,
+}
+
+impl<M: Display> WithText<M> {
+    fn of(message: M) -> Self {
+        Self { text: message.to_string(), message }
+    }
 }
 
 /// A camera before its calibration.
@@ -131,7 +155,7 @@ pub struct Oriented {
     pub rays: usize,
     pub models: Vec<ModelSummary>,
     pub cameras: Vec<Camera>,
-    pub unoriented: Vec<NamedReason>,
+    pub unoriented: Vec<NotOriented>,
     pub origin: Option<GeographicOrigin>,
 }
 
@@ -150,7 +174,7 @@ pub struct ModelSummary {
     pub rays_rejected: usize,
     /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
     pub position_rmse_m: Option<[f64; 3]>,
-    pub weaknesses: Vec<String>,
+    pub warnings: Vec<WithText<BlockWarning>>,
 }
 
 /// A format that was asked for.
@@ -265,7 +289,7 @@ fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSum
         Ok(assembly) => assembly,
         Err(failure) => return OrientationSummary::Failed { oriented: 0, reason: failure.to_string() },
     };
-    let unoriented = assembly.unoriented.iter().map(|image| NamedReason { name: name(image.image), reason: image.text.clone() });
+    let unoriented = assembly.unoriented.iter().map(|image| NotOriented { name: name(image.image), reason: WithText::of(image.reason) });
     OrientationSummary::Done(Box::new(Oriented {
         oriented,
         points: run.model.points.len(),
@@ -293,6 +317,6 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
         degrees_of_freedom: adjusted.degrees_of_freedom,
         rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
-        weaknesses: model.weaknesses.clone(),
+        warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }
 }

@@ -60,7 +60,7 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
             PairOutcome::Waiting => ("waiting", None),
             PairOutcome::Connected { matches } => ("connected", Some(matches)),
             PairOutcome::TooFewMatches { matches, .. } => ("too_few_matches", Some(matches)),
-            PairOutcome::NotOriented { matches, .. } => ("not_oriented", Some(matches)),
+            PairOutcome::NotOriented { .. } => ("not_oriented", None),
             PairOutcome::Failed { .. } => ("failed", None),
         };
         let geometry = pair.geometry.as_ref();

@@ -41,7 +41,7 @@ impl ControlTables {
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
         let (control, _) = self.join(&named, placing)?;
         // How large the images are, and with it whether a measurement is outside its own, only the run knows.
-        let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, None)];
+        let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, Some(f64::from(MOST_PX)))];
         let images = named.into_iter().map(|name| KnownImage { name, camera: 0, position: None }).collect();
         BlockDescription { cameras, images, control }.check()
     }

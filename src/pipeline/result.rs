@@ -1,9 +1,9 @@
 //! What the run of a block finds.
 
-use super::{Failure, Remark, RunInput};
+use super::{Remark, RunInput};
 use crate::{
-    BlockModel, Camera, Connection, ExifImage, FreeParameters, JoinCounts, KnownCamera, Reconstruction, RefinementOutcome, SharedPoints,
-    TwoView,
+    BlockModel, Camera, Connection, ExifImage, Failure, FreeParameters, JoinCounts, KnownCamera, Reconstruction, RefinementOutcome,
+    SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 

@@ -1,7 +1,8 @@
 //! The threshold that leaves a wanted fraction of the pixels as candidates.
 
+use super::PointOptions;
 use crate::Error;
-use crate::parameters::check;
+use crate::catalogue::check;
 
 /// How the candidates of an operator are chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,8 +24,10 @@ impl Selection {
     /// Refuses values outside their ranges.
     pub(crate) fn check(self) -> Result<(), Error> {
         match self {
-            Selection::Threshold(threshold) | Selection::Adaptive(threshold) => check("points.threshold", threshold),
-            Selection::Fraction(fraction) => check("points.fraction", fraction),
+            Selection::Threshold(threshold) | Selection::Adaptive(threshold) => {
+                check(PointOptions::PARAMETERS, "points.threshold", threshold)
+            }
+            Selection::Fraction(fraction) => check(PointOptions::PARAMETERS, "points.fraction", fraction),
         }
     }
 

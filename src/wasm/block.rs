@@ -1,18 +1,21 @@
 //! What a block is set by, and where its images are.
 
 use super::convert::{JsResult, pack, read_options, rows, thrown};
-use crate::{
-    ADJUSTMENT_PARAMETERS, BLOCK_PARAMETERS, BlockSettings, RECONSTRUCTION_PARAMETERS, ReconstructionOptions, RefinementOutcome,
-    local_from_geographic,
-};
+use crate::{BlockSettings, ReconstructionOptions, RefinementOutcome, acting, local_from_geographic};
 use js_sys::Float64Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-/// Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+/// Every option of a block, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_parameters() -> JsValue {
-    pack(&BLOCK_PARAMETERS)
+    pack(&BlockSettings::parameters().collect::<Vec<_>>())
+}
+
+/// The keys of the options of a block that have an effect with these settings.
+#[wasm_bindgen(unchecked_return_type = "string[]")]
+pub fn acting_block_parameters(#[wasm_bindgen(unchecked_param_type = "Given<BlockSettings>")] settings: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&acting(BlockSettings::parameters(), &read_options::<BlockSettings>("block", settings)?)))
 }
 
 /// All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
@@ -35,12 +38,6 @@ pub fn local_positions(geographic: &[f64]) -> JsResult<Float64Array> {
 #[wasm_bindgen(unchecked_return_type = "ReconstructionOptions")]
 pub fn reconstruction_defaults() -> JsValue {
     pack(&ReconstructionOptions::default())
-}
-
-/// Every tunable of the reconstruction and of the bundle adjustment.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn reconstruction_parameters() -> JsValue {
-    pack(&[RECONSTRUCTION_PARAMETERS, ADJUSTMENT_PARAMETERS].concat())
 }
 
 /// What can become of a ray that is refined, in the order of its codes.

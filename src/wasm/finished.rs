@@ -25,6 +25,9 @@ export interface PointColumns {
     confidence: Float64Array;
 }
 
+/** A message and its text. */
+export type WithText<M> = M & { text: string };
+
 /** Takes the path of a file, with slashes and relative to the folder of the block, and its text. */
 export type Emit = (path: string, text: string) => void;
 "#;

@@ -15,6 +15,7 @@ mod features;
 mod finished;
 mod geometry;
 mod matching;
+mod message;
 mod orientation;
 mod photo;
 mod pipeline;

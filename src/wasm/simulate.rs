@@ -1,10 +1,7 @@
 //! Simulated flights, and the score of matches by their truth.
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
-use crate::{
-    DenseTruth, FLIGHT_PARAMETERS, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth,
-    simulate as fly,
-};
+use crate::{DenseTruth, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly};
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -44,10 +41,10 @@ export interface MatchScore {
 }
 "#;
 
-/// Every parameter of a flight with label, unit, range and help.
+/// Every parameter of a flight.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn flight_parameters() -> JsValue {
-    pack(&FLIGHT_PARAMETERS)
+    pack(&Flight::PARAMETERS)
 }
 
 /// The names of the ready-made flights.

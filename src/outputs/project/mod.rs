@@ -138,16 +138,16 @@ mod tests {
     use super::*;
     use crate::math::Random;
     use crate::model::tiny_block;
-    use crate::{BlockOptions, Connection, PairOutcome, PairRule, SelectOptions};
+    use crate::{BlockOptions, NoGeometry, PairOutcome, PairRule, SelectOptions};
 
     /// A block as version 1 held it.
     fn older() -> version_1::Project {
-        let connection = |images, outcome| Connection { images, rule: PairRule::Near, outcome };
+        let connection = |images, outcome| version_1::OlderConnection { images, rule: PairRule::Near, outcome };
         version_1::Project {
             block: tiny_block(),
             connections: vec![
-                connection([0, 1], PairOutcome::Connected { matches: 120 }),
-                connection([0, 2], PairOutcome::NotOriented { matches: 30, reason: "9 inliers \"of\" 30".into() }),
+                connection([0, 1], version_1::OlderOutcome::Connected { matches: 120 }),
+                connection([0, 2], version_1::OlderOutcome::NotOriented { matches: 30, reason: "9 inliers \"of\" 30".into() }),
             ],
             joining: BlockOptions::default(),
             selection: SelectOptions::default(),
@@ -186,6 +186,8 @@ mod tests {
         assert_eq!(names, ["photo_00000.png", "photo_00001.png", "photo_00002.png", "=other, 1.png"]);
         let oriented: Vec<bool> = run.model.images.iter().map(|image| image.pose.is_some()).collect();
         assert_eq!(oriented, [true, true, true, false]);
+        let chance = NoGeometry::Chance { agreeing: 4, matches: 61 };
+        assert_eq!(run.connections[2].outcome, PairOutcome::NotOriented { no_geometry: chance });
         assert_eq!((run.model.points.len(), run.connections.len(), run.input.settings.selection.per_image), (12, 6, 9));
         assert_eq!(read(&write_block_project(&run).unwrap()), run);
     }

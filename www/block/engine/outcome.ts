@@ -1,11 +1,11 @@
 /** What of a block, finished or under way, the page shows. */
-import { explain_connections, export_formats } from '../../../pkg/wasm/tiepoint.js';
+import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
 import type { Connection, FinishedBlock, PairRow, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
 import { layoutOf } from './layout';
 import type { BlockView, ViewConnection } from '../state/view';
 
 export function viewOf(block: FinishedBlock): BlockView {
-  const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, weaknesses, points } = block.overview();
+  const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, points } = block.overview();
   const connections = pairs.map(connectionOf);
   return {
     partial: false,
@@ -27,7 +27,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     score: null,
-    weaknesses,
+    warnings,
     formats: export_formats(),
   };
 }
@@ -38,9 +38,8 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
   const own = read.map(({ camera }) => JSON.stringify(camera));
   const kinds = [...new Set(own)];
   const cameras = kinds.map((kind) => read[own.indexOf(kind)]?.camera).filter((camera) => camera !== undefined);
-  const { reasons, groups } = explain_connections(read.length, [...connections]);
-  const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => (
-    { images, rule, outcome, reason: reasons[i] ?? '', geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
+  const links: ViewConnection[] = connections.map((connection, i) => (
+    { ...connection, reason: message('connection', connection), geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
   const none = new Float64Array();
   return {
     partial: true,
@@ -53,7 +52,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     cameras: cameras.map(({ label, fixed: _, focal_px, ...camera }, i) => (
       { label, images: own.filter((kind) => kind === kinds[i]).length, given: focal_px === null ? null : { ...camera, focal_px }, calibrated: null, focalErrorPx: null })),
     connections: links,
-    groups,
+    groups: connected_groups(read.length, [...connections]),
     layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
     points: { count: 0, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
     found: null,
@@ -63,7 +62,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     rmsePx: null,
     sigma0Px: null,
     score: null,
-    weaknesses: [],
+    warnings: [],
     formats: export_formats(),
   };
 }
@@ -72,13 +71,9 @@ function connectionOf({ images, rule, outcome, reason, geometry, common_points: 
   return { images, rule, outcome, reason, geometry: geometryName(geometry), shared, chosen };
 }
 
-const MODELS: Readonly<Record<string, string>> = {
-  calibrated: 'relative orientation', fundamental: 'fundamental matrix', homography: 'plane', rotation: 'rotation about one place',
-};
-
 function geometryName(geometry: TwoView | null): string {
   if (geometry === null) return '';
   const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
-  const weak = degenerate === null ? '' : { plane: ', ground nearly plane', 'pure-rotation': ', no base' }[degenerate];
-  return `${MODELS[kind] ?? kind}${weak}, ± ${sigma.toFixed(2)} px`;
+  const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;
+  return `${message('two_view_model', { kind }, 'short')}${weak}, ± ${sigma.toFixed(2)} px`;
 }

@@ -3,6 +3,7 @@ import { check_cameras, check_control, check_masks, parse_image_measurements, pa
 import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
+import { messageOf } from '../../shared/text/format';
 
 /** What a run can be given beside its images. */
 export type Given = 'cameras' | 'control' | 'marks' | 'masks';
@@ -39,7 +40,7 @@ const problems = remember((
       read();
       return true;
     } catch (error) {
-      found[given] = `${name === '' ? '' : `${name}: `}${error instanceof Error ? error.message : String(error)}`;
+      found[given] = `${name === '' ? '' : `${name}: `}${messageOf(error)}`;
       return false;
     }
   };
