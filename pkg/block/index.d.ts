@@ -3,6 +3,9 @@ import type { RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
 
+/** Names of the errors of a module or of a host without memory. */
+export const MEMORY: readonly string[];
+
 /**
  * Runs a block from its image files to its orientation. What the store holds from an earlier run with the same images and settings is not
  * done again; the result is the same, for any number of workers, and the caller frees it. Images that cannot be read are skipped and listed.

@@ -1,4 +1,4 @@
 // @ts-check
 /** A block from its image files to its orientation, on any kind of workers and any kind of store. */
 
-export { runBlock } from './run.js';
+export { MEMORY, runBlock } from './run.js';

@@ -4,6 +4,9 @@
 import { Run, sha256 } from '../wasm/tiepoint.js';
 import { timed } from './timed.js';
 
+/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
+export const MEMORY = ['RuntimeError', 'RangeError'];
+
 /**
  * @typedef {import('./types.js').Source} Source
  * @typedef {import('./types.js').Surroundings} Surroundings
@@ -52,7 +55,7 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
     // Nothing goes on behind the caller's back.
     await Promise.all(underway);
     // After a trap the module is not to be called again.
-    if (!(error instanceof WebAssembly.RuntimeError)) run.free();
+    if (!['Panic', ...MEMORY].includes(error instanceof Error ? error.name : '')) run.free();
     throw error;
   }
   return run.finish();
@@ -103,8 +106,9 @@ async function digest(bytes) {
 function failureOf(error) {
   const { name, code = '', usage = false } = /** @type {{ name?: string, code?: string, usage?: boolean }} */ (error instanceof Error ? error : {});
   if (name === 'TiepointError') return { kind: 'refused', code, message: messageOf(error), usage };
-  // A trap of the module, or memory that is not there: the worker was replaced.
-  if (['RuntimeError', 'RangeError', 'WorkerError'].includes(name ?? '')) return { kind: 'broke_off', message: messageOf(error) };
+  // The worker was replaced.
+  if (MEMORY.includes(name ?? '')) return { kind: 'out_of_memory', message: messageOf(error) };
+  if (['Panic', 'WorkerError'].includes(name ?? '')) return { kind: 'broke_off', message: messageOf(error) };
   throw error;
 }
 

@@ -5,8 +5,9 @@ import { runBlock } from '../block/index.js';
 import { block_parameters, block_settings, check_block_truth, export_formats, parse_camera_rules, parse_ground_control_points, parse_image_measurements, planned_files } from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
+import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
+import { lockFolder } from './lock.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
@@ -66,7 +67,7 @@ async function run(call) {
   const names = sources.map(({ name }) => name);
   const planned = planned_files(names, formats);
   if (known) about(String(truth), () => check_block_truth(known, names));
-  makeFolder(out);
+  const release = lockFolder(out);
   removeUnfinished(out);
   const written = new Written(out);
   written.refuseOthers(planned, formats);
@@ -92,6 +93,7 @@ async function run(call) {
   } finally {
     shown.end();
     await pool.close();
+    release();
   }
 }
 
@@ -158,7 +160,14 @@ function sourcesOf(given) {
 }
 
 /** @param {string} file @returns {Source} */
-const sourceOf = (file) => ({ name: basename(file), bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) });
+const sourceOf = (file) => ({
+  name: basename(file),
+  bytes: async () => {
+    // Reading a pipe would wait for whoever writes into it.
+    if (!isFile(file)) throw new Error('it is no file, but a pipe, a socket or a device');
+    return readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error))));
+  },
+});
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {

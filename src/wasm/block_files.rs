@@ -50,10 +50,18 @@ pub fn export_block(
     emitting(emit, |emit| write_block(&model, format, emit))
 }
 
+/// More images than any block has.
+const MOST_IMAGES: u32 = 10_000_000;
+
 /// The groups of connected images of a block, the largest first.
 #[wasm_bindgen(unchecked_return_type = "number[][]")]
 pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
     let connections: Vec<Connection> = read("connections", connections)?;
+    // What is no number of images, as -1, arrives as a number beyond all memory.
+    if images > MOST_IMAGES {
+        let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));
+        return Err(thrown(Error::InvalidInput { what: "number of images", got, allowed }));
+    }
     let mut graph = ConnectionGraph::new(images);
     for connection in &connections {
         graph.set(connection.images, connection.rule, connection.outcome.clone()).map_err(thrown)?;

@@ -68,7 +68,7 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   };
   const first = await runBlock(SOURCES, OPTIONS, { pool: weak, store });
   const failed = first.overview().pairs.filter(({ outcome }) => outcome.kind === 'failed');
-  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'broke_off', message: 'unreachable' } }]);
+  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'out_of_memory', message: 'unreachable' } }]);
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
   assert.ok(second.overview().pairs.every(({ outcome }) => outcome.kind !== 'failed'));
 });
