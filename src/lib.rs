@@ -91,7 +91,7 @@ pub use reconstruction::{
     BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
     RejectedObservation, RejectedPosition, UnorientedImage, UnorientedReason, reconstruct_block,
 };
-pub use report::{Report, ReportImage, ReportTruth};
+pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{
     BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
     RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block,

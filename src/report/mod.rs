@@ -8,6 +8,8 @@ mod study;
 mod tables;
 mod text;
 
+pub use paper::{PAPER, Paper, PrintedOrientation};
+
 use crate::{Error, ExifCamera, FiveParameters, GreyImage, PairImage, PairInput, PairSettings};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use picture::Layer;
@@ -168,7 +170,7 @@ impl Report {
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
                 @match &run.result.orientation {
-                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors left out." }
+                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
                     Err(reason) => li { "Not oriented: " (reason) "." }
                 }
                 @if let Some(score) = &run.score {
@@ -204,7 +206,7 @@ impl Report {
         html! {
             div.pair { (side(0)) (side(1)) }
             p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
-                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " left out by a mask" }
+                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " masked out" }
             }
         }
     }
