@@ -223,5 +223,5 @@ fn what_no_run_can_be_is_refused_before_anything_is_computed() {
     assert_eq!(refused(two), "");
     let alone = Path::new("none.png").to_path_buf();
     let error = run_block(&[alone], &[], RunInput::default(), &folder("none"), 1, |_| {}).unwrap_err().to_string();
-    assert!(error.starts_with("images of the block: got 0 of 1 could be read (none.png: "), "{error}");
+    assert!(error.starts_with("images of the block: got 0 that could be read, of 1 (none.png: "), "{error}");
 }

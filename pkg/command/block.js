@@ -74,7 +74,7 @@ async function run(call) {
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new Progress({ quiet: values.has('json') });
   try {
-    const { finished } = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
+    const finished = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
     const summary = writeFiles(finished.files(formats, known && about(String(truth), () => finished.score(known))), written);
     written.finish();

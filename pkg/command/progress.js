@@ -8,11 +8,14 @@ const WIDTH = 24;
 /** The bar of a stage is drawn again after so many milliseconds. */
 const PAUSE_MS = 100;
 
-/** What the steps of each stage are; of the last one there is one step, which is not counted.  @type {Record<Step['stage'], string>} */
+/** What the steps of each stage are; those of one piece have one step, which is not counted.  @type {Record<Step['stage'], string>} */
 const WORDS = {
-  photos: 'photos', images: 'images', likeness: 'similarity of images', pairs: 'pairs', points: 'images and pairs joined to points', windows: 'images for windows of observations',
+  photos: 'photos', images: 'images', likeness: 'similarity of images', pairs: 'pairs', points: 'tie points', windows: 'images for windows of observations',
   refinement: 'groups of points refined', orientation: 'orientation',
 };
+
+/** Stages that are one computation. */
+const OF_ONE_PIECE = ['points', 'orientation'];
 
 export class Progress {
   #bar = process.stderr.isTTY === true;
@@ -57,7 +60,7 @@ export class Progress {
     if (!ended || (this.quiet && !this.#bar)) return;
     this.end();
     const earlier = found > 0 ? ` (${found} from an earlier run)` : '';
-    const counted = stage === 'orientation' ? '' : `: ${total}`;
+    const counted = OF_ONE_PIECE.includes(stage) ? '' : `: ${total}`;
     process.stderr.write(`${WORDS[stage]}${counted}${earlier} in ${duration(seconds)}\n`);
   }
 

@@ -8,7 +8,7 @@ import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
 import { shellCommand } from './text.js';
-import { runStage } from '../block/stage.js';
+import { timed } from '../block/timed.js';
 
 /** @typedef {import('../node.js').BlockFlight} BlockFlight */
 
@@ -46,14 +46,18 @@ async function run({ values }) {
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new Progress({ quiet: values.has('json') });
   try {
-    const items = truth.images.map(({ name }, index) => ({ name: `photos/${name}`, index }));
-    const photos = await runStage({
-      name: 'photos', items, width: pool.size, label: ({ name }) => name, progress: (step) => shown.stage(step),
-      act: async ({ name, index }) => {
-        replaceInto(out, name, await pool.run('photo', { flight, index }));
-        return { result: join(out, name), found: false };
-      },
-    });
+    const step = timed(pool.size);
+    const total = truth.images.length;
+    let done = 0;
+    const tell = (name = '') => shown.stage(step({ stage: 'photos', done, total, found: 0, name }));
+    tell();
+    const photos = await Promise.all(truth.images.map(async ({ name: file }, index) => {
+      const name = `photos/${file}`;
+      replaceInto(out, name, await pool.run('photo', { flight, index }));
+      done += 1;
+      tell(name);
+      return join(out, name);
+    }));
     replaceInto(out, 'truth.json', `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`);
     const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
     if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });

@@ -38,15 +38,19 @@ impl CameraRules {
         Err(Error::InvalidInput { what: "the cameras", got, allowed: format!("patterns that fit names as {}", shown.join(", ")) })
     }
 
+    /// The index of the rule that an image fits, and its camera.
+    pub(super) fn camera_of(&self, name: &str, size: [u32; 2], exif: &ExifImage) -> (Option<usize>, InitialCamera) {
+        let rule = self.0.iter().position(|rule| rule.fits(name));
+        (rule, rule.map_or_else(|| of_exif(size, exif), |rule| of_rule(&self.0[rule], size, exif)))
+    }
+
     /// The cameras of images with these names, sizes in px and EXIF, and the index of each image's own. Images of one make, model, focal
     /// length and size are of one camera, and so are those of one rule and size.
     pub fn group<'a>(&self, images: impl Iterator<Item = (&'a str, [u32; 2], &'a ExifImage)>) -> (Vec<InitialCamera>, Vec<usize>) {
         let mut found: Vec<(Option<usize>, InitialCamera)> = Vec::new();
         let mut of = Vec::new();
         for (name, size, exif) in images {
-            let rule = self.0.iter().position(|rule| rule.fits(name));
-            let camera = rule.map_or_else(|| of_exif(size, exif), |rule| of_rule(&self.0[rule], size, exif));
-            let own = (rule, camera);
+            let own = self.camera_of(name, size, exif);
             let index = found.iter().position(|other| *other == own).unwrap_or(found.len());
             if index == found.len() {
                 found.push(own);

@@ -1,13 +1,16 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
 use crate::{
-    Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow, ImageObservation,
-    ObservedPosition, parse_ground_control_points, parse_image_measurements,
+    BlockDescription, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
+    ImageObservation, KnownCamera, KnownImage, ObservedPosition, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Ground control points that two images each show, without which they do not georeference a block.
 const LEAST_CONTROL: usize = 3;
+
+/// No photo has a longer side in px.
+const MOST_PX: u32 = 10_000_000;
 
 /// Images that a refusal names.
 const SHOWN: usize = 3;
@@ -26,6 +29,21 @@ impl ControlTables {
     /// As [`parse_ground_control_points`] and [`parse_image_measurements`].
     pub fn read(points: &str, marks: &str) -> Result<Self, Error> {
         Ok(Self { points: parse_ground_control_points(points)?, marks: parse_image_measurements(marks)? })
+    }
+
+    /// Refuses, before the images are read, what a run of images with these names would refuse. Before there is a block, the images that the
+    /// measurements name stand for its own.
+    ///
+    /// # Errors
+    /// As [`join`](Self::join) and [`BlockDescription::check`].
+    pub fn check(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(), Error> {
+        let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
+        let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
+        let (control, _) = self.join(&named, placing)?;
+        // How large the images are, and with it whether a measurement is outside its own, only the run knows.
+        let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, Some(f64::from(MOST_PX)))];
+        let images = named.into_iter().map(|name| KnownImage { name, camera: 0, position: None }).collect();
+        BlockDescription { cameras, images, control }.check()
     }
 
     /// The ground control points with the images, by index, that show them; and the names of images that are not among these, ascending.

@@ -1,6 +1,6 @@
 //! Features of an image, where its mask lets them be, as they are kept.
 
-use super::records::{column, kept, read_record, rows_of, write_record};
+use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
 use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, decode, features as find};
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ impl<'a> Features<'a> {
     }
 
     pub fn kept(key: &str, bytes: &'a [u8]) -> Result<Self, Error> {
-        kept(key, Self::read(key, bytes))
+        kept(key, Self::read(key, bytes).filter(|_| is_whole(bytes)))
     }
 
     /// x and y in px.

@@ -5,18 +5,10 @@ use super::job::{Done, FileNeeded, News, ReadImage, StageName, Work};
 use super::likeness::coarse_of;
 use super::records::{BUILD, Kind, key_of};
 use super::stage::{Request, Stage};
-use super::state::{Positions, State};
+use super::state::{Read, State};
 use super::task::{FeatureTask, Task};
 use super::{RunImage, SkippedImage};
 use crate::{Error, Failure};
-
-/// What is known of an image once it was read.
-pub(super) struct Read {
-    pub image: RunImage,
-    pub positions: Positions,
-    /// Empty where the likeness of images is not asked for.
-    pub coarse: Vec<u8>,
-}
 
 enum Found {
     Nothing,
@@ -91,7 +83,8 @@ impl Stage for Images {
         let positions = features.positions();
         let (head, count) = (features.head, features.count as u32);
         let (width_px, height_px) = (head.width_px, head.height_px);
-        let news = ReadImage { index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
+        let camera = state.input.rules.camera_of(&name, [width_px, height_px], &head.exif).1;
+        let news = ReadImage { camera, index: item, name: name.clone(), width_px, height_px, features: count, exif: head.exif.clone() };
         let image =
             RunImage { name: name.clone(), key, content, width_px, height_px, features: Some(count), masked, exif: head.exif, camera: 0 };
         self.found[item] = Found::Read(Box::new(Read { image, positions, coarse }));
@@ -101,8 +94,8 @@ impl Stage for Images {
     fn fail(&mut self, item: usize, failure: Failure, state: &mut State) -> Result<Done, Error> {
         let reason = failure.of_one()?;
         let name = state.input.images[item].clone();
-        let skipped = SkippedImage { name: name.clone(), reason };
-        self.found[item] = Found::Skipped(skipped.clone());
-        Ok(Done::of(name, Some(News::Skipped(skipped))))
+        let news = News::Skipped { name: name.clone(), reason: reason.to_string() };
+        self.found[item] = Found::Skipped(SkippedImage { name: name.clone(), reason });
+        Ok(Done::of(name, Some(news)))
     }
 }

@@ -66,7 +66,7 @@ impl RunInput {
         let unused_cameras = rules.unused(&self.images)?;
         let control = self.control.map(|texts| ControlTables::read(&texts.points, &texts.marks)).transpose()?;
         if let Some(control) = &control {
-            control.join(&self.images, &self.settings.placing)?;
+            control.check(&self.images, &self.settings.placing)?;
         }
         let Self { settings, images, masks, use_gnss, .. } = self;
         Ok(Checked { settings, images, masks, mask_of, unused_masks, rules, unused_cameras, use_gnss, control })

@@ -1,6 +1,6 @@
 //! What passes between a run and its host.
 
-use super::SkippedImage;
+use super::InitialCamera;
 use super::task::Task;
 use crate::{Connection, ExifImage, TwoView};
 use serde::{Deserialize, Serialize};
@@ -29,7 +29,7 @@ pub struct Job {
 
 /// A file by its place among the names that the run was given.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[serde(tag = "kind", content = "index", rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum FileNeeded {
     Image(usize),
@@ -37,8 +37,7 @@ pub enum FileNeeded {
 }
 
 /// What is to be done for a job.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Work {
     /// Of the record that comes of it: a kept one is as good, and a new one is kept. Absent where nothing is kept.
     pub key: Option<String>,
@@ -47,7 +46,6 @@ pub struct Work {
     /// Keys of kept records whose bytes it takes, after those of the files.
     pub records: Vec<String>,
     /// Bytes that it takes after those of the records.
-    #[serde(skip)]
     pub input: Option<Vec<u8>>,
 }
 
@@ -71,7 +69,11 @@ pub struct Step {
 pub enum News {
     Step(Step),
     Image(ReadImage),
-    Skipped(SkippedImage),
+    /// The reason in words.
+    Skipped {
+        name: String,
+        reason: String,
+    },
     /// Its images count without those that were skipped.
     Pair {
         connection: Connection,
@@ -90,6 +92,8 @@ pub struct ReadImage {
     pub height_px: u32,
     pub features: u32,
     pub exif: ExifImage,
+    /// As far as this image says.
+    pub camera: InitialCamera,
 }
 
 /// What a stage says of a job that is done or has failed.

@@ -2,10 +2,11 @@
 //!
 //! Data flow: [`RunInput`] → `images` (`features` of each) → `likeness` where no position says which images are near → `pairs` → `points` →
 //! `windows` and `refinement` where observations are refined → orientation → [`BlockRun`]. [`Run`] goes from stage to stage; what a job is for
-//! a worker stands in `task`, what is kept of it in `records`.
+//! a worker stands in `task`, what it does in `execute`, what is kept of it in `records`.
 
 mod cameras;
 mod control;
+mod execute;
 mod features;
 #[cfg(not(target_arch = "wasm32"))]
 mod host;
@@ -28,6 +29,7 @@ mod windows;
 
 pub use cameras::CameraRules;
 pub use control::ControlTables;
+pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};
@@ -37,4 +39,4 @@ pub use records::digest;
 pub use remark::{ImpossiblePosition, Remark};
 pub use result::{BlockRun, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;
-pub use task::{Task, execute};
+pub use task::Task;

@@ -5,7 +5,7 @@ use super::features::Features;
 use super::job::{Done, News, StageName, Work};
 use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_record};
 use super::stage::{Request, Stage};
-use super::state::State;
+use super::state::{Matched, State};
 use super::task::{PairTask, Task};
 use crate::{
     ChosenPair, Connection, DescriptorMatch, Error, Failure, FeatureMatch, FeatureMatchOptions, Located, PairOutcome, TwoView,
@@ -75,13 +75,6 @@ pub(super) fn execute(task: &PairTask, records: [&[u8]; 2]) -> Result<Vec<u8>, E
     let features = column(kept.iter().flat_map(|m| [left.numbers[m.left], right.numbers[m.right]]), u32::to_le_bytes);
     let strengths = column(kept.iter().map(|m| -f64::from(m.square).sqrt() as f32), f32::to_le_bytes);
     Ok(write_record(&task.key, &PairHead { outcome, geometry }, kept.len(), &[&features, &strengths]))
-}
-
-/// A pair that was matched.
-pub(super) struct Matched {
-    pub connection: Connection,
-    pub geometry: Option<TwoView>,
-    pub matches: Vec<FeatureMatch>,
 }
 
 pub(super) struct Pairs {

@@ -70,8 +70,13 @@ pub(super) fn write_record(key: &str, head: &impl Serialize, rows: usize, column
     bytes
 }
 
-/// Reads a record whose columns have the length that its head and number of rows call for; absent where the bytes are not of this key: of
-/// another version, damaged or cut off.
+/// Whether the checksum of a record is right.
+pub(super) fn is_whole(bytes: &[u8]) -> bool {
+    bytes.split_at_checked(HEADER).is_some_and(|(front, rest)| Sha256::digest(rest)[..] == front[16..])
+}
+
+/// Reads a record whose columns have the length that its head and number of rows call for; absent where the bytes are not of this key, of
+/// another version or cut off. The checksum is not looked at: that takes longer than all the rest.
 pub(super) fn read_record<'a, H: DeserializeOwned>(
     key: &str,
     bytes: &'a [u8],
@@ -79,7 +84,7 @@ pub(super) fn read_record<'a, H: DeserializeOwned>(
 ) -> Option<Record<'a, H>> {
     let (front, rest) = bytes.split_at_checked(HEADER)?;
     let number = |at: usize| u32::from_le_bytes([front[at], front[at + 1], front[at + 2], front[at + 3]]);
-    if &front[..4] != MAGIC || number(4) != VERSION || Sha256::digest(rest)[..] != front[16..] {
+    if &front[..4] != MAGIC || number(4) != VERSION {
         return None;
     }
     let (head, body) = rest.split_at_checked(number(8) as usize)?;
@@ -115,7 +120,7 @@ mod tests {
     fn a_record_that_is_damaged_or_of_another_key_does_not_read() {
         let whole = write_record("pairs/1", &"head", 2, &[&[1; 8], &[2; 4]]);
         let reads = |key: &str, bytes: &[u8]| {
-            let read = read_record::<String>(key, bytes, |_, rows| 6 * rows)?;
+            let read = read_record::<String>(key, bytes, |_, rows| 6 * rows).filter(|_| is_whole(bytes))?;
             Some((read.head, read.rows, read.body.to_vec()))
         };
         assert_eq!(reads("pairs/1", &whole), Some(("head".into(), 2, [[1; 8].as_slice(), &[2; 4]].concat())));

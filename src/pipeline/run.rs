@@ -7,6 +7,7 @@ use super::job::{Job, News, Step, Work};
 use super::likeness::Likeness;
 use super::pairs::Pairs;
 use super::points::{Own, OwnStage};
+use super::records::is_whole;
 use super::refinement::Refinement;
 use super::stage::Stage;
 use super::state::State;
@@ -112,7 +113,7 @@ impl Run {
     /// # Errors
     /// [`Error::InvalidInput`] for a job that is not under way.
     pub fn found(&mut self, id: u32, record: Vec<u8>) -> Result<bool, Error> {
-        self.accept(id, record, true)
+        if is_whole(&record) { self.accept(id, record, true) } else { self.item(id).map(|_| false) }
     }
 
     /// Takes the bytes that came of a job.

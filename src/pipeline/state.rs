@@ -2,16 +2,30 @@
 
 use super::cameras::doubtful;
 use super::control::gnss_observation;
-use super::images::Read;
 use super::input::{Checked, RunInput};
-use super::pairs::Matched;
 use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::{
-    BlockDescription, BlockModel, Error, ExifImage, Failure, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic,
+    BlockDescription, BlockModel, Connection, Error, ExifImage, Failure, FeatureMatch, ImageFeatures, KnownImage, Reconstruction,
+    TiePoints, TwoView, local_from_geographic,
 };
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
+
+/// What is known of an image once it was read.
+pub(super) struct Read {
+    pub image: RunImage,
+    pub positions: Positions,
+    /// Empty where the likeness of images is not asked for.
+    pub coarse: Vec<u8>,
+}
+
+/// A pair that was matched.
+pub(super) struct Matched {
+    pub connection: Connection,
+    pub geometry: Option<TwoView>,
+    pub matches: Vec<FeatureMatch>,
+}
 
 /// What a run knows.
 pub(super) struct State {
@@ -72,8 +86,8 @@ impl State {
         let tried = read.len() + skipped.len();
         if read.len() < 2 {
             let first = skipped.first().map_or(String::new(), |image| format!(" ({}: {})", image.name, image.reason));
-            let got = format!("{} of {tried} could be read{first}", read.len());
-            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more that can be read".into() });
+            let got = format!("{} that could be read, of {tried}{first}", read.len());
+            return Err(Error::InvalidInput { what: "images of the block", got, allowed: "two or more".into() });
         }
         for Read { image, positions, coarse } in read {
             self.images.push(image);

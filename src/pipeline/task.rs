@@ -1,8 +1,7 @@
-//! What workers do: pure functions from bytes to bytes, on any machine.
+//! What a worker is told of a job, beside the bytes that it needs.
 
 use super::cameras::PairCamera;
-use super::{features, likeness, pairs, refinement, windows};
-use crate::{Error, FeatureOptions, NearestOptions, RefinementOptions, TwoViewOptions};
+use crate::{FeatureOptions, NearestOptions, RefinementOptions, TwoViewOptions};
 use serde::{Deserialize, Serialize};
 
 /// A job as a worker takes it, beside the bytes that it needs.
@@ -73,22 +72,4 @@ pub struct RefineTask {
     /// As [`ObservationWindows`](crate::ObservationWindows) has them.
     pub(super) places: Vec<[u32; 4]>,
     pub(super) options: RefinementOptions,
-}
-
-/// Does a job: the same inputs give the same bytes, on every machine.
-///
-/// `inputs`: the bytes of the files, of the records and of the input of the [`Work`](super::Work), in this order.
-///
-/// # Errors
-/// What is wrong with the image or the pair; [`Error::InvalidInput`] for another number of inputs.
-pub fn execute(task: &Task, inputs: &[&[u8]]) -> Result<Vec<u8>, Error> {
-    match (task, inputs) {
-        (Task::Features(task), [image]) if task.mask.is_none() => features::execute(task, image, None),
-        (Task::Features(task), [image, mask]) => features::execute(task, image, Some(mask)),
-        (Task::Likeness(task), [descriptors]) => likeness::execute(task, descriptors),
-        (Task::Pair(task), [left, right]) => pairs::execute(task, [left, right]),
-        (Task::Windows(task), [image, features]) => windows::execute(task, image, features),
-        (Task::Refine(task), [grey]) => refinement::execute(task, grey.to_vec()),
-        _ => Err(Error::InvalidInput { what: "inputs of a job", got: inputs.len().to_string(), allowed: "those that it names".into() }),
-    }
 }

@@ -47,12 +47,6 @@ impl FinishedBlock {
 
 #[wasm_bindgen]
 impl FinishedBlock {
-    /// What a run has found.
-    #[wasm_bindgen(constructor)]
-    pub fn new(#[wasm_bindgen(unchecked_param_type = "object")] run: &JsValue) -> JsResult<FinishedBlock> {
-        read("run", run).map(Self::of)
-    }
-
     /// Opens a project file; one that is damaged or of another kind is refused whole.
     pub fn open(bytes: &[u8]) -> JsResult<FinishedBlock> {
         match read_project(bytes).map_err(thrown)? {

@@ -5,7 +5,6 @@
 mod about;
 mod block;
 mod block_files;
-mod block_refinement;
 mod block_scene;
 mod camera;
 mod convert;
@@ -20,7 +19,7 @@ mod message;
 mod orientation;
 mod panics;
 mod photo;
-mod reconstruction;
+mod pipeline;
 mod report;
 mod simulate;
 mod tables;

@@ -53,7 +53,7 @@ test('all files and the text give the same numbers of points and rays', () => {
   assert.deepEqual(labels, [...new Set(labels)]);
   assert.match(stdout, new RegExp(`^points chosen +${points.length}\nrays of points chosen +${rays.length}$`, 'm'));
   // Steps are not told as points.
-  assert.match(stderr, /^images and pairs joined to points: \d+ in/m);
+  assert.match(stderr, /^tie points in/m);
   assert.match(stderr, /^orientation in/m);
 });
 

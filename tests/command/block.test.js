@@ -130,7 +130,7 @@ test('an image that cannot be read is told and left out', () => {
   assert.match(stderr, new RegExp(`${names[2]} is left out: the image cannot be read`));
   const alone = tiepoint('block', join(mixed, 'a_text.jpg'), join(mixed, names[0] ?? ''), '--out', folder());
   assert.equal(alone.code, 1);
-  assert.match(alone.stderr, /a block needs two images or more; 1 of 2 could be read \(a_text\.jpg: /);
+  assert.match(alone.stderr, /images of the block: got 1 that could be read, of 2 \(a_text\.jpg: /);
 });
 
 test('images of the same content share what is kept of them', () => {
@@ -167,7 +167,7 @@ test('cameras of a file take the place of those of EXIF', () => {
   assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
   const strange = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
   assert.deepEqual([strange.code, strange.stdout], [1, '']);
-  assert.match(strange.stderr, /^tiepoint: the cameras are of no image here: DJI_\*\.jpg; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/);
+  assert.match(strange.stderr, /^tiepoint: the cameras: got DJI_\*\.jpg, which fit no image; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/);
   const short = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
   assert.match(short.stderr, /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/);
 });
@@ -204,9 +204,9 @@ test('surveyed points place the block', () => {
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', strange).stderr, /the marks name absent\.png, which is none of the images/);
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
-  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr, /0 of 4 surveyed points are marked in two images or more; the marks name photo_00000\.PNG/);
+  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr, /ground control points: got 0 of 4 measured in two images or more; the block does not have the images photo_00000\.PNG/);
   const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
-  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /the point P9, which is not among the surveyed points/);
+  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /image measurements: got the point P9; allowed: points of the table of control points/);
   const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: places within its/);
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));

@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { message } from '../../pkg/node.js';
+import '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -17,7 +17,7 @@ const SOURCES = readdirSync(BLOCK.photos).sort().map((name) => ({ name, bytes: a
 const OPTIONS = { settings: { features: { multiscale: { number: 1200 } } } };
 
 /** @type {Pool} */
-const HERE = { size: 2, run: async (name, input, transfer = []) => /** @type {any} */ (jobs)[name](structuredClone(input, { transfer: /** @type {ArrayBuffer[]} */ (transfer) })) };
+const HERE = { size: 2, run: async (name, input, transfer) => jobs[name](structuredClone(input, { transfer: /** @type {ArrayBuffer[]} */ (transfer) })) };
 
 function memory() {
   /** @type {Map<string, Uint8Array>} */
@@ -29,7 +29,7 @@ test('without the command the same project comes out', async () => {
   const out = folder();
   json(...BLOCK.call, '--out', out);
   const run = await runBlock(SOURCES, OPTIONS, { pool: HERE, store: memory() });
-  assert.equal(run.finished.project(), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
+  assert.equal(run.project(), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
 });
 
 test('an aborted run rejects with the reason, and goes on where it stood', async () => {
@@ -61,24 +61,25 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   /** @type {Pool} */
   const weak = {
     size: 1,
-    run: (name, input) => {
-      if (name === 'pair' && ++calls === 3) return Promise.reject(Object.assign(new Error('unreachable'), { name: 'RuntimeError' }));
-      return HERE.run(name, input);
+    run: (name, input, transfer) => {
+      if (JSON.parse(input.task).kind === 'pair' && ++calls === 3) return Promise.reject(Object.assign(new Error('unreachable'), { name: 'RuntimeError' }));
+      return HERE.run(name, input, transfer);
     },
   };
   const first = await runBlock(SOURCES, OPTIONS, { pool: weak, store });
-  const failed = first.connections.filter(({ outcome }) => outcome.kind === 'failed');
+  const failed = first.overview().pairs.filter(({ outcome }) => outcome.kind === 'failed');
   assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'out_of_memory', message: 'unreachable' } }]);
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
-  assert.ok(second.connections.every(({ outcome }) => outcome.kind !== 'failed'));
+  assert.ok(second.overview().pairs.every(({ outcome }) => outcome.kind !== 'failed'));
 });
 
 test('features where the distortion has no inverse are left out of their pairs alone', async () => {
   const cameras = { text: JSON.stringify({ cameras: [{ focal_px: 300, radial: [-0.9, 0, 0] }] }), name: 'cameras.json' };
   const run = await runBlock(SOURCES, { ...OPTIONS, cameras }, { pool: HERE, store: memory() });
-  const reasons = run.connections.map((connection) => message('connection', connection));
+  const { pairs } = run.overview();
+  const reasons = pairs.map(({ reason }) => reason);
   assert.ok(reasons.every((reason) => !reason.includes('inverse')), reasons.join('\n'));
-  assert.ok(run.geometries.some((geometry) => geometry !== null), reasons.join('\n'));
+  assert.ok(pairs.some(({ geometry }) => geometry !== null), reasons.join('\n'));
 });
 
 test('options outside their range end the run, and name themselves', async () => {
@@ -96,9 +97,9 @@ test('two images of one name, and a single image, are refused', async () => {
   const [one] = SOURCES;
   assert.ok(one);
   const surroundings = { pool: HERE, store: memory() };
-  await assert.rejects(runBlock([one, one], OPTIONS, surroundings), /two images have the name photo_00000\.png; allowed: each name once/);
-  await assert.rejects(runBlock([one], OPTIONS, surroundings), /a block needs two images or more; 1 of 1 could be read/);
-  await assert.rejects(runBlock([], OPTIONS, surroundings), /0 of 0/);
+  await assert.rejects(runBlock([one, one], OPTIONS, surroundings), /images of the block: got two with the name photo_00000\.png; allowed: each name once/);
+  await assert.rejects(runBlock([one], OPTIONS, surroundings), /images of the block: got 1 that could be read, of 1; allowed: two or more/);
+  await assert.rejects(runBlock([], OPTIONS, surroundings), /got 0 that could be read, of 0/);
   const broken = { ...one, name: 'a\nb.png' };
-  await assert.rejects(runBlock([broken, one], OPTIONS, surroundings), /the image name "a\\nb\.png" holds a control character; allowed: names without them/);
+  await assert.rejects(runBlock([broken, one], OPTIONS, surroundings), /the name "a\\nb\.png", which holds a control character; allowed: names without them/);
 });

@@ -53,7 +53,7 @@ test('files are read when they are given, and told by name', { skip: SKIP }, asy
   await status(page, /^points\.csv: /);
   await give(page, 'control', 'points.csv', POINTS);
   await give(page, 'marks', 'marks.csv', marksIn(['left.png', 'right.png'], ['a', 'b', 'stranger']));
-  await status(page, /^marks\.csv: the marks name the point stranger, which is not among the surveyed points\./);
+  await status(page, /^marks\.csv: image measurements: got the point stranger; allowed: points of the table of control points\./);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -64,7 +64,7 @@ test('cameras that are of no image are told: all of them at once, one beside oth
   await part(page, 'block-folder-input').setInputFiles(folder);
   await status(page, /^2 images/);
   await give(page, 'cameras', 'cameras.json', '{"cameras": [{"images": "DJI_*", "focal_px": 500}]}');
-  await status(page, /^cameras\.json: the cameras are of no image here: DJI_\*.* The block cannot be run with it\.$/);
+  await status(page, /^cameras\.json: the cameras: got DJI_\*, which fit no image.* The block cannot be run with it\.$/);
   await give(page, 'cameras', 'cameras.json', '{"cameras": [{"images": "DJI_*", "focal_px": 500}, {"images": "photo_*", "focal_px": 600}]}');
   await status(page, /^Cameras from cameras\.json\.$/);
   await part(page, 'block-run').click();
@@ -88,7 +88,7 @@ test('a run that fails leaves the finished block on the page', { skip: SKIP }, a
   await give(page, 'marks', 'marks.csv', marksIn(['photo_0.png', 'broken.jpg']));
   await part(page, 'block-run').click();
   const line = await status(page, /^(Done|Not run|The block was not finished)/);
-  assert.match(line, /^The block was not finished: .*surveyed points.* The screen shows the former block\.$/);
+  assert.match(line, /^The block was not finished: .*ground control points.* The screen shows the former block\.$/);
   assert.equal(await part(page, 'block-points-count').textContent(), points);
   assert.match((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
   assert.ok(await part(page, 'block-export').isEnabled());

@@ -1,11 +1,8 @@
 /** The calls of a block that workers answer, and what passes between a run and the page while it goes on. */
-import type { Jobs, RunOptions, Step } from '../../../pkg/block/index.js';
+import type { BlockJob, RunOptions, Step } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, ExportFormat } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockFile } from '../state/state';
 import type { BlockView } from '../state/view';
-
-/** One job of a run. */
-export type JobRequest = { [N in keyof Jobs]: { name: N; input: Jobs[N]['input'] } }[keyof Jobs];
 
 /** What the crate says against an image or a pair; the run goes on without it. */
 export interface Refusal {
@@ -15,7 +12,7 @@ export interface Refusal {
   usage: boolean;
 }
 
-export type JobAnswer = { made: Jobs[keyof Jobs]['output'] } | { refusal: Refusal };
+export type JobAnswer = { made: Uint8Array } | { refusal: Refusal };
 
 /** What a run tells the page. */
 export type FromRun =
@@ -23,7 +20,7 @@ export type FromRun =
   /** What has been found so far. */
   | { kind: 'part'; view: BlockView }
   | { kind: 'keep'; key: string; record: Blob }
-  | { kind: 'job'; id: number; job: JobRequest };
+  | { kind: 'job'; id: number; job: BlockJob };
 
 /** What the page tells a run. */
 export type ToRun =
@@ -57,7 +54,7 @@ export interface MadeFile {
 
 export interface BlockCalls {
   // Any worker of the pool.
-  blockJob: { input: JobRequest; output: JobAnswer };
+  blockJob: { input: BlockJob; output: JobAnswer };
   /** The truth of a flight, which names its photos. */
   blockPlan: { input: BlockFlight; output: BlockModel };
   blockPhoto: { input: { flight: BlockFlight; index: number }; output: Uint8Array<ArrayBuffer> };

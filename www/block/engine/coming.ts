@@ -1,7 +1,6 @@
 /** What a run has found so far, as the page shows it: images as they are read, pairs as they are matched. */
-import { groupCameras } from '../../../pkg/block/index.js';
-import type { LeftOut, News, PairHead, ReadImage } from '../../../pkg/block/index.js';
-import type { Connection } from '../../../pkg/wasm/tiepoint.js';
+import type { News } from '../../../pkg/block/index.js';
+import type { Connection, NamedReason, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
 import { viewOfParts } from './outcome';
 import type { BlockView } from '../state/view';
 
@@ -12,19 +11,18 @@ const SHARE = 0.05;
 
 export class Coming {
   private readonly images = new Map<number, ReadImage>();
-  private readonly leftOut: LeftOut[] = [];
+  private readonly leftOut: NamedReason[] = [];
   private readonly connections: Connection[] = [];
-  private readonly geometries: PairHead['geometry'][] = [];
+  private readonly geometries: (TwoView | null)[] = [];
   private nextAt = 0;
   /** What came too soon after a view is shown by the next one. */
   private timer: ReturnType<typeof setTimeout> | null = null;
 
-  /** `cameras`: the text of a file of cameras. */
-  constructor(private readonly cameras: string | undefined, private readonly show: (view: BlockView) => void) {}
+  constructor(private readonly show: (view: BlockView) => void) {}
 
   take(news: News): void {
-    if (news.kind === 'image') this.images.set(news.index, news.image);
-    else if (news.kind === 'left-out') this.leftOut.push(news.leftOut);
+    if (news.kind === 'image') this.images.set(news.index, news);
+    else if (news.kind === 'skipped') this.leftOut.push({ name: news.name, reason: news.reason });
     else {
       this.connections.push(news.connection);
       this.geometries.push(news.geometry);
@@ -50,7 +48,6 @@ export class Coming {
 
   private view(): BlockView {
     const images = [...this.images].sort(([a], [b]) => a - b).map(([, image]) => image);
-    const { cameras, of } = groupCameras(images, this.cameras);
-    return { ...viewOfParts(images, cameras, of, this.connections, this.geometries), leftOut: this.leftOut };
+    return { ...viewOfParts(images, this.connections, this.geometries), leftOut: this.leftOut };
   }
 }

@@ -1,11 +1,11 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
-import type { Jobs } from '../../../pkg/block/index.js';
+import type { BlockJob } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../../pkg/wasm/tiepoint.js';
 import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { messageOf, sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
-import type { BlockCalls, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
+import type { BlockCalls, ExportKind, FromRun, MadeFile, RunInput, ToRun } from './calls';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { firstProblem } from '../state/given';
 import type { BlockAction } from '../state/reducer';
@@ -14,7 +14,7 @@ import { isBusy, wantedKey } from '../state/state';
 export type BlockStore = Holder<BlockState, BlockAction>;
 
 /** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
-const PATIENCE_MS = 300;
+const PATIENCE_MS = 80;
 
 export class BlockEngine {
   readonly pool = new WorkerPool<BlockCalls>();
@@ -117,12 +117,12 @@ export class BlockEngine {
     };
   }
 
-  private async perform(port: MessagePort, id: number, job: JobRequest): Promise<void> {
+  private async perform(port: MessagePort, id: number, job: BlockJob): Promise<void> {
     const say = (message: ToRun, transfer: Transferable[] = []) => { port.postMessage(message, transfer); };
     try {
       if (this.port !== port) return;
       const answer = await this.pool.call('blockJob', job, buffersOf(job));
-      say({ kind: 'answer', id, answer }, madeBuffer(answer));
+      say({ kind: 'answer', id, answer }, 'made' in answer ? [answer.made.buffer as ArrayBuffer] : []);
     } catch (error) {
       // A run that was stopped waits for nothing.
       if (!(error instanceof Cancelled)) say({ kind: 'broke', id, message: reasonOf(error) });
@@ -138,15 +138,9 @@ function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: Bl
   };
 }
 
-/** The memory of a job's records, which are copies that the run made for it. */
-function buffersOf({ input }: JobRequest): Transferable[] {
-  const arrays = 'bytes' in input ? [input.bytes] : 'own' in input ? [] : 'starts' in input ? [input.grey] : [input.left.record, input.right.record];
-  return [...new Set(arrays.map(({ buffer }) => buffer as ArrayBuffer))];
-}
-
-function madeBuffer(answer: JobAnswer): Transferable[] {
-  const made: Jobs[keyof Jobs]['output'] | null = 'made' in answer ? answer.made : null;
-  return made === null ? [] : [made.buffer as ArrayBuffer];
+/** The memory of a job's bytes, which are copies that the run made for it. */
+function buffersOf({ inputs }: BlockJob): Transferable[] {
+  return [...new Set(inputs.map(({ buffer }) => buffer as ArrayBuffer))];
 }
 
 function reasonOf(error: unknown): string {

@@ -1,8 +1,6 @@
 /** What of a block, finished or under way, the page shows. */
-import { knownCamera } from '../../../pkg/block/index.js';
-import type { BlockRun, GroupedCamera, ReadImage } from '../../../pkg/block/index.js';
 import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
-import type { Connection, FinishedBlock, PairRow } from '../../../pkg/wasm/tiepoint.js';
+import type { Connection, FinishedBlock, PairRow, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
 import { layoutOf } from './layout';
 import type { BlockView, ViewConnection } from '../state/view';
 
@@ -35,24 +33,27 @@ export function viewOf(block: FinishedBlock): BlockView {
 }
 
 /** A block whose points are not made yet. */
-export function viewOfParts(
-  read: readonly ReadImage[], cameras: readonly GroupedCamera[], of: readonly number[], connections: readonly Connection[], geometries: BlockRun['geometries'],
-): BlockView {
+export function viewOfParts(read: readonly ReadImage[], connections: readonly Connection[], geometries: readonly (TwoView | null)[]): BlockView {
+  // Images of one camera say the same of it.
+  const own = read.map(({ camera }) => JSON.stringify(camera));
+  const kinds = [...new Set(own)];
+  const cameras = kinds.map((kind) => read[own.indexOf(kind)]?.camera).filter((camera) => camera !== undefined);
   const links: ViewConnection[] = connections.map((connection, i) => (
     { ...connection, reason: message('connection', connection), geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
   const none = new Float64Array();
   return {
     partial: true,
-    images: read.map(({ name, head, count }, i) => (
-      { name, width: head.width, height: head.height, camera: of[i] ?? 0, features: count, places: null, rays: 0, rmsePx: null, oriented: false, exifOrientation: head.exif.orientation, why: 'not oriented yet' })),
+    images: read.map(({ name, width_px: width, height_px: height, features, exif }, i) => (
+      { name, width, height, camera: kinds.indexOf(own[i] ?? ''), features, places: null, rays: 0, rmsePx: null, oriented: false, exifOrientation: exif.orientation, why: 'not oriented yet' })),
     leftOut: [],
     strayMasks: [],
     strayMarks: [],
     remarks: [],
-    cameras: cameras.map((camera, i) => ({ label: camera.label, images: of.filter((own) => own === i).length, given: knownCamera(camera), calibrated: null, focalErrorPx: null })),
+    cameras: cameras.map(({ label, fixed: _, focal_px, ...camera }, i) => (
+      { label, images: own.filter((kind) => kind === kinds[i]).length, given: focal_px === null ? null : { ...camera, focal_px }, calibrated: null, focalErrorPx: null })),
     connections: links,
     groups: connected_groups(read.length, [...connections]),
-    layout: layoutOf(read.map(() => null), read.map(({ head }) => head.exif.position), links),
+    layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
     points: { count: 0, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
     found: null,
     refinement: null,
@@ -70,7 +71,7 @@ function connectionOf({ images, rule, outcome, reason, geometry, common_points: 
   return { images, rule, outcome, reason, geometry: geometryName(geometry), shared, chosen };
 }
 
-function geometryName(geometry: BlockRun['geometries'][number]): string {
+function geometryName(geometry: TwoView | null): string {
   if (geometry === null) return '';
   const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
   const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;

@@ -1,8 +1,8 @@
 /** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 import { runBlock } from '../../../pkg/block/index.js';
-import type { Jobs, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
+import type { BlockJob, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
 import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
-import type { ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
+import type { ExportKind, FromRun, JobAnswer, MadeFile, Refusal, RunInput, ToRun } from './calls';
 import type { BlockFile } from '../state/state';
 import { Coming } from './coming';
 import { made } from './made';
@@ -19,9 +19,9 @@ export function heldBlock(): FinishedBlock {
 
 export async function blockRun({ files, options, masks, truth, workers, kept, port }: RunInput): Promise<BlockView> {
   const link = new Link(port);
-  const coming = new Coming(options.cameras?.text, (view) => { link.send({ kind: 'part', view }); });
+  const coming = new Coming((view) => { link.send({ kind: 'part', view }); });
   try {
-    const { finished } = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
+    const finished = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
       pool: link.pool(workers),
       store: storeOf(kept, link),
       progress: (step) => { link.send({ kind: 'step', step }); },
@@ -80,11 +80,9 @@ function storeOf(kept: ReadonlyMap<string, Blob>, link: Link): RecordStore {
 }
 
 interface Waiting {
-  resolve: (made: JobOutput) => void;
+  resolve: (made: Uint8Array) => void;
   reject: (error: Error) => void;
 }
-
-type JobOutput = Jobs[keyof Jobs]['output'];
 
 /** The page as the run sees it: it has the workers. */
 class Link {
@@ -101,17 +99,10 @@ class Link {
   }
 
   pool(size: number): Pool {
-    return {
-      size,
-      run: async <N extends keyof Jobs>(name: N, input: Jobs[N]['input'], transfer: ArrayBufferLike[] = []): Promise<Jobs[N]['output']> => {
-        const output = await this.ask({ name, input } as JobRequest, transfer as ArrayBuffer[]);
-        // The page answers each job with the output of its name.
-        return output as Jobs[N]['output'];
-      },
-    };
+    return { size, run: (_, job, transfer) => this.ask(job, transfer as ArrayBuffer[]) };
   }
 
-  private ask(job: JobRequest, transfer: ArrayBuffer[]): Promise<JobOutput> {
+  private ask(job: BlockJob, transfer: ArrayBuffer[]): Promise<Uint8Array> {
     return new Promise((resolve, reject) => {
       this.stopped.signal.throwIfAborted();
       const id = this.nextId++;

@@ -1,8 +1,6 @@
 /** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
-import { strayRules } from '../../../pkg/block/cameras.js';
-import { describeBlock } from '../../../pkg/block/description.js';
-import { masksOf } from '../../../pkg/block/masks.js';
-import { parse_camera_rules, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
+import { check_cameras, check_control, check_masks, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
+import type { GeoreferencingOptions } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
 import { messageOf } from '../../shared/text/format';
@@ -31,10 +29,11 @@ export function firstProblem(state: Pick<BlockState, 'files' | 'options'>): stri
 }
 
 const problems = remember((
-  files: BlockState['files'], placing: object | null, cameras: BlockOptions['cameras'], control: BlockOptions['control'], marks: BlockOptions['marks'], masks: BlockOptions['masks'],
+  files: BlockState['files'], placing: GeoreferencingOptions | null, cameras: BlockOptions['cameras'], control: BlockOptions['control'], marks: BlockOptions['marks'], masks: BlockOptions['masks'],
 ): Problems => {
   // Nothing is given before the crate is there to read it.
   if (placing === null) return {};
+  const names = files.map(({ name }) => name);
   const found: Partial<Record<Given, string>> = {};
   const look = (given: Given, name: string, read: () => unknown): boolean => {
     try {
@@ -45,21 +44,12 @@ const problems = remember((
       return false;
     }
   };
-  if (cameras !== null) look('cameras', cameras.name, () => (files.length > 0 ? strayRules(files.map(({ name }) => name), cameras.text) : parse_camera_rules(cameras.text)));
+  if (cameras !== null) look('cameras', cameras.name, () => { check_cameras(cameras.text, names); });
   const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
   const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
-  if (pointsRead && marksRead) look('marks', marks.name, () => { place(files, placing, control.text, marks.text); });
+  if (pointsRead && marksRead) look('marks', marks.name, () => { check_control(control.text, marks.text, names, placing); });
   if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
   if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
-  look('masks', '', () => masksOf(files, masks));
+  look('masks', '', () => { check_masks(names, masks.map(({ name }) => name)); });
   return found;
 });
-
-/** As large as a photo may be: how large the images are, and with it whether a mark is outside its own, the run knows. */
-const ANY_CAMERA = { width_px: 1e7, height_px: 1e7, focal_px: null, principal_point_px: null, radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null };
-
-/** Finds the marks' points and images as the run does; before there is a block, the images that the marks name stand for its own. */
-function place(files: BlockState['files'], placing: object, points: string, marks: string): void {
-  const names = files.length >= 2 ? files.map(({ name }) => name) : [...new Set(parse_image_measurements(marks).map(({ image }) => image))];
-  describeBlock(names.map((name) => ({ name, camera: 0 })), [ANY_CAMERA], false, placing, { points, marks });
-}

@@ -1,6 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, Connection, ExportFormat, Camera } from '../../../pkg/wasm/tiepoint.js';
-import type { LeftOut, Refinement } from '../../../pkg/block/index.js';
+import type { BlockScore, Connection, ExportFormat, Camera, NamedReason, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
   name: string;
@@ -78,7 +77,7 @@ export interface BlockView {
   /** Of a run that goes on or was ended: images and pairs as far as they were done. */
   partial: boolean;
   images: ViewImage[];
-  leftOut: LeftOut[];
+  leftOut: NamedReason[];
   /** Masks that belong to no image. */
   strayMasks: string[];
   /** Images that marks name and that are not in the block. */
@@ -94,7 +93,7 @@ export interface BlockView {
   /** Multi-ray points before some were chosen; null in a block that was opened from its file. */
   found: { points: number; rays: number } | null;
   /** What became of the rays that were refined; null where none were. */
-  refinement: Refinement['counts'] | null;
+  refinement: Record<RefinementOutcome, number> | null;
   byRays: RayCount[];
   oriented: number;
   rmsePx: number | null;

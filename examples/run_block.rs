@@ -1,0 +1,21 @@
+//! From a folder of images to the files of a block, the same bytes as the command's: `cargo run --release --example run_block -- FOLDER OUT`.
+
+use std::path::Path;
+use tiepoint::{Error, News, RunInput, block_files, images_in, run_block};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let folders: Vec<String> = std::env::args().skip(1).collect();
+    let [images, out] = folders.as_slice() else { return Err("usage: run_block FOLDER OUT".into()) };
+    let out = Path::new(out);
+    let threads = std::thread::available_parallelism()?.get();
+    let tell = |news| {
+        if let News::Step(step) = news {
+            eprintln!("{:?}: {} of {} {}", step.stage, step.done, step.total, step.name);
+        }
+    };
+    let run = run_block(&images_in(Path::new(images))?, &[], RunInput::default(), &out.join("work"), threads, tell)?;
+    block_files(&run, &[], None, &mut |path, text| {
+        std::fs::write(out.join(path), text).map_err(|_| Error::NotWritten { what: "a file of the block" })
+    })?;
+    Ok(())
+}
