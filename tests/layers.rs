@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 24] = [
+const ORDER: [&str; 25] = [
     "message",
     "error",
     "text",
@@ -32,6 +32,7 @@ const ORDER: [&str; 24] = [
     "pipeline",
     "tables",
     "simulate",
+    "outputs",
     "report",
     "wasm",
 ];
@@ -69,7 +70,22 @@ fn every_module_has_a_place() {
 }
 
 /// The modules of which no file is in a circle.
-const WITHOUT_CIRCLES: [&str; 9] = ["error", "text", "json", "math", "camera", "points", "matching", "orientation", "two_view"];
+const WITHOUT_CIRCLES: [&str; 14] = [
+    "error",
+    "text",
+    "json",
+    "math",
+    "camera",
+    "model",
+    "points",
+    "matching",
+    "orientation",
+    "two_view",
+    "tracks",
+    "adjustment",
+    "reconstruction",
+    "formats",
+];
 
 #[test]
 fn no_files_import_each_other_in_a_circle() {

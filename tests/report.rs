@@ -140,7 +140,7 @@ fn what_sets_the_report_apart_from_the_paper_follows_the_settings() {
     });
     let html = report.html().unwrap();
     assert!(html.contains("or the median magnitude of the moment where that is more, is the denominator"));
-    assert!(html.contains("are refused that are ambiguous or many to one: "));
+    assert!(html.contains("are rejected that are ambiguous or many to one: "));
 }
 
 #[test]

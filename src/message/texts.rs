@@ -60,6 +60,11 @@ impl Texts {
         self.text_of(M::FAMILY, &serde_json::to_value(message).unwrap_or_default(), None)
     }
 
+    /// What a list or a legend calls a message.
+    pub(crate) fn label<M: Message>(&self, message: &M) -> String {
+        self.text_of(M::FAMILY, &serde_json::to_value(message).unwrap_or_default(), Some("label"))
+    }
+
     /// The text of a message of a family, or an attribute of it, from its JSON form.
     pub(crate) fn text_of(&self, family: &str, message: &Value, attribute: Option<&str>) -> String {
         let kind = message.as_str().or_else(|| message.get("kind")?.as_str());

@@ -45,12 +45,12 @@ impl BlockDescription {
     }
 
     fn check_control(&self, point: &GroundControlPoint) -> Result<(), Error> {
-        let name = format!("surveyed point {}", point.name);
+        let name = format!("GCP {}", point.name);
         point.position.check(|| name.clone())?;
         if matches!(point.position, ObservedPosition::Geographic { height_m: None, .. }) {
             return refuse("height", format!("none of {name}"), "-100000 to 1000000");
         }
-        let what = "mark of a surveyed point";
+        let what = "image measurement of a GCP";
         for ray in &point.measurements {
             let Some(image) = self.images.get(ray.image) else {
                 let got = format!("index {} as image of {name}", ray.image);

@@ -8,6 +8,8 @@ mod study;
 mod tables;
 mod text;
 
+pub use paper::{PAPER, Paper, PrintedOrientation};
+
 use crate::{Error, ExifCamera, FiveParameters, GreyImage, PairImage, PairInput, PairSettings};
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use picture::Layer;
@@ -106,6 +108,8 @@ impl Report {
     }
 
     fn page(&self) -> Result<Markup, Error> {
+        /// Whatever names and texts a report quotes: it runs no script and loads nothing.
+        const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
         let [left, right] = &self.images;
         let run = &self.studies[0];
         let title = format!("Tiepoint report: {}, {}", left.name, right.name);
@@ -114,6 +118,7 @@ impl Report {
             html lang="en" {
                 head {
                     meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(POLICY);
                     meta name="viewport" content="width=device-width, initial-scale=1";
                     title { (title) }
                     style { (PreEscaped(include_str!("style.css"))) }
@@ -165,7 +170,7 @@ impl Report {
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
                 @match &run.result.orientation {
-                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors left out." }
+                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
                     Err(reason) => li { "Not oriented: " (reason) "." }
                 }
                 @if let Some(score) = &run.score {
@@ -201,7 +206,7 @@ impl Report {
         html! {
             div.pair { (side(0)) (side(1)) }
             p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
-                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " left out by a mask" }
+                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " masked out" }
             }
         }
     }

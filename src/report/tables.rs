@@ -1,19 +1,19 @@
 //! The paper's Tables 1, 2 and 3 for all strategies, beside what it printed, and what sets the two apart.
 
-use super::paper::{PIXEL_MM, SIGMA0_MM, TABLE_1, TABLE_2, TABLE_3};
+use super::paper::PAPER;
 use super::study::Study;
 use super::text::{UNKNOWNS, count, five, fixed, percent};
 use super::{Report, ReportTruth};
-use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule};
+use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule, Texts};
 use maud::{Markup, html};
 
 /// Table 1: how many points each phase left.
 pub fn counts(report: &Report) -> Markup {
     let first = &report.studies[0].result;
     let phases = [
-        ("Operator", first.left.counts.candidates, first.right.counts.candidates, Some(TABLE_1[0])),
+        ("Operator", first.left.counts.candidates, first.right.counts.candidates, Some(PAPER.points[0])),
         ("Threshold of roundness", first.left.counts.after_roundness, first.right.counts.after_roundness, None),
-        ("Suppression of non-maxima", first.left.counts.after_suppression, first.right.counts.after_suppression, Some(TABLE_1[1])),
+        ("Suppression of non-maxima", first.left.counts.after_suppression, first.right.counts.after_suppression, Some(PAPER.points[1])),
     ];
     html! {
         table {
@@ -25,7 +25,7 @@ pub fn counts(report: &Report) -> Markup {
                 }
                 @for study in &report.studies {
                     @let matches = study.result.matching.counts.matches;
-                    @let printed = (study.name == "moments").then_some(TABLE_1[2]);
+                    @let printed = (study.name == "moments").then_some(PAPER.points[2]);
                     tr { th { "Matching: " (study.name) } td { (count(matches)) } td { (count(matches)) } (paper_counts(printed)) }
                 }
             }
@@ -46,30 +46,13 @@ pub fn refusals(report: &Report) -> Markup {
             caption { "What became of the left points" }
             (head(&report.studies, "", false))
             tbody {
-                @for rule in applied { tr { th { (rule_name(rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } } }
+                @for rule in applied { tr { th { @if rule != Rule::Matched { "Rejected: " } (Texts::english().label(&rule)) } @for study in &report.studies { td { (count(number(study, rule))) } } } }
                 tr {
                     th { "of the matched: gross errors" }
                     @for study in &report.studies { td { (count(study.result.matching.matches.len() - study.used())) } }
                 }
             }
         }
-    }
-}
-
-fn rule_name(rule: Rule) -> &'static str {
-    match rule {
-        Rule::Matched => "matched",
-        Rule::NoDescriptor => "refused: no window",
-        Rule::NoCandidate => "refused: no candidate",
-        Rule::Threshold => "refused: threshold",
-        Rule::Ambiguous => "refused: ambiguous",
-        Rule::ManyToOne => "refused: many to one",
-        Rule::Parallax => "refused: y-parallax",
-        Rule::Border => "refused: border of the search window",
-        Rule::LeftRight => "refused: left-right check",
-        Rule::NotConverged => "refused: not converged",
-        Rule::Imprecise => "refused: imprecise",
-        Rule::Frame => "refused: part of the frame",
     }
 }
 
@@ -116,13 +99,13 @@ pub fn standard_errors(report: &Report) -> Markup {
             caption { "Table 2. Standard errors" }
             (head(&report.studies, "Paper", true))
             tbody {
-                (parameter_rows(&report.studies, own, Some(&TABLE_2)))
+                (parameter_rows(&report.studies, own, Some(&PAPER.standard_errors)))
                 tr {
                     th { "σ₀, px" }
                     @for study in &report.studies { td { (fixed(study.sigma0_px(), 3)) } }
-                    td.paper { (fixed(SIGMA0_MM / PIXEL_MM, 1)) }
+                    td.paper { (fixed(PAPER.sigma0_mm / PAPER.pixel_mm, 1)) }
                 }
-                tr { th { "matches used" } @for study in &report.studies { td { (count(study.used())) } } td.paper { (count(TABLE_1[2][0])) } }
+                tr { th { "matches used" } @for study in &report.studies { td { (count(study.used())) } } td.paper { (count(PAPER.points[2][0])) } }
             }
             @if with_interior {
                 tbody {
@@ -145,7 +128,7 @@ pub fn orientations(report: &Report) -> Markup {
                     th { "Unknown" }
                     @for study in &report.studies { th { (study.name) } }
                     @if report.truth.is_some() { th.truth { "truth" } }
-                    @for (name, _) in &TABLE_3 { th.paper { "Paper: " (name) } }
+                    @for printed in &PAPER.orientations { th.paper { "Paper: " (printed.name) } }
                 }
             }
             tbody {
@@ -154,7 +137,7 @@ pub fn orientations(report: &Report) -> Markup {
                         th { i { (symbol) } " " small { (unit) } }
                         @for study in &report.studies { td { (fixed(value(study).map(|v| v[k]), digits)) } }
                         @if let Some(truth) = &report.truth { td.truth { (fixed(five(&truth.orientation)[k], digits)) } }
-                        @for (_, printed) in &TABLE_3 { td.paper { (fixed(five(printed)[k], digits)) } }
+                        @for printed in &PAPER.orientations { td.paper { (fixed(five(&printed.values)[k], digits)) } }
                     }
                 }
             }
@@ -245,9 +228,9 @@ fn difference_of_matches(moments: &Study) -> Markup {
     html! {
         "Matches. The paper accepts the smallest measure below 3 in the search window. As printed, its measure has a denominator that can vanish, and "
         "a best candidate of many is below 3 nearly always. Here " (denominator) ", and matches "
-        "are refused that are " (inconsistent(&moments.settings.matching)) ": " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
-        (percent(moments.result.matching.matches.len(), points)) ") are matched; in the paper " (count(TABLE_1[2][0])) " of " (count(TABLE_1[1][0])) " ("
-        (percent(TABLE_1[2][0], TABLE_1[1][0])) ")."
+        "are rejected that are " (inconsistent(&moments.settings.matching)) ": " (count(moments.result.matching.matches.len())) " of " (count(points)) " left points ("
+        (percent(moments.result.matching.matches.len(), points)) ") are matched; in the paper " (count(PAPER.points[2][0])) " of " (count(PAPER.points[1][0])) " ("
+        (percent(PAPER.points[2][0], PAPER.points[1][0])) ")."
     }
 }
 
@@ -262,17 +245,17 @@ fn inconsistent(options: &MatchOptions) -> &'static str {
 }
 
 fn difference_of_precision(moments: &Study) -> Markup {
-    let scaled = moments.standard_errors_at(SIGMA0_MM, TABLE_1[2][0]);
+    let scaled = moments.standard_errors_at(PAPER.sigma0_mm, PAPER.points[2][0]);
     html! {
         "Table 2. The paper's σ₀ of 0.150 mm is 0.6 px; by moments it is " (fixed(moments.sigma0_px(), 2)) " px here, after robust estimation and data snooping. "
         @if let Some(scaled) = scaled {
             "Standard errors grow with σ₀ and fall with the root of the number of matches. With the paper's σ₀ and number of matches, the "
             "geometry of this pair gives "
             @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
-                @if k > 0 { ", " } i { (symbol) } " " (fixed(scaled[k], digits)) " " (unit) " (printed " (fixed(five(&TABLE_2)[k], digits)) ")"
+                @if k > 0 { ", " } i { (symbol) } " " (fixed(scaled[k], digits)) " " (unit) " (printed " (fixed(five(&PAPER.standard_errors)[k], digits)) ")"
             }
             ". "
-            @let ratios = std::array::from_fn::<f64, 5, _>(|k| five(&TABLE_2)[k] / scaled[k]);
+            @let ratios = std::array::from_fn::<f64, 5, _>(|k| five(&PAPER.standard_errors)[k] / scaled[k]);
             "The printed ones are " (fixed(ratios.into_iter().fold(f64::INFINITY, f64::min), 1)) " to " (fixed(ratios.into_iter().fold(0.0, f64::max), 1))
             " times these: σ₀ and number do not explain that, and the paper gives neither its base nor where its points lie."
         }

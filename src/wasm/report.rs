@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, pack, read, read_options, thrown};
 use super::photo::Photo;
-use crate::{Error, FiveParameters, PairInput, PairSettings, Report as Core, ReportTruth};
+use crate::{Error, FiveParameters, PAPER, PairInput, PairSettings, Report as Core, ReportTruth};
 use js_sys::{Float32Array, Reflect};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -12,6 +12,12 @@ const TYPES: &str = r#"
 /** The known answer of a simulated pair, as `simulate` gives it. */
 export interface ReportTruth { orientation: FiveParameters; base_mm: number; right_position: Float32Array }
 "#;
+
+/// What the paper printed for its own pair.
+#[wasm_bindgen(unchecked_return_type = "Paper")]
+pub fn paper() -> JsValue {
+    pack(&PAPER)
+}
 
 /// The report of a pair in the making: `step` until it says false, then `html`.
 #[wasm_bindgen]

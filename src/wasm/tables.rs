@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, pack, rows, thrown};
 use crate::{
-    csv_field as field, matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials,
-    parse_observations as read_observations, points_csv as write_points,
+    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials, parse_observations as read_observations,
+    points_csv as write_points,
 };
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -21,7 +21,7 @@ pub fn parse_observations(csv: &str) -> JsResult<Vec<f64>> {
     Ok(observations.iter().flat_map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect())
 }
 
-/// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+/// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
 #[wasm_bindgen(unchecked_return_type = "CameraMm")]
 pub fn parse_camera(json: &str) -> JsResult<JsValue> {
     read_camera(json).map(|c| pack(&c)).map_err(thrown)
@@ -31,12 +31,6 @@ pub fn parse_camera(json: &str) -> JsResult<JsValue> {
 #[wasm_bindgen]
 pub fn matches_csv(matches: &[f64]) -> JsResult<String> {
     Ok(write_matches(rows("matches", matches)?))
-}
-
-/// Writes a field of a table between commas, in quotation marks where it needs them.
-#[wasm_bindgen]
-pub fn csv_field(text: &str) -> String {
-    field(text).into_owned()
 }
 
 /// Writes points (stride 3) as CSV.

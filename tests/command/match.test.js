@@ -12,10 +12,10 @@ const result = json(...call);
 test('the JSON has the counts, the matches and the orientation', () => {
   assert.deepEqual(Object.keys(result.counts.left), ['candidates', 'after_roundness', 'after_suppression']);
   assert.deepEqual(Object.keys(result.counts.right), Object.keys(result.counts.left));
-  const { refused } = result.counts;
-  for (const rule of ['threshold', 'ambiguous', 'many_to_one', 'parallax']) assert.ok(Number.isInteger(refused[rule]), rule);
-  const refusals = Object.values(refused).reduce((sum, n) => sum + Number(n), 0);
-  assert.equal(result.counts.matches + refusals, result.counts.left.after_suppression, 'every left point is matched or refused by one rule');
+  const { rejected } = result.counts;
+  for (const rule of ['threshold', 'ambiguous', 'many_to_one', 'parallax']) assert.ok(Number.isInteger(rejected[rule]), rule);
+  const refusals = Object.values(rejected).reduce((sum, n) => sum + Number(n), 0);
+  assert.equal(result.counts.matches + refusals, result.counts.left.after_suppression, 'every left point is matched or rejected by one rule');
   assert.equal(result.matches.length, result.counts.matches);
   assert.deepEqual([...new Set(result.matches.map((/** @type {number[]} */ m) => m.length))], [5]);
   assert.ok(result.matches.every((/** @type {number[]} */ m) => (m[4] ?? NaN) < 3), 'every measure is below the threshold');
@@ -61,7 +61,7 @@ for (const [name, ...options] of [
 test('the options reach the matching', () => {
   const matches = (/** @type {string[]} */ ...options) => json(...call, ...options).counts;
   assert.ok(matches('--max-measure', '0.5').matches < result.counts.matches);
-  assert.ok(matches('--ambiguity', '0.5').refused.ambiguous > result.counts.refused.ambiguous);
+  assert.ok(matches('--ambiguity', '0.5').rejected.ambiguous > result.counts.rejected.ambiguous);
   assert.notEqual(matches('--denominator', 'floor').matches, result.counts.matches);
   assert.notEqual(matches('--measure', 'di').matches, result.counts.matches);
   assert.notEqual(matches('--window', '7').matches, result.counts.matches);
@@ -69,7 +69,7 @@ test('the options reach the matching', () => {
   assert.ok(matches('--operator', 'forstner').matches > 0);
   const far = json(...call, '--offset', '4000,0');
   assert.deepEqual([far.counts.matches, far.orientation], [0, null]);
-  assert.equal(far.counts.refused.no_candidate + far.counts.refused.no_descriptor, far.counts.left.after_suppression);
+  assert.equal(far.counts.rejected.no_candidate + far.counts.rejected.no_descriptor, far.counts.left.after_suppression);
 });
 
 test('the base scales by and bz only', () => {
@@ -147,9 +147,9 @@ test('what lies at the same place of both frames is left out, and kept where tha
   const [without, kept] = [json(...scans), json(...scans, '--keep-frame')];
   assert.deepEqual([without.settings.matching.without_frame, kept.settings.matching.without_frame], [true, false]);
   const atSamePlace = (/** @type {{ matches: number[][] }} */ { matches }) => matches.filter(([xl = 0, yl = 0, xr = 0, yr = 0]) => Math.hypot(xl - xr, yl - yr) < 2).length;
-  assert.ok(without.counts.refused.frame > 500 && without.counts.matches > 500, JSON.stringify(without.counts));
+  assert.ok(without.counts.rejected.frame > 500 && without.counts.matches > 500, JSON.stringify(without.counts));
   assert.equal(atSamePlace(without), 0);
-  assert.equal(kept.counts.refused.frame, 0);
+  assert.equal(kept.counts.rejected.frame, 0);
   assert.ok(atSamePlace(kept) > 500, 'the border matches by itself, and outvotes the pictures');
 });
 
@@ -196,6 +196,6 @@ test('the table shows both images, every rule and the orientation', () => {
   const { code, stdout, stderr } = tiepoint(...call);
   assert.deepEqual([code, stderr], [0, '']);
   assert.match(stdout, new RegExp(`^candidates +${result.counts.left.candidates} +${result.counts.right.candidates}$`, 'm'));
-  assert.match(stdout, new RegExp(`^refused: many to one +${result.counts.refused.many_to_one}$`, 'm'));
+  assert.match(stdout, new RegExp(`^rejected: Many to one +${result.counts.rejected.many_to_one}$`, 'm'));
   assert.match(stdout, /sigma0 [\d.]+ mm = [\d.]+ px/);
 });

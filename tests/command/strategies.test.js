@@ -25,7 +25,7 @@ test('the truth of the sample scores every strategy', () => {
 test('every left point has one verdict with any strategy', () => {
   for (const options of [['--strategy', 'correlation'], ['--strategy', 'least-squares'], ['--refine', 'least-squares'], ['--strategy', 'gradient']]) {
     const { counts } = run(...options);
-    const refused = Object.values(counts.refused).reduce((sum, n) => sum + Number(n), 0);
+    const refused = Object.values(counts.rejected).reduce((sum, n) => sum + Number(n), 0);
     assert.equal(counts.matches + refused, counts.left.after_suppression, options.join(' '));
   }
 });
@@ -35,17 +35,17 @@ test('a refinement moves right positions between pixels and makes σ₀ smaller'
   assert.ok(refined.orientation.sigma0_mm < 0.5 * moments.orientation.sigma0_mm);
   assert.equal(moments.fits, null);
   assert.equal(refined.fits.length, refined.counts.matches);
-  assert.ok(refined.counts.refused.not_converged > 0);
+  assert.ok(refined.counts.rejected.not_converged > 0);
   assert.ok(refined.matches.some((/** @type {number[]} */ m) => (m[2] ?? 0) % 0.5 !== 0));
 });
 
 test('the limits of the strategies act', () => {
   const correlation = run('--strategy', 'correlation').counts;
   assert.ok(run('--strategy', 'correlation', '--min-correlation', '0.9').counts.matches < correlation.matches);
-  assert.equal(run('--strategy', 'correlation', '--no-left-right').counts.refused.left_right, 0);
-  assert.ok(correlation.refused.left_right > 0 && correlation.refused.border > 0);
+  assert.equal(run('--strategy', 'correlation', '--no-left-right').counts.rejected.left_right, 0);
+  assert.ok(correlation.rejected.left_right > 0 && correlation.rejected.border > 0);
   const adjusted = run('--strategy', 'least-squares').counts;
-  assert.ok(run('--strategy', 'least-squares', '--max-standard-error', '0.05').counts.refused.imprecise > adjusted.refused.imprecise);
+  assert.ok(run('--strategy', 'least-squares', '--max-standard-error', '0.05').counts.rejected.imprecise > adjusted.rejected.imprecise);
   assert.notEqual(run('--strategy', 'least-squares', '--template', '21').counts.matches, adjusted.matches);
 });
 

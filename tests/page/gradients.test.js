@@ -81,7 +81,7 @@ test('the matches are the same to the last byte for any number of workers', { sk
   assert.deepEqual(found.map(({ workers }) => workers - (found[0]?.workers ?? 0)), [0, 2, 3]);
 });
 
-test('photos from one place are told to be that and not oriented', { skip: SKIP }, async () => {
+test('photos without a base are named and not oriented', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Ready'));
   await part(page, 'tab-simulate').click();
@@ -94,8 +94,8 @@ test('photos from one place are told to be that and not oriented', { skip: SKIP 
   await choose(page, 'matching.strategy', 'gradient');
   assert.equal(await text(page, 'geometry-kind'), 'rotation');
   assert.match(await text(page, 'degenerate-pure-rotation'), /no base/);
-  assert.match(await text(page, 'orientation-reason'), /from one place/);
-  assert.match(await text(page, 'status'), /matches of .* Not oriented: the photos were taken from one place/);
+  assert.match(await text(page, 'orientation-reason'), /no base \(pure rotation\)/);
+  assert.match(await text(page, 'status'), /matches of .* Not oriented: no base \(pure rotation\)/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
   await page.screenshot({ path: join(SHOTS, 'rotation.png') });
   assert.deepEqual(complaints, []);

@@ -71,7 +71,7 @@ test('the table of matches sorts, filters, and is linked to the images both ways
   await rows.nth(3).click();
   await part(page, 'statistics-selected').waitFor();
   await part(page, 'tab-point').click();
-  assert.match((await part(page, 'point-verdict').textContent()) ?? '', /left out/);
+  assert.match((await part(page, 'point-verdict').textContent()) ?? '', /rejected from the relative orientation/);
   assert.ok(await number(page, 'match-w') > 3.29);
   await part(page, 'tab-matches').click();
   await part(page, 'statistics-filter').selectOption('rejected');

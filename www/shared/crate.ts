@@ -1,8 +1,8 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 import {
-  defaults, flight_parameters, flight_preset, flight_presets, parameters, rule_names, version,
+  defaults, flight_parameters, flight_preset, flight_presets, paper, parameters, rule_names, version,
 } from '../../pkg/wasm/tiepoint.js';
-import type { Flight, PairSettings as Settings, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
+import type { Flight, PairSettings as Settings, Paper, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
   CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
@@ -12,7 +12,7 @@ export type {
 } from '../../pkg/wasm/tiepoint.js';
 export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, message, resolved } from '../../pkg/wasm/tiepoint.js';
 
-export type { Flight, Parameter, Preset, Settings };
+export type { Flight, Paper, Parameter, Preset, Settings };
 
 /** What the crate says of itself: read once, when the module is there. */
 export interface Catalogue {
@@ -22,6 +22,7 @@ export interface Catalogue {
   rules: string[];
   flightParameters: Parameter[];
   flights: { name: Preset; flight: Flight }[];
+  paper: Paper;
 }
 
 export function readCatalogue(): Catalogue {
@@ -31,6 +32,7 @@ export function readCatalogue(): Catalogue {
     defaults: defaults(),
     rules: rule_names(),
     flightParameters: flight_parameters(),
+    paper: paper(),
     flights: flight_presets().map((name) => ({ name, flight: flight_preset(name) })),
   };
 }

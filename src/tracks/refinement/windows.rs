@@ -65,6 +65,30 @@ impl ObservationWindow<'_> {
     }
 }
 
+/// A ray with what it shows.
+#[derive(Clone)]
+pub struct WindowedObservation<'a> {
+    pub place: WindowCentre,
+    /// Dominant direction in rad from x towards y.
+    pub orientation_rad: f64,
+    /// As [`observation_windows`](super::observation_windows) cuts them; none at a level that is too small for one.
+    pub windows: Vec<ObservationWindow<'a>>,
+}
+
+impl<'a> WindowedObservation<'a> {
+    pub(super) fn window(&self, halvings: u32) -> Option<&ObservationWindow<'a>> {
+        self.windows.iter().find(|window| window.halvings == halvings)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.place.check()?;
+        if self.orientation_rad.is_finite() {
+            return Ok(());
+        }
+        Err(Error::InvalidInput { what: "direction of a ray", got: self.orientation_rad.to_string(), allowed: "finite numbers".into() })
+    }
+}
+
 /// The windows of an image's rays, flat.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ObservationWindows {

@@ -1,6 +1,6 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
 import { message, resolved } from '../../shared/crate';
-import type { PointCounts } from '../../shared/crate';
+import type { Paper, PointCounts } from '../../shared/crate';
 import { comparesMoments, isCurrent, isStale } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
 import { CODES, GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
@@ -11,14 +11,9 @@ import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
 import { swatch } from './swatch';
 
-/** What the paper's Table 1 has for its pair; it does not count what the threshold of roundness leaves. */
-const PAPER: Readonly<Record<keyof PointCounts, readonly [number, number] | null>> = {
-  candidates: [46695, 43230],
-  after_roundness: null,
-  after_suppression: [10761, 9681],
-};
-const PAPER_MATCHES = 1325;
-const PAPER_THRESHOLD = 40;
+/** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
+const PAPER: Readonly<Record<keyof PointCounts, 0 | 1 | null>> = { candidates: 0, after_roundness: null, after_suppression: 1 };
+const PAPER_MATCHES = 2;
 
 const PHASES: readonly [keyof PointCounts, string][] = [
   ['candidates', 'Operator'],
@@ -61,21 +56,22 @@ function phaseTable(state: State): HTMLElement {
   const left = state.results.pointsLeft?.value;
   const right = state.results.pointsRight?.value;
   const matches = state.results.match?.value.counts.matches;
-  const compared = hasPaperCamera(state) && countsAsPaper(state);
-  const paper = (numbers: readonly number[] | null) => (compared ? [h('td', { class: 'number paper' }, numbers?.map(count).join(' / ') ?? '–')] : []);
+  const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : undefined;
+  const paper = (text: (of: Paper) => string) => (printed === undefined ? [] : [h('td', { class: 'number paper' }, text(printed))]);
+  const counted = (place: 0 | 1 | 2 | null) => paper(({ points }) => (place === null ? '–' : points[place].map(count).join(' / ')));
   const body = PHASES.map(([field, label]) => row(
     label,
     cell(`count-left-${field}`, count(left?.counts[field])),
     cell(`count-right-${field}`, count(right?.counts[field])),
-    ...paper(PAPER[field]),
+    ...counted(PAPER[field]),
   ));
   const threshold = (value: number | undefined) => (value === undefined ? '–' : significant(value));
   return h('table', { aria: { label: 'Points after each phase' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Phase'), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right'),
-      compared ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null)),
+      printed !== undefined ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null)),
     h('tbody', {}, ...body,
-      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...paper([PAPER_MATCHES, PAPER_MATCHES])), isStale(state, 'match') && !pointsAreStale(state)),
-      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), ...paper([PAPER_THRESHOLD, PAPER_THRESHOLD]))));
+      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...counted(PAPER_MATCHES)), isStale(state, 'match') && !pointsAreStale(state)),
+      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(' / ')))));
 }
 
 function ruleTable(state: State, store: Store): HTMLElement {

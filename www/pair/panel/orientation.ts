@@ -89,15 +89,15 @@ function truthFor(state: State, { base_mm: base }: RelativeOrientation): FivePar
 
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthFor(state, result);
-  const ofPaper = truth === null && hasPaperCamera(state);
+  const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : undefined;
   const { standard_errors: errors, total_standard_errors: total } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
-  const rows = UNKNOWNS.map(({ field, symbol, unit, digits, paperError, paperValue }) => {
+  const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
-    const printed = ofPaper ? [number(`paper-${field}`, paperValue, digits, 'paper'), number(`paper-error-${field}`, paperError, digits, 'paper')] : [];
+    const printed = paper === undefined ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, 'paper'), number(`paper-error-${field}`, paper.standard_errors[field], digits, 'paper')];
     const compared = truth === null
       ? printed
       : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
@@ -107,15 +107,15 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
     ['Std error', 'What the scatter of the matches leaves uncertain.'],
     ...(total === null ? [] : [['In total', 'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
-    ...(ofPaper ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
+    ...(paper !== undefined ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
     ...(truth === null
       ? []
       : [['True error', 'Value minus truth; by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
   ];
-  const paper = ofPaper ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  const note = paper !== undefined ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
   return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)))),
-    h('tbody', {}, ...rows))), paper);
+    h('tbody', {}, ...rows))), note);
 }
 
 function warnings({ warnings: found }: RelativeOrientation): HTMLElement[] {
