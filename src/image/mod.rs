@@ -7,7 +7,9 @@ mod jpeg;
 mod luminance;
 mod pyramid;
 mod tiff;
+mod write;
 
 pub use decode::{DecodeLimits, Decoded, Header, decode, read_header};
 pub use grey::{GreyImage, GreyView};
 pub use pyramid::{Reduced, halve, reduce_to};
+pub use write::write_png;
