@@ -144,9 +144,9 @@ fn report(reconstruction: &Reconstruction, description: &BlockDescription) {
                 description.images[*image].name, statistics.rays, statistics.rmse_px
             );
         }
-        model.weaknesses.iter().for_each(|weakness| println!("  {weakness}"));
+        model.warnings.iter().for_each(|warning| println!("  {warning}"));
     }
-    reconstruction.unoriented.iter().for_each(|image| println!("not oriented: {}", image.text));
+    reconstruction.unoriented.iter().for_each(|image| println!("not oriented: {}: {}", description.images[image.image].name, image.reason));
 }
 
 /// Positions and rotations beside those of another solution, by a similarity between the positions.

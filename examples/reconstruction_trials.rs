@@ -45,7 +45,7 @@ fn main() -> Result<(), tiepoint::Error> {
                 model.adjusted.sigma0_px.unwrap_or(f64::NAN),
                 Similarity::between(&pairs).map_or(f64::NAN, square),
             );
-            reconstruction.unoriented.iter().take(3).for_each(|image| println!("  {}", image.text));
+            reconstruction.unoriented.iter().take(3).for_each(|image| println!("  {}: {}", image.image, image.reason));
         }
     }
     Ok(())

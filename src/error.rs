@@ -1,62 +1,52 @@
 //! The one error type: what was wrong, what was got, what is allowed.
 
-/// Why a call was refused. The message says what to change; [`Error::code`] is stable for programs.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[non_exhaustive]
-pub enum Error {
-    /// An option outside its range.
-    #[error("{field} is {got}; allowed: {allowed}")]
-    InvalidOption { field: &'static str, got: String, allowed: String },
-    /// Options or a camera that are not the JSON object they should be.
-    #[error("{what}: {reason}")]
-    InvalidJson { what: &'static str, reason: String },
-    /// Array lengths or coordinates that do not fit together.
-    #[error("{what}: got {got}; allowed: {allowed}")]
-    InvalidInput { what: &'static str, got: String, allowed: String },
-    /// A file that is no image of a known format, or a damaged one.
-    #[error("the image cannot be read: {reason}")]
-    UnreadableImage { reason: String },
-    /// A format or a pixel type that is not decoded.
-    #[error("{what} is not supported; allowed: {allowed}")]
-    UnsupportedImage { what: String, allowed: &'static str },
-    /// More pixels than the limit, found in the header.
-    #[error("the image declares {width} x {height} px = {megapixels:.1} MP; allowed: up to {max_megapixels:.1} MP")]
-    TooManyPixels { width: u64, height: u64, megapixels: f64, max_megapixels: f64 },
-    /// More memory than the limit, found in the header.
-    #[error("decoding {width} x {height} px needs about {needed_mb} MB; allowed: up to {max_mb} MB")]
-    TooMuchMemory { width: u64, height: u64, needed_mb: u64, max_mb: u64 },
-    /// Fewer pixels a side than an operation needs.
-    #[error("the image has {width} x {height} px; {operation} needs at least {min_side} px a side")]
-    ImageTooSmall { width: usize, height: usize, operation: &'static str, min_side: usize },
-    /// A window that leaves the image.
-    #[error("the window of {side} x {side} px at column {col}, row {row} leaves the image of {width} x {height} px")]
-    WindowOutside { side: usize, col: usize, row: usize, width: usize, height: usize },
-    /// A window in which all grey values are equal: it has no moments.
-    #[error("the window of {side} x {side} px at column {col}, row {row} is constant: it has no moments")]
-    ConstantWindow { side: usize, col: usize, row: usize },
-    /// Too few observations for the unknowns.
-    #[error("{what}: {got} given; at least {needed} are needed")]
-    TooFew { what: &'static str, got: usize, needed: usize },
-    /// Observations whose geometry does not determine the unknowns.
-    #[error("{what} is not determined by these observations: {reason}")]
-    Degenerate { what: &'static str, reason: String },
-    /// An image of a block whose orientation its observations do not determine; images count from 0.
-    #[error("{what} is not determined by these observations: {reason}")]
-    UndeterminedImage { what: &'static str, image: usize, reason: String },
-    /// An adjustment that did not settle.
-    #[error("{what} did not converge in {iterations} iterations: {reason}")]
-    NotConverged { what: &'static str, iterations: usize, reason: String },
-    /// A file that is not what it should be, is damaged, or is of a newer version.
-    #[error("{what} cannot be read: {place}: {reason}")]
-    UnreadableFile { what: &'static str, place: String, reason: String },
-    /// A run of a block that no image and no pair stops, but what goes on around it.
-    #[error("the run cannot go on: {reason}")]
-    Interrupted { reason: String },
-    /// A sink that takes no more text.
-    #[error("{what} cannot be written: its sink takes no more text")]
-    NotWritten { what: &'static str },
+use crate::message::messages;
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// Why a call fails. The message says what to change; [`Error::code`] is stable for programs.
+    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[serde(tag = "kind", rename_all = "kebab-case")]
+    #[non_exhaustive]
+    pub enum Error as "error" {
+        /// An option outside its range.
+        InvalidOption { field: &'static str, got: String, allowed: String },
+        /// Options or a camera that are not the JSON object they should be.
+        InvalidJson { what: &'static str, reason: String },
+        /// Array lengths or coordinates that do not fit together.
+        InvalidInput { what: &'static str, got: String, allowed: String },
+        /// A file that is no image of a known format, or a damaged one.
+        UnreadableImage { reason: String },
+        /// A format or a pixel type that is not decoded.
+        UnsupportedImage { what: String, allowed: &'static str },
+        /// More pixels than the limit, found in the header.
+        TooManyPixels { width: u64, height: u64, megapixels: f64, max_megapixels: f64 },
+        /// More memory than the limit, found in the header.
+        TooMuchMemory { width: u64, height: u64, needed_mb: u64, max_mb: u64 },
+        /// Fewer pixels a side than an operation needs.
+        ImageTooSmall { width: usize, height: usize, operation: &'static str, min_side: usize },
+        /// A window that leaves the image.
+        WindowOutside { side: usize, col: usize, row: usize, width: usize, height: usize },
+        /// A window in which all grey values are equal: it has no moments.
+        ConstantWindow { side: usize, col: usize, row: usize },
+        /// Too few observations for the unknowns.
+        TooFew { what: &'static str, got: usize, needed: usize },
+        /// Observations whose geometry does not determine the unknowns.
+        Degenerate { computation: Computation, cause: Cause },
+        /// An image of a block whose orientation its observations do not determine; images count from 0.
+        UndeterminedImage { computation: Computation, image: usize, cause: Cause },
+        /// An adjustment that did not converge.
+        NotConverged { computation: Computation, iterations: usize, cause: Cause },
+        /// A file that is not what it should be, is damaged, or is of a newer version.
+        UnreadableFile { what: &'static str, place: String, reason: String },
+        /// A run of a block that no image and no pair stops, but what goes on around it.
+        Interrupted { reason: String },
+        /// A sink that takes no more text.
+        NotWritten { what: &'static str },
+    }
 }
 
+impl std::error::Error for Error {}
 /// Refuses an input: see [`Error::InvalidInput`].
 pub(crate) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
     Err(Error::InvalidInput { what, got, allowed: allowed.into() })
@@ -88,5 +78,158 @@ impl Error {
     /// Whether the caller's options are at fault rather than the data: a command exits with 2 for these, with 1 for the rest.
     pub fn is_usage(&self) -> bool {
         matches!(self, Error::InvalidOption { .. } | Error::InvalidJson { .. })
+    }
+}
+
+messages! {
+    /// What is computed.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Computation as "computation" {
+        AffineTransformation,
+        BundleAdjustment,
+        /// The components of the base across b, in units of it.
+        ByAndBz,
+        Datum,
+        /// The textbook form of the relative orientation.
+        DeterminantForm,
+        DistortionCorrection,
+        FreeNetwork,
+        FundamentalMatrix,
+        Homography,
+        OmegaAndKappa,
+        RelativeOrientation,
+        TwoViewGeometry,
+    }
+}
+
+messages! {
+    /// Why observations do not determine what is computed, or why its iterations do not converge.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    #[non_exhaustive]
+    pub enum Cause as "cause" {
+        /// The points of a photo lie on a line; `width` is that across the line as a share of the length.
+        PointsOnLine { side: Side, width: f64, least: f64 },
+        /// Fiducial marks lie on a line, as measured or as calibrated.
+        MarksOnLine { calibrated: bool, width: f64, least: f64 },
+        /// What is known of the positions of images and points lies on a line.
+        PositionsOnLine { width: f64, least: f64 },
+        /// The approximate positions of the block have no extent.
+        NoExtent,
+        /// All images have the same position.
+        OnePosition,
+        /// Both photos have the same coordinates.
+        NoParallax,
+        /// The median parallax beside a rotation, in standard errors of a photo coordinate.
+        NoBase { parallax: f64, least: f64 },
+        /// The unknowns can hardly be told apart.
+        Inseparable { condition: f64, most: f64 },
+        /// Of an angle or of the direction of the base.
+        LargeErrors { largest_deg: f64 },
+        /// Too many points lie behind the cameras.
+        BehindCameras { in_front: usize, points: usize },
+        /// `share`: 1 - R² of the unknown that hardly anything determines.
+        SingularNormals { share: f64, least: f64 },
+        /// The base has this share of its length along x.
+        BaseAcrossX { along_x: f64, least: f64 },
+        /// The determinant form divides by the component of the base along x.
+        NoBaseAlongX,
+        /// φ is ±90°.
+        GimbalLock,
+        /// No more matches agree than would by chance.
+        Chance { agreeing: usize, matches: usize },
+        /// More than one matrix fulfils the conditions.
+        SeveralMatrices,
+        TooManyOnLine,
+        /// The right photo is turned by more than 60° from a vertical start.
+        TurnedAway,
+        /// The base rises by more than 60° from a vertical start.
+        RisingBase,
+        /// The last step by the length that counts as converged.
+        LongSteps { ratio: f64 },
+        /// No step lowers the residuals any more; the last one in standard errors.
+        Stalled { last_step: f64 },
+        /// Gross errors, positions or weights still change after the last round.
+        Unsettled { unsettled: Unsettled, rounds: usize },
+        /// A point lies in the plane of a projection centre.
+        PointInPlane,
+        /// The rotation of an image follows from nothing.
+        NoRotation,
+        /// The position of an image follows from nothing.
+        NoPosition,
+        /// An image has few observations of points that others see.
+        FewObservations { observations: usize, needed: usize },
+        /// A parameter of a camera, which counts from 0, follows from nothing.
+        NoCameraParameter { camera: usize, camera_parameter: CameraParameter },
+        /// The block falls into parts without common points; two images of different ones.
+        Parts { parts: usize, first: usize, second: usize },
+        /// The camera's distortion has no inverse at a position.
+        FoldedAt { x_px: f64, y_px: f64 },
+        /// The camera's distortion has no inverse at a distance from the principal point.
+        FoldedBeyond { radius_px: f64 },
+    }
+}
+
+messages! {
+    /// What may change from round to round of an adjustment.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Unsettled as "unsettled" {
+        GrossErrors,
+        Positions,
+        Weights,
+    }
+}
+
+messages! {
+    /// A photo of a pair.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Side as "side" {
+        Left,
+        Right,
+    }
+}
+
+messages! {
+    /// An unknown of a camera.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum CameraParameter as "camera_parameter" {
+        Focal,
+        PrincipalX,
+        PrincipalY,
+        K1,
+        K2,
+        K3,
+        P1,
+        P2,
+    }
+}
+
+messages! {
+    /// Why a job of a run, or the reading of a file that it needs, failed.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Failure as "failure" {
+        /// The host could not read the file, in its words.
+        Unreadable { message: String },
+        /// The job refused its input: [`Error::code`], its text, and [`Error::is_usage`].
+        Refused { code: String, message: String, usage: bool },
+        /// The worker broke down, as where memory ran out.
+        BrokeOff { message: String },
+    }
+}
+
+impl From<&Error> for Failure {
+    fn from(error: &Error) -> Self {
+        Self::Refused { code: error.code().into(), message: error.to_string(), usage: error.is_usage() }
     }
 }

@@ -13,6 +13,7 @@ mod image;
 mod json;
 mod matching;
 mod math;
+mod message;
 mod model;
 mod orientation;
 mod pair;
@@ -30,9 +31,9 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, CameraParameter, CameraStatistics, ControlPoint, Datum,
-    FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
-    PriorStatistics, RayCountRmse, Similarity, adjust_block,
+    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, CameraStatistics, ControlPoint, Datum, FixedParameter,
+    ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse,
+    Similarity, adjust_block,
 };
 pub use camera::{
     Camera, CameraMm, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose,
@@ -42,7 +43,7 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use error::Error;
+pub use error::{CameraParameter, Cause, Computation, Error, Failure, Side, Unsettled};
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, PROJECT_VERSION, Project, colmap_features,
     colmap_matches, csv_field, export_block, parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
@@ -56,25 +57,26 @@ pub use matching::{
     match_images, match_points, nearest, nearest_matches, nearest_of,
 };
 pub use math::{geographic_from_local, local_from_geographic};
+pub use message::{Message, Texts};
 pub use model::{
-    BlockDescription, BlockModel, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage, ObjectPoint,
-    ObservedPosition,
+    BlockDescription, BlockModel, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage, NamedCamera,
+    ObjectPoint, ObservedPosition,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
-    RelativeOrientation, SharedErrors, Weakness, Weighting, orient_relative, orient_relative_with,
+    RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use pair::{
-    DescribedImage, FeatureMatchOptions, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PhotoInput,
-    VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair, match_weights,
-    observations, orient_matches, photo_interior,
+    DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
+    PhotoInput, VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair,
+    match_weights, observations, orient_matches, photo_interior,
 };
 pub use parameters::{
     ADJUSTMENT_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
     NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
 pub use pipeline::{
-    BlockRun, CameraRules, ControlTables, ControlTexts, Failure, FileNeeded, InitialCamera, Job, JoinedPoints, News, ReadImage,
+    BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,
     RefinedObservation, RefinementTable, Remark, Run, RunImage, RunInput, SkippedImage, StageName, Step, Task, Work, digest, execute,
     masks_of,
 };
@@ -85,8 +87,8 @@ pub use points::{
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,
 };
 pub use reconstruction::{
-    ObservationSource, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions, RejectedObservation, UnorientedImage,
-    UnorientedReason, reconstruct_block,
+    BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
+    RejectedObservation, RejectedPosition, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
@@ -103,8 +105,8 @@ pub use tracks::{
     near_pairs, observation_windows, select_points, sequence_pairs, shared_points, tie_points,
 };
 pub use two_view::{
-    Degeneracy, FocalEstimate, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point, fundamental_seven_point,
-    homography_direct, two_view,
+    Degeneracy, FocalEstimate, NoGeometry, Pinhole, TwoView, TwoViewModel, TwoViewOptions, fundamental_eight_point,
+    fundamental_seven_point, homography_direct, two_view,
 };
 
 /// The example of the documentation is compiled and run with the tests.

@@ -44,11 +44,6 @@ pub(crate) fn shorten(text: &str) -> String {
     if text.chars().count() <= LONGEST { printable.collect() } else { printable.take(LONGEST).chain("…".chars()).collect() }
 }
 
-/// A number of things in words: `1 image`, `2 images`.
-pub(crate) fn counted(number: usize, what: &str) -> String {
-    if number == 1 { format!("1 {what}") } else { format!("{number} {what}s") }
-}
-
 fn is_data(line: &str) -> bool {
     !line.trim().is_empty() && !line.starts_with('#')
 }
@@ -122,11 +117,6 @@ mod tests {
             let fields = &lines(text)[0].1;
             assert_eq!(fields.len(), 2, "{text}: {fields:?}");
         }
-    }
-
-    #[test]
-    fn one_thing_is_no_plural() {
-        assert_eq!([0, 1, 2].map(|n| counted(n, "ray")), ["0 rays", "1 ray", "2 rays"]);
     }
 
     #[test]

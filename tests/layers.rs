@@ -9,7 +9,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 23] = [
+const ORDER: [&str; 24] = [
+    "message",
     "error",
     "parameters",
     "text",

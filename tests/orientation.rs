@@ -12,8 +12,8 @@ mod scene;
 mod simulated_pair;
 #[path = "orientation/snooping.rs"]
 mod snooping;
-#[path = "orientation/weaknesses.rs"]
-mod weaknesses;
+#[path = "orientation/warnings.rs"]
+mod warnings;
 
 use scene::{ALONG_Y, FOCAL_MM, NADIR, OBLIQUE, PLANE, TO_THE_LEFT, UPSIDE_DOWN, spoil, standard_errors};
 use tiepoint::{Error, Observation, OrientationMethod, OrientationOptions, orient_relative, rotation_from_angles};

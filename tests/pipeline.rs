@@ -195,7 +195,7 @@ fn an_image_that_cannot_be_read_and_a_pair_that_breaks_off_are_told_and_the_rest
     assert_eq!(skipped[0].0, "photo_00000.pgm");
     assert!(skipped[1].1.contains("its mask photo_00001.pgm: "), "{skipped:?}");
     assert_eq!((run.images.len(), run.unused_masks), (4, vec!["other.pgm".to_string()]));
-    assert_eq!(run.connections[0].outcome, PairOutcome::Failed { reason: "the computation broke off (unreachable)".into() });
+    assert_eq!(run.connections[0].outcome, PairOutcome::Failed { failure: Failure::BrokeOff { message: "unreachable".into() } });
     assert_eq!(run.connections.len(), 6);
 }
 

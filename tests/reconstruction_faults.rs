@@ -65,7 +65,7 @@ impl Scene {
 }
 
 fn says(reconstruction: &Reconstruction, words: &[&str]) -> bool {
-    reconstruction.models[0].weaknesses.iter().any(|weakness| words.iter().all(|word| weakness.contains(word)))
+    reconstruction.models[0].warnings.iter().any(|warning| words.iter().all(|word| warning.to_string().contains(word)))
 }
 
 #[test]
@@ -75,7 +75,7 @@ fn positions_without_heights_place_a_block_that_is_taken_as_level() {
     let reconstruction = scene.assert_all("no heights", 2.0);
     let model = &reconstruction.models[0];
     assert!(model.in_system && model.adjusted.datum == Datum::Gnss);
-    assert!(says(&reconstruction, &["no heights", "level"]), "{:?}", model.weaknesses);
+    assert!(says(&reconstruction, &["no heights", "level"]), "{:?}", model.warnings);
     // Heights count from the mean of the flight; what is told of them is that they are uncertain.
     let heights: Vec<f64> = model.adjusted.block.images.iter().map(|image| image.pose.position[2]).collect();
     let mean = heights.iter().sum::<f64>() / heights.len() as f64;
@@ -91,8 +91,8 @@ fn a_height_that_is_missing_leaves_the_block_in_its_system() {
         scene.record_places(|image| !missing.contains(&image));
         let reconstruction = scene.assert_all("a height missing", 2.0);
         let model = &reconstruction.models[0];
-        assert!(model.in_system && model.adjusted.datum == Datum::Gnss, "{:?}", model.weaknesses);
-        assert!(!says(&reconstruction, &["level"]), "{:?}", model.weaknesses);
+        assert!(model.in_system && model.adjusted.datum == Datum::Gnss, "{:?}", model.warnings);
+        assert!(!says(&reconstruction, &["level"]), "{:?}", model.warnings);
         let gnss = model.adjusted.images[missing[0]].gnss.unwrap();
         assert!(gnss.residual[2] == 0.0 && gnss.residual[0] != 0.0);
     }
@@ -106,14 +106,14 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
         scene.shift_position(6, by);
         let reconstruction = scene.assert_all(&format!("a position {by:?} off"), 1.5);
         let model = &reconstruction.models[0];
-        assert!(model.in_system && says(&reconstruction, &["recorded position", "0006.jpg", told]), "{:?}", model.weaknesses);
+        assert!(model.in_system && says(&reconstruction, &["GNSS position", "0006.jpg", told]), "{:?}", model.warnings);
         let gnss = model.adjusted.images[6].gnss.unwrap();
         let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
         let residual = gnss.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
         assert!(!gnss.accepted && (residual - size).abs() < 6.0, "{residual} {size}");
         let refused = model.adjusted.images.iter().filter(|image| !image.gnss.unwrap().accepted).count();
         assert_eq!(refused, 1);
-        assert!(says(&reconstruction, &["1 recorded position does not fit and was left out"]), "{:?}", model.weaknesses);
+        assert!(says(&reconstruction, &["1 GNSS position does not fit and is rejected"]), "{:?}", model.warnings);
         let off = scene.off_in_system(&reconstruction);
         assert!(off.iter().all(|off| *off < 3.0), "{off:?}");
     }
@@ -128,7 +128,7 @@ fn a_receiver_without_a_fix_does_not_move_the_block() {
         *position = Some(ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] });
     }
     let reconstruction = scene.assert_all("two without a fix", 2.0);
-    assert!(reconstruction.models[0].in_system && says(&reconstruction, &["2 recorded positions", "0000.jpg", "0009.jpg"]));
+    assert!(reconstruction.models[0].in_system && says(&reconstruction, &["2 GNSS positions", "0000.jpg", "0009.jpg"]));
     let origin = reconstruction.origin.unwrap();
     assert!((origin.latitude_deg - ORIGIN[1]).abs() < 0.1 && (origin.longitude_deg - ORIGIN[0]).abs() < 0.1, "{origin:?}");
 }
@@ -215,10 +215,10 @@ fn marks_that_do_not_fit_are_told_by_name() {
         ray.y_px += 200.0 * error(index, 1);
     }
     let reconstruction = scene.assert_all("wrong marks", 1.5);
-    let weaknesses = &reconstruction.models[0].weaknesses;
-    assert!(says(&reconstruction, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{weaknesses:?}");
-    assert!(says(&reconstruction, &["gcp 3"]), "{weaknesses:?}");
-    assert!(!says(&reconstruction, &["gcp 1"]), "{weaknesses:?}");
+    let warnings = &reconstruction.models[0].warnings;
+    assert!(says(&reconstruction, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{warnings:?}");
+    assert!(says(&reconstruction, &["gcp 3"]), "{warnings:?}");
+    assert!(!says(&reconstruction, &["gcp 1"]), "{warnings:?}");
 }
 
 #[test]
@@ -244,11 +244,11 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
         }
         let reconstruction = scene.reconstruct(&selected());
         let model = &reconstruction.models[0];
-        assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.weaknesses);
+        assert!(model.in_system && model.adjusted.datum == Datum::Control, "{scale}: {:?}", model.warnings);
         assert!(reconstruction.origin.is_none(), "what the surveyed points are of has no place on the earth");
         assert!(model.adjusted.images.iter().all(|image| image.gnss.is_none()));
-        assert_eq!(says(&reconstruction, &["times as large as the recorded positions"]), told.is_some(), "{scale}: {:?}", model.weaknesses);
-        assert!(told.is_none_or(|words| says(&reconstruction, &words)), "{scale}: {:?}", model.weaknesses);
+        assert_eq!(says(&reconstruction, &["times as large as the GNSS positions"]), told.is_some(), "{scale}: {:?}", model.warnings);
+        assert!(told.is_none_or(|words| says(&reconstruction, &words)), "{scale}: {:?}", model.warnings);
     }
     // Recorded positions that are as uncertain as the block is wide tell nothing of its size.
     for image in &mut scene.description.images {
@@ -256,7 +256,7 @@ fn surveyed_points_in_another_unit_contradict_recorded_positions() {
         *sigma_m = [600.0; 3];
     }
     let reconstruction = scene.reconstruct(&selected());
-    assert!(!says(&reconstruction, &["times as large"]), "{:?}", reconstruction.models[0].weaknesses);
+    assert!(!says(&reconstruction, &["times as large"]), "{:?}", reconstruction.models[0].warnings);
 }
 
 #[test]
@@ -264,7 +264,7 @@ fn degrees_in_place_of_metres_are_told() {
     let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
     scene.description.control = surveyed(&scene, 0.3);
     let reconstruction = scene.reconstruct(&selected());
-    assert!(!says(&reconstruction, &["degrees"]), "{:?}", reconstruction.models[0].weaknesses);
+    assert!(!says(&reconstruction, &["degrees"]), "{:?}", reconstruction.models[0].warnings);
     for control in &mut scene.description.control {
         let ObservedPosition::Local { position, .. } = &mut control.position else { unreachable!() };
         *position = geographic_from_local(*position, ORIGIN);
@@ -273,7 +273,7 @@ fn degrees_in_place_of_metres_are_told() {
     assert!(
         says(&reconstruction, &["longitude and latitude", "metres are needed, not degrees"]),
         "{:?}",
-        reconstruction.models[0].weaknesses
+        reconstruction.models[0].warnings
     );
 }
 
@@ -289,8 +289,8 @@ fn the_tilt_of_a_block_whose_turn_is_uncertain_is_told() {
         }
         let reconstruction = scene.reconstruct(&selected());
         let model = &reconstruction.models[0];
-        assert!(model.in_system && says(&reconstruction, &["The recorded positions hardly determine"]), "{:?}", model.weaknesses);
-        assert_eq!(says(&reconstruction, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.weaknesses);
+        assert!(model.in_system && says(&reconstruction, &["The GNSS positions hardly determine"]), "{:?}", model.warnings);
+        assert_eq!(says(&reconstruction, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.warnings);
     }
 }
 
@@ -303,12 +303,8 @@ fn what_leaves_the_turn_of_a_block_open_is_named() {
         *sigma = [20.0, 20.0, 300.0];
     }
     let reconstruction = scene.reconstruct(&selected());
-    assert!(
-        says(&reconstruction, &["The surveyed points", "determine how the whole block is turned"]),
-        "{:?}",
-        reconstruction.models[0].weaknesses
-    );
-    assert!(!says(&reconstruction, &["recorded positions"]), "{:?}", reconstruction.models[0].weaknesses);
+    assert!(says(&reconstruction, &["The GCPs", "determine the rotation of the whole block"]), "{:?}", reconstruction.models[0].warnings);
+    assert!(!says(&reconstruction, &["GNSS positions"]), "{:?}", reconstruction.models[0].warnings);
 }
 
 #[test]
@@ -317,7 +313,7 @@ fn cameras_are_named_by_their_images() {
     let mut scene = scene(&flight, 1.0);
     scene.description.cameras[0].focal_px = None;
     let reconstruction = scene.reconstruct(&selected());
-    assert!(says(&reconstruction, &["The focal length of the camera was not known"]), "{:?}", reconstruction.models[0].weaknesses);
+    assert!(says(&reconstruction, &["The focal length of the camera is not known"]), "{:?}", reconstruction.models[0].warnings);
     let second = scene.description.cameras[0].clone();
     scene.description.cameras.push(second);
     scene.description.images[5..].iter_mut().for_each(|image| image.camera = 1);
@@ -325,6 +321,6 @@ fn cameras_are_named_by_their_images() {
     assert!(
         says(&reconstruction, &["The focal length of camera 2 (0005.jpg and 4 more images)"]),
         "{:?}",
-        reconstruction.models[0].weaknesses
+        reconstruction.models[0].warnings
     );
 }

@@ -14,11 +14,11 @@ export function refusal(error) {
 }
 
 /**
- * Why the job of an image or a pair failed, in words; what is no fault of its own is thrown on, as of `refusal`.
- * @param {unknown} error @returns {string}
+ * Why the job of an image or a pair failed; what is no fault of its own is thrown on, as of `refusal`.
+ * @param {unknown} error @returns {import('../wasm/tiepoint.js').Failure}
  */
 export function ownFault(error) {
   // A trap of the module, or memory that is not there: the worker was replaced.
-  const broke = error instanceof Error && ['RuntimeError', 'RangeError', 'WorkerError'].includes(error.name);
-  return broke ? `the computation broke off (${error.message})` : refusal(error);
+  if (error instanceof Error && ['RuntimeError', 'RangeError', 'WorkerError'].includes(error.name)) return { kind: 'broke_off', message: error.message };
+  return { kind: 'refused', message: refusal(error), code: /** @type {{ code: string }} */ (error).code, usage: false };
 }

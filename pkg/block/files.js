@@ -1,7 +1,8 @@
 // @ts-check
 /** The files of a block: its project, its tables, its summary, and what other programs read. */
 
-import { csv_field, explain_connections, export_block, write_project } from '../wasm/tiepoint.js';
+import { connected_groups, csv_field, export_block, message, write_project } from '../wasm/tiepoint.js';
+import { withText } from '../messages.js';
 import { refinementSummary, withOutcomes } from './refinement-table.js';
 
 /**
@@ -35,17 +36,17 @@ export function writeBlock(run, formats, write, beside = {}) {
 export function* writing(run, formats, write, beside = {}) {
   write(PROJECT_FILE, write_project(run.project));
   yield;
-  const graph = explain_connections(run.images.length, run.connections);
+  const groups = connected_groups(run.images.length, run.connections);
   export_block(run.model, 'csv', (path, text) => write(path, path === 'images.csv' ? withFacts(run, text) : path === 'rays.csv' && run.refinement ? withOutcomes(run.refinement, text) : text));
   if (run.reconstruction) write('orientation.json', `${JSON.stringify(run.reconstruction)}\n`);
-  write('pairs.csv', pairTable(run, graph.reasons));
+  write('pairs.csv', pairTable(run));
   /** @type {{ format: ExportFormat, refused: string | null }[]} */
   const exports = [];
   for (const format of formats) {
     yield;
     exports.push({ format, refused: writeFormat(run, format, write) });
   }
-  const summary = { ...summaryOf(run, graph.groups, exports), ...beside };
+  const summary = { ...summaryOf(run, groups, exports), ...beside };
   write('summary.json', `${JSON.stringify(summary, null, 2)}\n`);
   return summary;
 }
@@ -74,18 +75,19 @@ function withFacts(run, table) {
   return [`${header},${columns}`, ...lines.map((line, index) => [line, ...(facts[index] ?? [])].join(',')), ''].join('\n');
 }
 
-/** @param {BlockRun} run @param {string[]} reasons */
-function pairTable({ images, connections, geometries, points, model }, reasons) {
+/** @param {BlockRun} run */
+function pairTable({ images, connections, geometries, points, model }) {
   /** @type {Map<string, number>} */
   const common = new Map();
   for (let i = 0; i < points.shared.length; i += 3) common.set(points.shared.slice(i, i + 2).join(), points.shared[i + 2] ?? 0);
   const chosen = chosenOf(model);
-  const rows = connections.map(({ images: [a, b], rule, outcome }, index) => {
+  const rows = connections.map((connection, index) => {
+    const { images: [a, b], rule, outcome } = connection;
     const geometry = geometries[index];
     const matches = 'matches' in outcome ? outcome.matches : '';
     const names = [a, b].map((image) => csv_field(images[image]?.name ?? ''));
     const facts = [geometry?.model.kind ?? '', geometry?.degenerate ?? '', geometry?.sigma_px ?? '', common.get([a, b].join()) ?? 0, chosen.get([a, b].join()) ?? 0];
-    return [a, b, ...names, rule, outcome.kind, matches, ...facts, csv_field(reasons[index] ?? '')].join(',');
+    return [a, b, ...names, rule, outcome.kind, matches, ...facts, csv_field(message('connection', connection))].join(',');
   });
   return ['first,second,first_name,second_name,rule,outcome,matches,geometry,degenerate,sigma_px,common_points,chosen_points,reason', ...rows, ''].join('\n');
 }
@@ -139,14 +141,14 @@ function orientationOf({ reconstruction, reconstructionReason, images, model }) 
     oriented: poses,
     points: model.points.length,
     rays: model.points.reduce((sum, { rays }) => sum + rays.length, 0),
-    models: reconstruction.models.map(({ images: own, adjusted, rejected, in_system, weaknesses }) => ({
+    models: reconstruction.models.map(({ images: own, adjusted, rejected, in_system, warnings }) => ({
       images: own.length, names: own.map((image) => images[image]?.name), in_system, datum: adjusted.datum, sigma0_px: adjusted.sigma0_px, rmse_px: adjusted.rmse_px, rmse_by_rays: adjusted.rmse_by_rays,
       degrees_of_freedom: adjusted.degrees_of_freedom,
       rays_rejected: rejected.length + adjusted.rays.filter(({ verdict }) => verdict !== 'accepted').length,
-      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gnss }) => (gnss?.accepted ? [gnss.residual] : []))), weaknesses,
+      position_rmse_m: rootMeanSquare(adjusted.images.flatMap(({ gnss }) => (gnss?.accepted ? [gnss.residual] : []))), warnings: warnings.map((warning) => withText('block_warning', warning)),
     })),
     cameras: model.cameras,
-    unoriented: reconstruction.unoriented.map(({ image, text }) => ({ name: images[image]?.name, reason: text })),
+    unoriented: reconstruction.unoriented.map(({ image, reason }) => ({ name: images[image]?.name, reason: withText('unoriented', reason) })),
     origin: model.origin ?? null,
   };
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /** The first stage: every image is decoded once, and its features are kept. */
 
-import { version } from '../wasm/tiepoint.js';
+import { message, version } from '../wasm/tiepoint.js';
 import { BlockError, ownFault } from './errors.js';
 import { digest, readFeatures, RECORD_VERSION } from './records.js';
 import { runStage } from './stage.js';
@@ -71,7 +71,7 @@ export async function readImages(sources, masks, options, { pool, store, progres
       if (!made) throw new Error('a record of features does not read as it was written');
       return { result: { name, head: made.head, count: made.count, content, masked }, found: false };
     } catch (error) {
-      return { result: { name, reason: ownFault(error) }, found: false };
+      return { result: { name, reason: message('failure', ownFault(error)) }, found: false };
     }
   };
   /** @param {number} index */

@@ -84,8 +84,8 @@ function matched(left, right, { cameras, nearest, geometry, leastMatches }) {
   const found = match_features(a.positions, a.descriptors, b.positions, b.descriptors, options);
   found.indices.forEach((index, i) => { found.indices[i] = (i % 2 === 0 ? a : b).numbers[index] ?? 0; });
   const matches = found.indices.length / 2;
-  const { geometry: views, geometry_reason: reason } = found;
-  if (!views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', matches, reason: reason ?? '' } };
+  const { geometry: views, no_geometry } = found;
+  if (no_geometry || !views) return { ...found, geometry: null, outcome: { kind: 'not_oriented', no_geometry: /** @type {import('../wasm/tiepoint.js').NoGeometry} */ (no_geometry) } };
   if (matches < leastMatches) return { ...found, geometry: views, outcome: { kind: 'too_few_matches', matches, needed: leastMatches } };
   return { ...found, geometry: views, outcome: { kind: 'connected', matches } };
 }

@@ -55,7 +55,7 @@ export async function matchPairs(chosen, images, cameras, settings, { pool, stor
       if (!made) throw new Error('a record of a pair does not read as it was written');
       return { result: { ...result, outcome: made.head.outcome, geometry: made.head.geometry }, found: false };
     } catch (error) {
-      return { result: { ...result, outcome: { kind: 'failed', reason: ownFault(error) }, geometry: null }, found: false };
+      return { result: { ...result, outcome: { kind: 'failed', failure: ownFault(error) }, geometry: null }, found: false };
     }
   };
   /** @param {ChosenPair} pair */

@@ -16,7 +16,7 @@ import { sha256 as sha256InModule } from '../wasm/tiepoint.js';
  */
 
 /** Written into every key and record: records of another version are made again. */
-export const RECORD_VERSION = 2;
+export const RECORD_VERSION = 3;
 
 const MAGIC = 0x43525054;
 const HEADER = 48;

@@ -21,20 +21,23 @@ export function describe(out, { images, cameras, pairs, groups, points, selectio
       ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
       ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),
     ]),
-    ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.weaknesses ?? []).map((/** @type {string} */ text) => `weak: ${text}`)),
+    ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.warnings ?? []).map(warning)),
     ...(pairs.connected > 0 ? reasons(orientation) : []),
     '', `written to ${out}`,
   ];
 }
 
 /** A model by its number and images, as images without points in common make models of their own.  @param {any} model @param {number} index @returns {string[]} */
-function describeModel({ names, sigma0_px, weaknesses }, index) {
+function describeModel({ names, sigma0_px, warnings }, index) {
   const apart = index > 0 ? ', in orientation.json alone' : '';
-  return [`model ${index + 1}${apart}: ${listed(names)}; sigma0 ${fixed(sigma0_px, 3)} px`, ...weaknesses.map((/** @type {string} */ text) => `  weak: ${text}`)];
+  return [`model ${index + 1}${apart}: ${listed(names)}; sigma0 ${fixed(sigma0_px, 3)} px`, ...warnings.map((/** @type {any} */ is) => `  ${warning(is)}`)];
 }
 
+/** @param {{ text: string }} warning */
+const warning = ({ text }) => `warning: ${text}`;
+
 /** @param {any} orientation @returns {string[]} */
-const reasons = ({ reason, unoriented }) => [...(reason ? ['', `not oriented: ${reason}`] : []), ...(unoriented ?? []).map((/** @type {any} */ image) => `not oriented: ${image.reason}`)];
+const reasons = ({ reason, unoriented }) => [...(reason ? ['', `not oriented: ${reason}`] : []), ...(unoriented ?? []).map((/** @type {any} */ { name, reason: { text } }) => `not oriented: ${name}: ${text}`)];
 
 /** @param {string[]} names */
 const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');

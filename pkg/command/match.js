@@ -1,8 +1,9 @@
 // @ts-check
-import { matches_csv, points_csv } from '../node.js';
+import { withText } from '../messages.js';
+import { matches_csv, message, points_csv } from '../node.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, POINT_OPTIONS, settingsOf, workersOption } from './options.js';
-import { describeOrientation, UNKNOWNS } from './orient.js';
+import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
 import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
 import { countTable } from './points.js';
@@ -11,24 +12,7 @@ import { matchPair } from './split-pair.js';
 import { fixed, table } from './text.js';
 import { checkPair, readTruth, scoreOf } from './truth.js';
 
-/**
- * @typedef {import('../node.js').PairOutput} PairOutput
- * @typedef {import('../node.js').TwoViewModel['kind']} GeometryKind
- */
-
-/** @type {Readonly<Record<GeometryKind, string>>} */
-const GEOMETRIES = {
-  calibrated: 'orientation of calibrated cameras',
-  fundamental: 'epipolar geometry of unknown cameras',
-  homography: 'map of a plane',
-  rotation: 'rotation',
-};
-
-/** @type {Readonly<Record<import('../node.js').Degeneracy, string>>} */
-const DEGENERATE = {
-  plane: 'nearly all points lie in a plane: without known cameras the orientation is not determined',
-  'pure-rotation': 'pure rotation: both photos were taken from one place, there is no base',
-};
+/** @typedef {import('../node.js').PairOutput} PairOutput */
 
 const OPTIONS = [
   ...PAIR_OPTIONS,
@@ -47,9 +31,9 @@ export const match = {
   positionals: ['LEFT', 'RIGHT'],
   options: OPTIONS,
   details: 'Without --camera the focal length comes from the images\' EXIF data; without either the matches are given and the orientation is null, with the '
-    + 'reason. JSON: counts (left, right, matches, refused by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` '
-    + 'prints it, or null with orientation_reason; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, '
-    + 'degenerate, focal) or null with geometry_reason; where no camera is known and the matches tell the focal length, they are oriented with it.',
+    + 'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` '
+    + 'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, '
+    + 'degenerate, focal) or null with no_geometry; where no camera is known and the matches tell the focal length, they are oriented with it.',
   async run(call) {
     const { positionals: [leftPath = '', rightPath = ''], values } = call;
     const input = inputOf(call);
@@ -81,16 +65,16 @@ function noteWithoutEffect(values) {
 
 /** The JSON form.  @param {PairOutput} output @param {import('../node.js').PairSettings} settings */
 function resultOf(output, settings) {
-  const { matches, ...refused } = output.match.counts;
+  const { matches, ...rejected } = output.match.counts;
   return {
-    counts: { left: output.left.counts, right: output.right.counts, matches, refused },
+    counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
     matches: rows(output.match.matches, 5),
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
-    orientation: output.orientation && { ...output.orientation, points: rows(output.orientation.points, 9) },
-    orientation_reason: output.orientation_reason,
-    offset_px: output.offset?.median_px,
+    orientation: output.orientation && orientationOf(output.orientation),
+    no_orientation: output.no_orientation && withText('no_orientation', output.no_orientation),
+    offset_px: output.offset?.median_px ?? null,
     geometry: output.match.geometry,
-    geometry_reason: output.match.geometry_reason,
+    no_geometry: output.match.no_geometry && withText('no_geometry', output.match.no_geometry),
     interior: output.interior,
     pixel_mm: output.pixel_mm,
     settings,
@@ -124,26 +108,26 @@ function describeScore(score, output) {
 }
 
 /** @param {PairOutput['match']} match @returns {string[]} */
-function describeGeometry({ geometry, geometry_reason: reason }) {
-  if (!geometry) return reason ? [`no geometry of the two views: ${reason}`] : [];
-  const { model, threshold_px: threshold, sigma_px: sigma, degenerate, focal } = geometry;
+function describeGeometry({ geometry, no_geometry: none }) {
+  if (!geometry) return none ? [`no geometry of the two views: ${message('no_geometry', none)}`] : [];
+  const { model: { kind }, threshold_px: threshold, sigma_px: sigma, degenerate, focal } = geometry;
   return [
-    `geometry of the two views: ${GEOMETRIES[model.kind]}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
-    ...(degenerate ? [DEGENERATE[degenerate]] : []),
+    `geometry of the two views: ${message('two_view_model', { kind })}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
+    ...(degenerate ? [message('degeneracy', degenerate)] : []),
     ...(focal ? [`focal length by the matches ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`] : []),
   ];
 }
 
 /** @param {PairOutput} output @returns {string[]} */
 function describe(output) {
-  const { matches, ...refused } = output.match.counts;
+  const { matches, ...rejected } = output.match.counts;
   return [
     countTable([['left', output.left], ['right', output.right]]),
     '',
-    table([['matches', matches], ...Object.entries(refused).map(([rule, count]) => [`refused: ${rule.replaceAll('_', ' ')}`, count])]),
+    table([['matches', matches], ...Object.entries(rejected).map(([rule, count]) => [`rejected: ${message('verdict', /** @type {import('../node.js').Rule} */ (rule), 'label')}`, count])]),
     ...(output.offset ? [`offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`] : []),
     ...describeGeometry(output.match),
     '',
-    ...(output.orientation ? describeOrientation(output.orientation, output.pixel_mm) : [`no orientation: ${output.orientation_reason}`]),
+    ...(output.orientation ? describeOrientation(output.orientation, output.pixel_mm) : [`not oriented: ${message('no_orientation', /** @type {import('../node.js').NoOrientation} */ (output.no_orientation))}`]),
   ];
 }

@@ -1,5 +1,6 @@
 // @ts-check
-import { orient_relative, parse_observations } from '../node.js';
+import { withText } from '../messages.js';
+import { message, orient_relative, parse_observations } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readText } from './files.js';
 import { BASE, JSON_FLAG, ORIENTATION_OPTIONS, real, settingsOf } from './options.js';
@@ -19,7 +20,7 @@ export const orient = {
   options: OPTIONS,
   details: 'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. '
     + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), sigma0_mm, degrees_of_freedom, '
-    + 'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, weaknesses, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], '
+    + 'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], '
     + 'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
@@ -29,7 +30,7 @@ export const orient = {
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));
     const result = orient_relative(observations, focal, settings.orientation);
-    if (values.has('json')) printJson({ ...result, points: rows(result.points, 9) });
+    if (values.has('json')) printJson(orientationOf(result));
     else print(...describeOrientation(result, null));
   },
 };
@@ -43,12 +44,8 @@ export const UNKNOWNS = /** @type {const} */ ([
   { name: 'bz', unit: 'mm', field: 'bz_mm' },
 ]);
 
-const WEAKNESSES = {
-  plane: 'weak: all points lie in a plane within their precision; a second orientation fits nearly as well',
-  rotation: 'weak: the photos hardly differ but by a rotation; the base is too short to be told from noise and distortion',
-  clustered: 'weak: the points cover a small part of the photo',
-  ill_conditioned: 'weak: the unknowns can hardly be told apart (condition figure), as over a critical cylinder',
-};
+/** The JSON form.  @param {RelativeOrientation} o */
+export const orientationOf = (o) => ({ ...o, points: rows(o.points, 9), warnings: o.warnings.map((warning) => withText('warning', warning)) });
 
 /** @param {import('../node.js').GlobalTest} test */
 const globalTest = ({ statistic, lower, upper, passed }) =>
@@ -74,6 +71,6 @@ export function describeOrientation(o, pixelMm) {
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,
     `condition ${significant(o.condition)}, plane misfit ${fixed(o.plane_misfit, 1)} sigma0, parallax beside a rotation ${significant(o.parallax_beside_rotation_mm)} mm`,
     ...(o.global_test ? [globalTest(o.global_test)] : []),
-    ...o.weaknesses.map((weakness) => WEAKNESSES[weakness]),
+    ...o.warnings.map((warning) => `warning: ${message('warning', warning)}`),
   ];
 }

@@ -8,8 +8,8 @@ use super::reduced::{KnownParameter, Problem};
 use super::solution::{Factored, Singular, Step};
 use super::state::State;
 use super::weighted::Weighted;
-use crate::Error;
 use crate::math::{MEDIAN_LENGTH, median};
+use crate::{CameraParameter, Cause, Computation, Error};
 
 /// Adjusted values with how they were reached.
 #[derive(Debug, Clone)]
@@ -21,7 +21,7 @@ pub(super) struct Adjusted {
     pub robust: Robust,
     pub iterations: usize,
     /// Why the steps did not vanish, where that was allowed.
-    pub unsettled: Option<String>,
+    pub unsettled: Option<Cause>,
     /// Root mean square of the last step in standard errors of the unknowns.
     pub last_step: f64,
 }
@@ -73,7 +73,9 @@ impl Adjusted {
     /// [`Error::NotConverged`] where it did not.
     pub fn check_converged(&self) -> Result<(), Error> {
         match &self.unsettled {
-            Some(reason) => Err(Error::NotConverged { what: WHAT, iterations: self.iterations, reason: reason.clone() }),
+            Some(cause) => {
+                Err(Error::NotConverged { computation: Computation::BundleAdjustment, iterations: self.iterations, cause: cause.clone() })
+            }
             None => Ok(()),
         }
     }
@@ -170,7 +172,7 @@ impl Problem<'_> {
             };
             let before = cost(&state, &squares);
             if !before.is_finite() {
-                return Err(Error::Degenerate { what: WHAT, reason: "a point lies in the plane of a perspective centre".into() });
+                return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::PointInPlane });
             }
             let sigma = (before / self.redundancy().max(1) as f64).sqrt();
             let share = match iteration {
@@ -204,16 +206,14 @@ impl Problem<'_> {
                 }
                 damping = (damping * STIFFEN).max(LEAST_DAMPING);
                 if damping > STIFFEST {
-                    let reason = format!("no step lowers the residuals any more, while the last was {last_step:.1e} standard errors long");
                     let reached = self.settled(state, &squares, robust, iteration, last_step);
-                    return Adjusted { unsettled: Some(reason), ..reached }.passed(demand);
+                    return Adjusted { unsettled: Some(Cause::Stalled { last_step }), ..reached }.passed(demand);
                 }
             }
         }
         let robust = self.robust_for(demand, &squares);
-        let reason = format!("the last step is {last_step:.1e} standard errors long; {:.0e} counts as converged", demand.tolerance);
         let reached = self.settled(state, &squares, robust, demand.max_iterations, last_step);
-        Adjusted { unsettled: Some(reason), ..reached }.passed(demand)
+        Adjusted { unsettled: Some(Cause::LongSteps { ratio: last_step / demand.tolerance }), ..reached }.passed(demand)
     }
 
     fn settled(&self, state: State, squares: &[f64], robust: Robust, iterations: usize, last_step: f64) -> Adjusted {
@@ -225,22 +225,16 @@ impl Problem<'_> {
 
     /// The error of singular normal equations, by what they do not determine.
     pub fn singular(&self, singular: Singular) -> Error {
-        let reason = match singular {
+        match singular {
             Singular::Image(refused) => {
-                let what = if refused.unknown < 3 { "rotation" } else { "position" };
-                let reason = format!("the {what} of image {} (counted from 0) follows from nothing", refused.node);
-                return Error::UndeterminedImage { what: WHAT, image: refused.node, reason };
+                let cause = if refused.unknown < 3 { Cause::NoRotation } else { Cause::NoPosition };
+                Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: refused.node, cause }
             }
             Singular::Camera(column) => {
                 let (camera, parameter) = self.columns.parameter[column];
-                format!(
-                    "{} of camera {camera} (counted from 0) follows from nothing",
-                    super::result::CameraParameter::ALL[parameter].name()
-                )
+                let cause = Cause::NoCameraParameter { camera, camera_parameter: CameraParameter::ALL[parameter] };
+                Error::Degenerate { computation: Computation::BundleAdjustment, cause }
             }
-        };
-        Error::Degenerate { what: WHAT, reason }
+        }
     }
 }
-
-pub(super) const WHAT: &str = "the bundle adjustment";

@@ -1,9 +1,9 @@
 //! Which camera parameters a block determines: the others are fixed, the weakest first.
 
 use super::network::Network;
-use super::result::CameraParameter;
 use super::sparse::DenseFactor;
 use super::state::State;
+use crate::CameraParameter;
 use crate::camera::CAMERA_PARAMETERS;
 
 /// Of each camera that has any the column of the parameter that is determined worst, and by how much in px its standard error moves a ray at
@@ -45,8 +45,4 @@ impl CameraParameter {
     /// In the order of the unknowns of a camera.
     pub(super) const ALL: [Self; CAMERA_PARAMETERS] =
         [Self::Focal, Self::PrincipalX, Self::PrincipalY, Self::K1, Self::K2, Self::K3, Self::P1, Self::P2];
-
-    pub(crate) fn name(self) -> &'static str {
-        ["the focal length", "the principal point's column", "the principal point's row", "k1", "k2", "k3", "p1", "p2"][self as usize]
-    }
 }

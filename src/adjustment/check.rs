@@ -3,9 +3,9 @@
 use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
-use crate::Error;
 use crate::camera::orthonormal;
 use crate::parameters::check_values;
+use crate::{Cause, Computation, Error};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
 const LEAST_RAYS: usize = 4;
@@ -107,20 +107,14 @@ pub(super) fn check_network(network: &Network, datum: Datum) -> Result<(), Error
     for image in 0..network.images() {
         let rays = network.of_image(image).len();
         if rays < LEAST_RAYS {
-            let reason =
-                format!("image {image} (counted from 0) has {rays} rays to points that others see; at least {LEAST_RAYS} are needed");
-            return Err(Error::UndeterminedImage { what: super::adjustment::WHAT, image, reason });
+            let cause = Cause::FewObservations { observations: rays, needed: LEAST_RAYS };
+            return Err(Error::UndeterminedImage { computation: Computation::BundleAdjustment, image, cause });
         }
     }
     let parts = parts(network);
     if datum == Datum::Free && parts.len() > 1 {
-        let reason = format!(
-            "the block falls into {} parts without common points; images {} and {} (counted from 0) are in different ones",
-            parts.len(),
-            parts[0],
-            parts[1]
-        );
-        return Err(Error::Degenerate { what: super::adjustment::WHAT, reason });
+        let cause = Cause::Parts { parts: parts.len(), first: parts[0], second: parts[1] };
+        return Err(Error::Degenerate { computation: Computation::BundleAdjustment, cause });
     }
     Ok(())
 }

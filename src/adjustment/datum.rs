@@ -10,9 +10,9 @@ use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::State;
 use super::weighted::{Weighted, observed};
-use crate::Error;
 use crate::camera::{Pose, turn_of};
 use crate::math::{dot3, minus};
+use crate::{Cause, Computation, Error};
 
 /// Least width of the observed positions across the line through them, as a share of their length.
 const LEAST_WIDTH: f64 = 1e-3;
@@ -36,14 +36,13 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
     if pairs.len() < 3 {
         return Err(Error::TooFew { what: "GNSS positions or control points with two rays, for the datum", got: pairs.len(), needed: 3 });
     }
-    let undetermined = || Error::Degenerate { what: "the datum", reason: "the approximate positions have no extent".into() };
+    let undetermined = || Error::Degenerate { computation: Computation::Datum, cause: Cause::NoExtent };
     let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;
     let agreeing: Vec<[f64; 3]> = pairs.iter().zip(&agree).filter(|(_, agrees)| **agrees).map(|(pair, _)| pair.to).collect();
     let width = relative_width(&agreeing);
     if !(width >= LEAST_WIDTH) {
-        let reason =
-            format!("the GNSS positions and control points lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
-        return Err(Error::Degenerate { what: "the datum", reason });
+        let cause = Cause::PositionsOnLine { width, least: LEAST_WIDTH };
+        return Err(Error::Degenerate { computation: Computation::Datum, cause });
     }
     let mut judged = agree.iter();
     let agrees = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
@@ -110,7 +109,7 @@ impl Freedoms {
                 (0..49).for_each(|k| normal[k / 7][k % 7] += weight * row[k / 7] * row[k % 7]);
             }
         }
-        let refused = || Error::Degenerate { what: "the free network", reason: "all images have the same position".into() };
+        let refused = || Error::Degenerate { computation: Computation::FreeNetwork, cause: Cause::OnePosition };
         freedoms.inverse = inverse_of_dense(&normal).ok_or_else(refused)?;
         Ok(freedoms)
     }

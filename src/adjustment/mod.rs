@@ -36,8 +36,8 @@ pub use block::{Block, BlockImage, BlockObservation, ControlPoint, PositionPrior
 pub(crate) use collinearity::{linearise, project};
 pub use options::{AdjustmentOptions, Datum, Loss};
 pub use result::{
-    AdjustmentResult, CameraParameter, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics,
-    ObservationVerdict, PriorStatistics, RayCountRmse,
+    AdjustmentResult, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
+    PriorStatistics, RayCountRmse,
 };
 pub use similarity::Similarity;
 pub(crate) use start::{Start, adjust_start};

@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::options::Datum;
+use crate::CameraParameter;
 use serde::{Deserialize, Serialize};
 
 /// An adjusted block with its precision and reliability.
@@ -36,21 +37,6 @@ pub struct AdjustmentResult {
     pub rays: Vec<ObservationStatistics>,
     /// One for each control point; absent where the datum does not use it.
     pub control: Vec<Option<PriorStatistics>>,
-}
-
-/// A parameter of a camera.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum CameraParameter {
-    Focal,
-    PrincipalX,
-    PrincipalY,
-    K1,
-    K2,
-    K3,
-    P1,
-    P2,
 }
 
 /// A camera parameter that was to be estimated and was fixed, since the block does not determine it.

@@ -1,6 +1,6 @@
 //! Interior orientation by fiducial marks.
 
-use crate::Error;
+use crate::{Cause, Computation, Error};
 use serde::{Deserialize, Serialize};
 
 /// A fiducial mark: where it was measured and where the calibration has it.
@@ -214,10 +214,10 @@ fn check_spread(centred: &Centred) -> Result<(), Error> {
     };
     let measured = width(centred.sum(|m| m.col * m.col), centred.sum(|m| m.col * m.row), centred.sum(|m| m.row * m.row));
     let calibrated = width(centred.sum(|m| m.x * m.x), centred.sum(|m| m.x * m.y), centred.sum(|m| m.y * m.y));
-    for (kind, width) in [("measured", measured), ("calibrated", calibrated)] {
+    for (calibrated, width) in [(false, measured), (true, calibrated)] {
         if width.is_nan() || width < LEAST_WIDTH {
-            let reason = format!("the {kind} marks lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e} is needed)");
-            return Err(Error::Degenerate { what: "the affine transformation", reason });
+            let cause = Cause::MarksOnLine { calibrated, width, least: LEAST_WIDTH };
+            return Err(Error::Degenerate { computation: Computation::AffineTransformation, cause });
         }
     }
     Ok(())

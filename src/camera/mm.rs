@@ -2,8 +2,8 @@
 
 use super::distortion::{MOST_STEPS, undistorted};
 use super::{Camera, ExifCamera};
-use crate::Error;
 use crate::parameters::refuse;
+use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -103,9 +103,9 @@ impl Camera {
             let t = k as f64 / RADII as f64;
             let measured = t * farthest;
             let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or_else(|| Error::NotConverged {
-                what: "the correction of distortion",
+                computation: Computation::DistortionCorrection,
                 iterations: MOST_STEPS,
-                reason: format!("the camera's distortion has no inverse {:.0} px from the principal point", measured * self.focal_px),
+                cause: Cause::FoldedBeyond { radius_px: measured * self.focal_px },
             })?;
             let t2 = t * t;
             let row = Vector3::new(t2, t2 * t2, t2 * t2 * t2) * measured;

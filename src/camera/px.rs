@@ -1,8 +1,8 @@
 //! The camera of a block: lengths in px.
 
 use super::distortion::{CAMERA_PARAMETERS, CameraValues, MOST_STEPS, distorted, undistorted};
-use crate::Error;
 use crate::parameters::{FOCAL_PX, check_values};
+use crate::{Cause, Computation, Error};
 use serde::{Deserialize, Serialize};
 
 /// The camera of one or more images.
@@ -89,9 +89,9 @@ impl Camera {
         let [cx, cy] = self.principal_point_px;
         let measured = [(x_px - cx) / self.focal_px, (y_px - cy) / self.focal_px];
         undistorted(measured, self.radial, self.tangential).ok_or_else(|| Error::NotConverged {
-            what: "the correction of distortion",
+            computation: Computation::DistortionCorrection,
             iterations: MOST_STEPS,
-            reason: format!("the camera's distortion has no inverse at ({x_px}, {y_px}) px"),
+            cause: Cause::FoldedAt { x_px, y_px },
         })
     }
 

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
     use crate::math::Random;
     use crate::model::tiny_block;
-    use crate::{PairOutcome, PairRule};
+    use crate::{Failure, PairOutcome, PairRule};
 
     fn project() -> Project {
         let connection = |images, outcome| Connection { images, rule: PairRule::Near, outcome };
@@ -117,7 +117,7 @@ mod tests {
             block: tiny_block(),
             connections: vec![
                 connection([0, 1], PairOutcome::Connected { matches: 120 }),
-                connection([0, 2], PairOutcome::NotOriented { matches: 30, reason: "9 inliers \"of\" 30".into() }),
+                connection([0, 2], PairOutcome::Failed { failure: Failure::BrokeOff { message: "9 \"of\" 30".into() } }),
             ],
             ..Project::default()
         }

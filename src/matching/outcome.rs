@@ -1,36 +1,39 @@
 //! What becomes of points when two images are matched: the verdict on each, and the matches that stand.
 
+use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
-/// The rule that decided on a left point.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Rule {
-    /// Matched: no rule refused it.
-    Matched,
-    /// Its window leaves the image or is constant: it has no descriptor.
-    NoDescriptor,
-    /// No right point with a descriptor lies in its search window, or that window leaves the right image.
-    NoCandidate,
-    /// The best measure is not below the largest one allowed, or the correlation not above the least one.
-    Threshold,
-    /// The second best candidate is too nearly as good as the best.
-    Ambiguous,
-    /// Another left point matches the same right point better.
-    ManyToOne,
-    /// Its y-parallax deviates from that of the nearest matches, or from its epipolar line; or it fits no geometry of the two views.
-    Parallax,
-    /// The best correlation lies on the border of the search window: the true one may lie beyond it.
-    Border,
-    /// The right window correlates better with another place in the left image, or the right descriptor is nearer to another left one.
-    LeftRight,
-    /// Least squares matching did not settle, or ran away from where it started.
-    NotConverged,
-    /// The standard error of the right position exceeds the largest one allowed.
-    Imprecise,
-    /// It lies at the same place of both frames, as the film's border and its marks do.
-    Frame,
+messages! {
+    /// The rule that decided on a left point.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Rule as "verdict" {
+        /// Matched: no rule rejects it.
+        Matched,
+        /// Its window leaves the image or is constant: it has no descriptor.
+        NoDescriptor,
+        /// No right point with a descriptor lies in its search window, or that window leaves the right image.
+        NoCandidate,
+        /// The best measure is not below the largest one allowed, or the correlation not above the least one.
+        Threshold,
+        /// The second best candidate is too nearly as good as the best.
+        Ambiguous,
+        /// Another left point matches the same right point better.
+        ManyToOne,
+        /// Its y-parallax deviates from that of the nearest matches, or from its epipolar line; or it fits no geometry of the two views.
+        Parallax,
+        /// The best correlation lies on the border of the search window: the true one may lie beyond it.
+        Border,
+        /// The right window correlates better with another place in the left image, or the right descriptor is nearer to another left one.
+        LeftRight,
+        /// Least squares matching does not converge, or leaves the place from where it started.
+        NotConverged,
+        /// The standard error of the right position exceeds the largest one allowed.
+        Imprecise,
+        /// It lies at the same place of both frames, as the film's border and its marks do.
+        Frame,
+    }
 }
 
 impl Rule {

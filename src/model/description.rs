@@ -5,7 +5,7 @@ use super::{BlockModel, GroundControlPoint, ModelImage, ObservedPosition};
 use crate::Error;
 use crate::camera::{Camera, FreeParameters};
 use crate::error::refuse;
-use crate::text::counted;
+use crate::message::{Message, written};
 use serde::{Deserialize, Serialize};
 
 /// A focal length that is not known is taken for this many times the longer side of the image, as those of most cameras nearly are.
@@ -32,7 +32,7 @@ impl BlockDescription {
         if self.images.len() < 2 {
             return Err(Error::TooFew { what: "images of a block", got: self.images.len(), needed: 2 });
         }
-        let named = |index| move || self.camera_named(index);
+        let named = |index| move || self.named_camera(index).to_string();
         self.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.approximate().check(named(index)))?;
         for image in &self.images {
             if image.camera >= self.cameras.len() {
@@ -79,19 +79,32 @@ impl BlockDescription {
         }
     }
 
-    /// A camera by its number, from 1, and by its images: files number cameras from 0.
-    pub(crate) fn camera_named(&self, camera: usize) -> String {
-        if self.cameras.len() == 1 {
-            return "the camera".into();
-        }
-        let mut images = self.images.iter().filter(|image| image.camera == camera).map(|image| image.name.as_str());
-        let number = camera + 1;
-        match (images.next(), images.count()) {
-            (None, _) => format!("camera {number}"),
-            (Some(name), 0) => format!("camera {number} ({name})"),
-            (Some(name), more) => format!("camera {number} ({name} and {})", counted(more, "more image")),
-        }
+    /// A camera as texts name it.
+    pub(crate) fn named_camera(&self, camera: usize) -> NamedCamera {
+        let mut images = self.images.iter().filter(|image| image.camera == camera).map(|image| image.name.clone());
+        NamedCamera { only: self.cameras.len() == 1, number: camera + 1, first: images.next(), more: images.count() }
     }
+}
+
+/// A camera by its number, from 1, and by its images: files number cameras from 0.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct NamedCamera {
+    /// Whether the block has no other.
+    pub only: bool,
+    pub number: usize,
+    /// Name of its first image.
+    pub first: Option<String>,
+    /// How many images it has beside that.
+    pub more: usize,
+}
+
+written!(NamedCamera);
+
+impl Message for NamedCamera {
+    const FAMILY: &'static str = "camera";
+    #[cfg(test)]
+    const KINDS: &'static [(&'static str, &'static [&'static str])] = &[("", &["only", "number", "first", "more"])];
 }
 
 /// A camera before its calibration; symbols as at [`Camera`](crate::Camera).

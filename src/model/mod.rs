@@ -11,4 +11,4 @@ mod description;
 pub(crate) use block::tiny_block;
 pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, ObjectPoint};
 pub use control::{GroundControlPoint, ObservedPosition};
-pub use description::{BlockDescription, KnownCamera, KnownImage};
+pub use description::{BlockDescription, KnownCamera, KnownImage, NamedCamera};

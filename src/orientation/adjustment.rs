@@ -4,7 +4,7 @@ use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, Normals};
 use super::refusal::{check_condition, check_parallax, diverged, undetermined};
-use crate::Error;
+use crate::{Cause, Error};
 
 const MAX_ITERATIONS: usize = 50;
 
@@ -44,7 +44,7 @@ pub(super) fn adjust(
     weights: &[f64],
     start: RelativePose,
     settled: f64,
-    bounds: impl Fn(&RelativePose) -> Result<(), String>,
+    bounds: impl Fn(&RelativePose) -> Result<(), Cause>,
 ) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
@@ -72,7 +72,7 @@ pub(super) fn adjust(
         pose = move_within_bounds(&pose, &solution.step);
         (last_sigma, last_cofactors) = (sigma, solution.cofactors);
         last_step = solution.size / step_tolerance(sigma);
-        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < settled {
             let cofactors = solution.cofactors;
             return Ok(Adjusted { pose, cofactors, precision: cofactors, sensitivity: cofactors, sigma, iterations: iteration, last_step });
@@ -81,5 +81,5 @@ pub(super) fn adjust(
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
     check_condition(&last_cofactors)?;
-    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+    Err(diverged(MAX_ITERATIONS, Cause::LongSteps { ratio: last_step }))
 }

@@ -5,7 +5,7 @@ use super::adjustment::{move_within_bounds, step_tolerance};
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::Normals;
 use super::refusal::{check_parallax, diverged, undetermined};
-use crate::Error;
+use crate::{Cause, Computation, Error};
 
 const MAX_ITERATIONS: usize = 50;
 
@@ -22,7 +22,7 @@ const MAX_ITERATIONS: usize = 50;
 pub(super) fn adjust_determinants(
     rays: &[Ray],
     start: RelativePose,
-    bounds: impl Fn(&RelativePose) -> Result<(), String>,
+    bounds: impl Fn(&RelativePose) -> Result<(), Cause>,
 ) -> Result<Adjusted, Error> {
     let redundancy = rays.len().saturating_sub(5);
     let mut pose = start;
@@ -37,7 +37,7 @@ pub(super) fn adjust_determinants(
         let gradient = mean_square_gradient.sqrt();
         last_sigma = sigma / gradient;
         last_step = solution.size / gradient / step_tolerance(last_sigma);
-        bounds(&pose).map_err(|reason| diverged(iteration, reason))?;
+        bounds(&pose).map_err(|cause| diverged(iteration, cause))?;
         if last_step < 1.0 {
             let cofactors = solution.cofactors * mean_square_gradient;
             return Ok(Adjusted {
@@ -53,7 +53,7 @@ pub(super) fn adjust_determinants(
     }
     // Without a base there is no direction of it to settle on.
     check_parallax(&pose, last_sigma, rays)?;
-    Err(diverged(MAX_ITERATIONS, format!("the last step is still {last_step:.1e} times what counts as converged")))
+    Err(diverged(MAX_ITERATIONS, Cause::LongSteps { ratio: last_step }))
 }
 
 /// Normal equations of the determinants divided by b·f², and the mean square of their gradients.
@@ -61,8 +61,7 @@ fn determinants(pose: &RelativePose, rays: &[Ray]) -> Result<(Normals<5>, f64), 
     let tangents = pose.tangents();
     let along_x = pose.base.x;
     if along_x.abs() < 1e-6 {
-        let reason = "the base has no component along x, which this form divides by; the rigorous form takes any base".into();
-        return Err(Error::Degenerate { what: "the determinant form", reason });
+        return Err(Error::Degenerate { computation: Computation::DeterminantForm, cause: Cause::NoBaseAlongX });
     }
     let mut normals = Normals::new();
     let mut square_gradients = 0.0;

@@ -18,7 +18,7 @@ mod reliability;
 mod result;
 mod robust_start;
 mod shared;
-mod weakness;
+mod warning;
 mod weighting;
 
 pub(crate) use coplanarity::{Ray, RelativePose, condition};
@@ -26,8 +26,7 @@ pub use error_model::ErrorModel;
 pub(crate) use field::{Field, square_distance};
 pub(crate) use normals::Normals;
 pub use options::{OrientationMethod, OrientationOptions, Weighting};
-pub(crate) use precision::BY_AND_BZ;
 pub use relative::{orient_relative, orient_relative_with};
-pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Weakness};
+pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;

@@ -3,12 +3,9 @@
 use super::coplanarity::{RelativePose, Unknowns};
 use super::normals::Matrix5;
 use super::result::FiveParameters;
-use crate::Error;
 use crate::camera::angles_from_rotation;
+use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix3, Vector3};
-
-/// What a base across the x axis leaves undetermined.
-pub(crate) const BY_AND_BZ: &str = "by and bz";
 
 /// Least share of the base along x; below it by and bz in units of b mean nothing.
 const LEAST_ALONG_X: f64 = 1e-3;
@@ -45,15 +42,12 @@ pub(super) fn propagated(pose: &RelativePose, base_mm: f64, cofactors: &Matrix5)
 pub(super) fn check_describable(pose: &RelativePose) -> Result<(), Error> {
     let along_x = pose.base.x.abs();
     if !(along_x >= LEAST_ALONG_X) {
-        let reason = format!(
-            "the base has {along_x:.1e} of its length along x (at least {LEAST_ALONG_X} is needed), so by and bz have no size in units of b; \
-             turn both photos by 90°"
-        );
-        return Err(Error::Degenerate { what: BY_AND_BZ, reason });
+        let cause = Cause::BaseAcrossX { along_x, least: LEAST_ALONG_X };
+        return Err(Error::Degenerate { computation: Computation::ByAndBz, cause });
     }
     let cosine = (pose.rotation[(0, 0)] * pose.rotation[(0, 0)] + pose.rotation[(1, 0)] * pose.rotation[(1, 0)]).sqrt();
     if !(cosine >= LEAST_COSINE) {
-        return Err(Error::Degenerate { what: "ω and κ", reason: "φ is ±90°, where both turn about the same axis".into() });
+        return Err(Error::Degenerate { computation: Computation::OmegaAndKappa, cause: Cause::GimbalLock });
     }
     Ok(())
 }

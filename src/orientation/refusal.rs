@@ -4,12 +4,10 @@ use super::adjusted::Adjusted;
 use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;
-use super::weakness::{LARGEST_CONDITION, condition};
-use crate::Error;
+use super::warning::{LARGEST_CONDITION, condition};
 use crate::math::median;
 use crate::parameters::refuse;
-
-const WHAT: &str = "the relative orientation";
+use crate::{Cause, Computation, Error, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.
 const LARGEST_COORDINATE: f64 = 100.0;
@@ -53,17 +51,14 @@ pub(super) fn check_geometry(rays: &[Ray]) -> Result<(), Error> {
     if different.len() < 5 {
         return Err(Error::TooFew { what: "different observations for the relative orientation", got: different.len(), needed: 5 });
     }
-    for (photo, first) in [("left", 0), ("right", 2)] {
+    for (side, first) in [(Side::Left, 0), (Side::Right, 2)] {
         let width = relative_width(rays, first);
         if !(width >= LEAST_WIDTH) {
-            let reason =
-                format!("all points of the {photo} photo lie on a line (width / length = {width:.1e}, at least {LEAST_WIDTH:.0e})");
-            return Err(Error::Degenerate { what: WHAT, reason });
+            return Err(degenerate(Cause::PointsOnLine { side, width, least: LEAST_WIDTH }));
         }
     }
     if rays.iter().all(|[xl, yl, xr, yr]| (xl - xr).abs() < 1e-12 && (yl - yr).abs() < 1e-12) {
-        let reason = "both photos have the same coordinates, so there is no parallax".into();
-        return Err(Error::Degenerate { what: WHAT, reason });
+        return Err(degenerate(Cause::NoParallax));
     }
     Ok(())
 }
@@ -87,12 +82,7 @@ pub(super) fn check_parallax(pose: &RelativePose, sigma: f64, rays: &[Ray]) -> R
     if parallax > LEAST_PARALLAX * noise {
         return Ok(());
     }
-    let reason = format!(
-        "after a rotation the median parallax is {:.1} standard errors of a photo coordinate (above {LEAST_PARALLAX} is needed): the photos \
-         differ by a rotation alone, so there is no base",
-        parallax / noise
-    );
-    Err(Error::Degenerate { what: WHAT, reason })
+    Err(degenerate(Cause::NoBase { parallax: parallax / noise, least: LEAST_PARALLAX }))
 }
 
 /// Refuses unknowns that can hardly be told apart.
@@ -101,10 +91,7 @@ pub(super) fn check_condition(cofactors: &Matrix5) -> Result<(), Error> {
     if condition <= LARGEST_CONDITION {
         return Ok(());
     }
-    let reason = format!(
-        "the unknowns can hardly be told apart (condition figure {condition:.1e}, up to {LARGEST_CONDITION:.0e} is sound), as over a critical          cylinder or without a base"
-    );
-    Err(Error::Degenerate { what: WHAT, reason })
+    Err(degenerate(Cause::Inseparable { condition, most: LARGEST_CONDITION }))
 }
 
 /// Refuses an adjusted pose that the observations do not support: no base, absurd standard errors, points behind the cameras.
@@ -112,37 +99,38 @@ pub(super) fn check_result(adjusted: &Adjusted, rays: &[Ray]) -> Result<(), Erro
     check_parallax(&adjusted.pose, adjusted.sigma, rays)?;
     let errors = adjusted.cofactors.diagonal().map(|q| adjusted.sigma * q.sqrt());
     if !(errors.amax() < LARGEST_ERROR) {
-        let reason = format!("the standard error of an angle or of the base's direction is {:.0}°", errors.amax().to_degrees());
-        return Err(Error::Degenerate { what: WHAT, reason });
+        return Err(degenerate(Cause::LargeErrors { largest_deg: errors.amax().to_degrees() }));
     }
     let in_front = rays.iter().filter(|ray| adjusted.pose.in_front(ray, 0.0)).count();
     if 2 * in_front <= rays.len() {
-        let reason = format!("only {in_front} of {} points would lie in front of both cameras", rays.len());
-        return Err(Error::Degenerate { what: WHAT, reason });
+        return Err(degenerate(Cause::BehindCameras { in_front, points: rays.len() }));
     }
     Ok(())
 }
 
 /// Bounds of an iteration that starts from the vertical pair.
-pub(super) fn near_vertical(pose: &RelativePose) -> Result<(), String> {
+pub(super) fn near_vertical(pose: &RelativePose) -> Result<(), Cause> {
     let cosine = 0.5 * (pose.rotation.trace() - 1.0);
     let rise = pose.base.z.abs();
     if !(cosine > 0.5) {
-        return Err("it ran away: the right photo is turned by more than 60° from the start; the robust start takes any rotation".into());
+        return Err(Cause::TurnedAway);
     }
     if !(rise < 0.87) {
-        return Err("it ran away: the base rises by more than 60°; the robust start takes any base".into());
+        return Err(Cause::RisingBase);
     }
     Ok(())
 }
 
 /// The error of singular normal equations.
 pub(super) fn undetermined(share: f64) -> Error {
-    let reason = format!("the normal equations are singular (condition figure 1 - R² = {share:.1e}, above 1e-13 is needed)");
-    Error::Degenerate { what: WHAT, reason }
+    degenerate(Cause::SingularNormals { share, least: 1e-13 })
 }
 
-/// The error of an iteration that did not settle.
-pub(super) fn diverged(iterations: usize, reason: String) -> Error {
-    Error::NotConverged { what: WHAT, iterations, reason }
+fn degenerate(cause: Cause) -> Error {
+    Error::Degenerate { computation: Computation::RelativeOrientation, cause }
+}
+
+/// The error of an iteration that did not converge.
+pub(super) fn diverged(iterations: usize, cause: Cause) -> Error {
+    Error::NotConverged { computation: Computation::RelativeOrientation, iterations, cause }
 }

@@ -4,8 +4,8 @@ use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
 use super::coplanarity::{Linearised, Ray, RelativePose};
 use super::robust_start::{Consensus, least_agreement};
-use crate::Error;
 use crate::math::{median, normal_median_within, normal_spread_within, smallest};
+use crate::{Cause, Error, Unsettled};
 
 /// Observations with their weights.
 #[derive(Debug, Clone, Copy)]
@@ -102,7 +102,7 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
             accepted = next;
         }
     }
-    Err(super::refusal::diverged(MAX_ROUNDS, "the rejection of gross errors did not settle".into()))
+    Err(super::refusal::diverged(MAX_ROUNDS, Cause::Unsettled { unsettled: Unsettled::GrossErrors, rounds: MAX_ROUNDS }))
 }
 
 /// A standardised residual, in σ: v / √q_vv.

@@ -11,7 +11,7 @@ use super::rejection::{Clean, Limits, Weighted, adjust_without_gross_errors, cor
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
 use super::robust_start::{median_parallax, robust_start};
-use super::weakness::{condition, parallax_beside_rotation, plane_misfit, spread, weaknesses};
+use super::warning::{condition, parallax_beside_rotation, plane_misfit, spread, warnings};
 use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
 use crate::Error;
@@ -179,7 +179,7 @@ impl Outcome {
             plane_misfit,
             spread,
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
-            weaknesses: weaknesses(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
+            warnings: warnings(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
             base_ellipse_mm: total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
             residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
             points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),

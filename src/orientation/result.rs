@@ -2,6 +2,7 @@
 
 use super::OrientationMethod;
 use crate::camera::rotation_from_angles;
+use crate::message::messages;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
@@ -87,19 +88,23 @@ impl ErrorEllipse {
     }
 }
 
-/// What makes an orientation weak although it could be computed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Weakness {
-    /// All points lie in a plane within what the observations can tell: a second pose fits nearly as well.
-    Plane,
-    /// The points cover a small part of the photos.
-    Clustered,
-    /// The photos hardly differ but by a rotation: the base is too short to be told from noise and distortion.
-    Rotation,
-    /// The unknowns can hardly be told apart, as over a critical cylinder.
-    IllConditioned,
+messages! {
+    /// What makes an orientation weak although it could be computed.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Warning as "warning" {
+        /// All points lie in a plane within what the observations can tell: a second pose fits nearly as well. `misfit`: to the plane, in
+        /// standard errors.
+        Plane { misfit: f64, least: f64 },
+        /// The points cover a small part of the photos: their root mean square distance from their middle, in focal lengths.
+        Clustered { coverage: f64, least: f64 },
+        /// The photos hardly differ but by a rotation, which leaves this median parallax: the base is too short to be told from noise and
+        /// distortion.
+        Rotation { parallax_deg: f64, least_deg: f64 },
+        /// The unknowns can hardly be told apart, as over a critical cylinder.
+        IllConditioned { condition: f64, most: f64 },
+    }
 }
 
 /// The dependent relative orientation of the right photo, with its precision.
@@ -144,7 +149,7 @@ pub struct RelativeOrientation {
     pub spread: f64,
     /// Median parallax that the best rotation leaves, in mm: what of the photos' difference only a base explains.
     pub parallax_beside_rotation_mm: f64,
-    pub weaknesses: Vec<Weakness>,
+    pub warnings: Vec<Warning>,
     /// Standard error ellipse of by and bz in mm, with what the interior orientations add where that is known.
     pub base_ellipse_mm: Option<ErrorEllipse>,
     /// Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.

@@ -1,22 +1,13 @@
 //! Where a point of one image may be seen in the other, by what relates the two views.
 
 use super::PairInterior;
-use crate::TwoViewModel;
+use crate::{Side, TwoViewModel};
 use nalgebra::{Matrix3, Vector3};
-use serde::{Deserialize, Serialize};
 
 /// Positions by which an epipolar line is given: distortion bends it.
 const POSITIONS: usize = 65;
 
-/// The image in which a point lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum PairSide {
-    Left,
-    Right,
-}
-
-impl PairSide {
+impl Side {
     fn index(self) -> usize {
         usize::from(self == Self::Right)
     }
@@ -30,7 +21,7 @@ impl PairSide {
 pub fn epipolar_line(
     model: &TwoViewModel,
     interior: Option<&PairInterior>,
-    (side, [x, y]): (PairSide, [f64; 2]),
+    (side, [x, y]): (Side, [f64; 2]),
     other_size: (usize, usize),
 ) -> Vec<[f64; 2]> {
     let sides = interior.map(|pair| [&pair.left, &pair.right]);
@@ -43,13 +34,13 @@ pub fn epipolar_line(
     match model {
         TwoViewModel::Homography { homography } | TwoViewModel::Rotation { homography, .. } => {
             let map = matrix(homography);
-            let seen = if side == PairSide::Left { Some(map * from) } else { map.try_inverse().map(|back| back * from) };
+            let seen = if side == Side::Left { Some(map * from) } else { map.try_inverse().map(|back| back * from) };
             let place = seen.filter(|seen| seen.z != 0.0).and_then(|seen| to_image([seen.x / seen.z, seen.y / seen.z]));
             place.filter(within).into_iter().collect()
         }
         TwoViewModel::Calibrated { fundamental, .. } | TwoViewModel::Fundamental { fundamental } => {
             let matrix = matrix(fundamental);
-            let line = if side == PairSide::Left { matrix * from } else { matrix.transpose() * from };
+            let line = if side == Side::Left { matrix * from } else { matrix.transpose() * from };
             let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
             let corners = corners.map(|[x, y]: [f64; 2]| other.map_or([x, y], |other| other.undistorted_px(x, y)));
             let positions: Vec<[f64; 2]> = along(&line, &corners).into_iter().filter_map(to_image).collect();
@@ -94,7 +85,7 @@ mod tests {
 
     #[test]
     fn the_line_of_a_point_is_its_row_where_the_base_is_the_x_axis() {
-        for side in [PairSide::Left, PairSide::Right] {
+        for side in [Side::Left, Side::Right] {
             let line = epipolar_line(&ROWS, None, (side, [300.0, 200.0]), (1000, 800));
             assert_eq!(line.len(), POSITIONS);
             assert!(line.iter().all(|[_, y]| (y - 200.0).abs() < 1e-9));
@@ -107,7 +98,7 @@ mod tests {
     #[test]
     fn distortion_bends_the_line_and_its_rays_stay_on_it() {
         let pair = interior();
-        let line = epipolar_line(&ROWS, Some(&pair), (PairSide::Left, [120.0, 90.0]), (1000, 800));
+        let line = epipolar_line(&ROWS, Some(&pair), (Side::Left, [120.0, 90.0]), (1000, 800));
         let wanted = pair.left.photo_mm(120.0, 90.0)[1];
         assert!(line.iter().all(|[x, y]| (pair.right.photo_mm(*x, *y)[1] - wanted).abs() < 1e-9));
         let rows: Vec<f64> = line.iter().map(|p| p[1]).collect();
@@ -119,10 +110,10 @@ mod tests {
     fn a_map_of_a_plane_gives_one_place_and_leads_back() {
         let homography = [[0.9, 0.1, 20.0], [-0.1, 1.1, 5.0], [1e-5, 0.0, 1.0]];
         let model = TwoViewModel::Homography { homography };
-        let place = epipolar_line(&model, None, (PairSide::Left, [300.0, 200.0]), (1000, 800));
+        let place = epipolar_line(&model, None, (Side::Left, [300.0, 200.0]), (1000, 800));
         assert_eq!(place.len(), 1);
-        let back = epipolar_line(&model, None, (PairSide::Right, place[0]), (1000, 800));
+        let back = epipolar_line(&model, None, (Side::Right, place[0]), (1000, 800));
         assert!((back[0][0] - 300.0).abs() < 1e-9 && (back[0][1] - 200.0).abs() < 1e-9);
-        assert_eq!(epipolar_line(&model, None, (PairSide::Left, [5000.0, 200.0]), (1000, 800)), [[0.0; 2]; 0]);
+        assert_eq!(epipolar_line(&model, None, (Side::Left, [5000.0, 200.0]), (1000, 800)), [[0.0; 2]; 0]);
     }
 }

@@ -1,7 +1,7 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::{PairImage, PairInput, PhotoInput};
-use crate::{CameraMm, Error, FocalEstimate, Interior, orient_fiducials};
+use super::{NoOrientation, PairImage, PairInput, PhotoInput};
+use crate::{CameraMm, Error, FocalEstimate, Interior, Side, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
@@ -38,23 +38,27 @@ impl PairInterior {
     }
 }
 
-/// The interior orientations; or, in words, what is missing.
-pub(super) fn pair_interior(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput) -> Result<Result<PairInterior, String>, Error> {
-    let of = |side: &'static str, image: PairImage<'_>, photo: &PhotoInput| {
+/// The interior orientations; or what is missing.
+pub(super) fn pair_interior(
+    left: PairImage<'_>,
+    right: PairImage<'_>,
+    input: &PairInput,
+) -> Result<Result<PairInterior, NoOrientation>, Error> {
+    let of = |side: Side, image: PairImage<'_>, photo: &PhotoInput| {
         let camera = match (&input.camera, image.exif) {
             (Some(camera), _) => *camera,
             (None, Some(exif)) => CameraMm::from_exif(exif)?,
             (None, None) if photo.fiducials.is_empty() => {
-                return Ok(Err(format!("no camera is given and the {side} image names no focal length")));
+                return Ok(Err(NoOrientation::NoCamera { side }));
             }
-            (None, None) => return Ok(Err("fiducials are given, but no focal length".to_string())),
+            (None, None) => return Ok(Err(NoOrientation::NoFocalLength)),
         };
         if photo.fiducials.is_empty() && camera.pixel_mm.is_none() {
-            return Ok(Err(format!("the {side} image has neither fiducials nor a pixel size")));
+            return Ok(Err(NoOrientation::NoPixelSize { side }));
         }
         Ok(Ok((photo_interior(&camera, image.grey.width(), image.grey.height(), photo)?, camera.focal_mm)))
     };
-    Ok(match (of("left", left, &input.left)?, of("right", right, &input.right)?) {
+    Ok(match (of(Side::Left, left, &input.left)?, of(Side::Right, right, &input.right)?) {
         (Ok((left, focal_mm)), Ok((right, right_focal))) => {
             // Only directions matter: the right photo is taken to the focal length of the left one.
             Ok(PairInterior { left, right: right.scaled(focal_mm / right_focal), focal_mm })

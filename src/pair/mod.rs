@@ -9,16 +9,17 @@ mod rounds;
 mod verification;
 
 pub use described::{DescribedImage, describe_image};
-pub use epipolar::{PairSide, epipolar_line};
+pub use epipolar::epipolar_line;
 pub use geometry::{PairInterior, photo_interior};
 pub use orienting::{match_weights, observations, orient_matches};
 pub use rounds::{PairMatching, match_in_rounds};
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 
+use crate::message::messages;
 use crate::{
     CameraMm, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
-    MultiscaleOptions, NearestTable, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, TwoView, TwoViewOptions,
-    WindowOptions, estimate_offset,
+    MultiscaleOptions, NearestTable, NoGeometry, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, Side,
+    TwoView, TwoViewOptions, WindowOptions, estimate_offset,
 };
 use serde::{Deserialize, Serialize};
 
@@ -74,10 +75,32 @@ pub struct PairResult {
     pub offset: Option<OffsetField>,
     pub matching: MatchSet,
     /// As in [`PairMatching`].
-    pub geometry: Option<Result<TwoView, String>>,
+    pub geometry: Option<Result<TwoView, NoGeometry>>,
     pub interior: Option<PairInterior>,
-    /// The orientation; or, in words, why there is none.
-    pub orientation: Result<RelativeOrientation, String>,
+    /// The orientation; or why there is none.
+    pub orientation: Result<RelativeOrientation, NoOrientation>,
+}
+
+messages! {
+    /// Why a pair has no orientation.
+    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum NoOrientation as "no_orientation" {
+        /// No camera is given, and an image names none.
+        NoCamera { side: Side },
+        /// Fiducial marks without a focal length.
+        NoFocalLength,
+        /// An image with neither fiducial marks nor a pixel size.
+        NoPixelSize { side: Side },
+        NoGeometry { no_geometry: NoGeometry },
+        PureRotation,
+        /// The orientation refuses the matches.
+        Refused {
+            #[cfg_attr(target_arch = "wasm32", tsify(type = "{ kind: string }"))]
+            error: Error,
+        },
+    }
 }
 
 /// An image with the camera that its file names.
@@ -128,15 +151,14 @@ pub fn match_described_pair(
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
     let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));
-    let from_one_place = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
+    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
     let orientation = match (&interior, &geometry) {
-        (Err(reason), _) | (Ok(_), Some(Err(reason))) => Err(reason.clone()),
-        _ if from_one_place => {
-            Err("the photos were taken from one place: they differ by a rotation alone, so there is no base".to_string())
-        }
+        (Err(reason), _) => Err(reason.clone()),
+        (Ok(_), Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
+        _ if is_rotation => Err(NoOrientation::PureRotation),
         (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
-            outcome => outcome.map_err(|error| error.to_string()),
+            outcome => outcome.map_err(|error| NoOrientation::Refused { error }),
         },
     };
     let [left, right] = described.map(|image| image.set);

@@ -2,9 +2,9 @@
 
 use super::PairInterior;
 use crate::math::median;
-use crate::orientation::BY_AND_BZ;
 use crate::{
-    Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors, orient_relative_with,
+    Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
+    orient_relative_with,
 };
 
 /// Windows of points nearer than this overlap, or see the same edges and roofs.
@@ -30,7 +30,7 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
     let plain = orient_along_x(matches, interior, options);
     let is_across = match &plain {
         Ok(found) => found.parameters.by_mm.abs() > found.base_mm.abs(),
-        Err(error) => matches!(error, Error::Degenerate { what: BY_AND_BZ, .. }),
+        Err(error) => matches!(error, Error::Degenerate { computation: Computation::ByAndBz, .. }),
     };
     if !is_across {
         return plain;

@@ -5,8 +5,8 @@ use super::verification::{PairCameras, verify};
 use super::{PairInterior, PairSettings, orient_matches};
 use crate::matching::{refine, verified_set};
 use crate::{
-    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, RelativeOrientation, Strategy,
-    TwoView, match_images,
+    DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation,
+    Strategy, TwoView, match_images,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.
@@ -22,8 +22,8 @@ const LEAST_TOLERANCE_PX: f64 = 1.5;
 pub struct PairMatching {
     pub set: MatchSet,
     /// For the strategy that looks for no expected place: what relates the views, by which its matches were verified; its inliers are
-    /// indices of the matches. Or, in words, why there is nothing.
-    pub geometry: Option<Result<TwoView, String>>,
+    /// indices of the matches. Or why there is nothing.
+    pub geometry: Option<Result<TwoView, NoGeometry>>,
 }
 
 /// Matches a pair; with `settings.matching.epipolar` and a camera, matches again along the epipolar lines of its orientation until

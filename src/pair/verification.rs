@@ -6,8 +6,8 @@ use super::frames::CommonFrame;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{
-    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, Pinhole, TwoView, TwoViewModel,
-    TwoViewOptions, guided_matches, nearest_matches, two_view,
+    DESCRIPTOR_BYTES, DescriptorMatch, Error, Guide, GuidedOptions, Interior, Located, NearestOptions, NoGeometry, Pinhole, TwoView,
+    TwoViewModel, TwoViewOptions, guided_matches, nearest_matches, two_view,
 };
 use serde::{Deserialize, Serialize};
 
@@ -43,8 +43,8 @@ pub struct FeatureMatchOptions {
 pub struct VerifiedMatches {
     /// Those that agree with the geometry, in ascending order of the left features; none without one.
     pub matches: Vec<DescriptorMatch>,
-    /// Its inliers are indices of `matches`: all of them. Or, in words, why there is none.
-    pub geometry: Result<TwoView, String>,
+    /// Its inliers are indices of `matches`: all of them. Or why there is none.
+    pub geometry: Result<TwoView, NoGeometry>,
 }
 
 /// Matches the features of two images: nearest descriptors, the geometry of the two views, then more matches along its epipolar lines (or
@@ -94,8 +94,7 @@ pub(super) fn verify(
     let first: Vec<DescriptorMatch> = first.iter().filter(|m| !unwanted(m)).copied().collect();
     let start = match two_view(&positions(&first), options) {
         Ok(start) => start,
-        Err(error) if error.is_usage() || matches!(error, Error::InvalidInput { .. }) => return Err(error),
-        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(error.to_string()) }),
+        Err(error) => return Ok(VerifiedMatches { matches: Vec::new(), geometry: Err(NoGeometry::of(error)?) }),
     };
     let agreeing: Vec<DescriptorMatch> = start.inliers.iter().map(|k| first[*k]).collect();
     let largest_distance = Some(farthest_alike(left, right, &agreeing));

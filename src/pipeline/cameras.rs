@@ -105,8 +105,9 @@ pub(super) fn doubtful(cameras: &[InitialCamera]) -> impl Iterator<Item = Remark
     cameras.iter().filter_map(|camera| {
         let focal_px = camera.focal_px?;
         let sides = focal_px / f64::from(camera.width_px.max(camera.height_px));
-        let is_usual = (USUAL_FOCAL[0]..=USUAL_FOCAL[1]).contains(&sides);
-        (!is_usual).then(|| Remark::DoubtfulFocal { camera: camera.label.clone(), focal_px, sides, usual: USUAL_FOCAL })
+        let [least, most] = USUAL_FOCAL;
+        let label = camera.label.clone();
+        (!(least..=most).contains(&sides)).then_some(Remark::DoubtfulFocal { label, focal_px, sides, least, most, in_mm: sides < least })
     })
 }
 

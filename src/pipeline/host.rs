@@ -1,9 +1,9 @@
 //! The run of a block on this machine: threads that do its jobs, and a folder that keeps its records.
 
 use super::records::digest;
-use super::{BlockRun, Failure, FileNeeded, Job, News, Run, RunInput, execute};
-use crate::Error;
+use super::{BlockRun, FileNeeded, Job, News, Run, RunInput, execute};
 use crate::text::by_numbers;
+use crate::{Error, Failure};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Condvar, Mutex};

@@ -1,6 +1,5 @@
 //! The first stage: every image is decoded once, and its features are kept.
 
-use super::Failure;
 use super::features::Features;
 use super::job::{Done, FileNeeded, News, ReadImage, StageName, Work};
 use super::likeness::coarse_of;
@@ -9,7 +8,7 @@ use super::stage::{Request, Stage};
 use super::state::{Positions, State};
 use super::task::{FeatureTask, Task};
 use super::{RunImage, SkippedImage};
-use crate::Error;
+use crate::{Error, Failure};
 
 /// What is known of an image once it was read.
 pub(super) struct Read {

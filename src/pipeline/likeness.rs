@@ -1,13 +1,12 @@
 //! Which images are alike: how many coarse features each two have in common.
 
-use super::Failure;
 use super::features::Features;
 use super::job::{Done, StageName, Work};
 use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_record};
 use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{LikenessTask, Task};
-use crate::{DESCRIPTOR_BYTES, Error, NearestOptions, nearest_matches};
+use crate::{DESCRIPTOR_BYTES, Error, Failure, NearestOptions, nearest_matches};
 
 /// How many features of the largest scales say whether images are alike.
 const COARSE: usize = 256;

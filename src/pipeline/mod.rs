@@ -34,7 +34,7 @@ pub use input::{ControlTexts, RunInput};
 pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
 pub use masks::masks_of;
 pub use records::digest;
-pub use remark::{Failure, Remark};
+pub use remark::{ImpossiblePosition, Remark};
 pub use result::{BlockRun, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;
 pub use task::{Task, execute};

@@ -1,6 +1,5 @@
 //! Every chosen pair is matched once, and its verified matches are kept.
 
-use super::Failure;
 use super::cameras::{PairCamera, pair_cameras};
 use super::features::Features;
 use super::job::{Done, News, StageName, Work};
@@ -9,8 +8,8 @@ use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{PairTask, Task};
 use crate::{
-    ChosenPair, Connection, DescriptorMatch, Error, FeatureMatch, FeatureMatchOptions, Located, PairOutcome, TwoView, TwoViewOptions,
-    match_features,
+    ChosenPair, Connection, DescriptorMatch, Error, Failure, FeatureMatch, FeatureMatchOptions, Located, PairOutcome, TwoView,
+    TwoViewOptions, match_features,
 };
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +60,7 @@ pub(super) fn execute(task: &PairTask, records: [&[u8]; 2]) -> Result<Vec<u8>, E
     let found = match_features(left.located(), right.located(), &options)?;
     let matches = found.matches.len() as u32;
     let (outcome, geometry) = match found.geometry {
-        Err(reason) => (PairOutcome::NotOriented { matches, reason }, None),
+        Err(no_geometry) => (PairOutcome::NotOriented { no_geometry }, None),
         // All matches agree with it.
         Ok(geometry) => {
             let geometry = Some(TwoView { inliers: Vec::new(), ..geometry });
@@ -146,7 +145,7 @@ impl Stage for Pairs {
     }
 
     fn fail(&mut self, item: usize, failure: Failure, state: &mut State) -> Result<Done, Error> {
-        let outcome = PairOutcome::Failed { reason: failure.of_one()?.to_string() };
+        let outcome = PairOutcome::Failed { failure: failure.of_one()? };
         Ok(self.done(item, outcome, None, Vec::new(), state))
     }
 }

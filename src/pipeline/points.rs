@@ -1,12 +1,12 @@
 //! The matches of all pairs are joined to tie points, few of them are chosen, and the block is oriented: the run computes this itself.
 
+use super::JoinedPoints;
 use super::job::{Done, StageName, Work};
 use super::stage::{Request, Stage};
 use super::state::State;
-use super::{Failure, JoinedPoints};
 use crate::{
-    BlockMatches, BlockModel, Error, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points, shared_points,
-    tie_points,
+    BlockMatches, BlockModel, Error, Failure, Reconstruction, ReconstructionOptions, TiePoints, reconstruct_block, select_points,
+    shared_points, tie_points,
 };
 
 /// Which of the computations a stage is.

@@ -7,8 +7,8 @@ use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{RefineTask, Task};
 use super::windows::Windows;
-use super::{Failure, RefinedObservation, RefinementTable};
-use crate::{Error, ObservationWindows, PointRefiner, WindowCentre, WindowedObservation};
+use super::{RefinedObservation, RefinementTable};
+use crate::{Error, Failure, ObservationWindows, PointRefiner, WindowCentre, WindowedObservation};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::Range;
 

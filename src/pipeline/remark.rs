@@ -1,79 +1,32 @@
-//! What of the input is not taken as it was given, or is hardly right; and why jobs fail.
+//! What of the input is not taken as it was given, or is hardly right.
 
-use crate::Error;
+use crate::message::messages;
+use crate::{Error, Failure};
 use serde::{Deserialize, Serialize};
-use std::fmt;
 
-/// What the user is told of the input beside the images that were skipped.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+messages! {
+    /// What the run reports of its input beside the images that it skips.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Remark as "remark" {
+        /// No image has a name that fits the pattern of a camera.
+        UnusedCamera { images: String },
+        /// A focal length that hardly is one in px. `label`: of the camera; `sides`: the focal length in longer sides of the image, of which
+        /// `least` to `most` are usual; `in_mm`: whether it is small enough to be one in mm.
+        DoubtfulFocal { label: String, focal_px: f64, sides: f64, least: f64, most: f64, in_mm: bool },
+        /// GNSS positions, or their heights, that cannot be.
+        ImpossiblePositions { images: Vec<ImpossiblePosition> },
+    }
+}
+
+/// An image with a GNSS position, or a height of it, that cannot be.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Remark {
-    /// No image has a name that fits the pattern of a camera.
-    UnusedCamera { images: String },
-    /// A focal length that hardly is one in px.
-    DoubtfulFocal {
-        camera: String,
-        focal_px: f64,
-        /// The focal length in longer sides of the image.
-        sides: f64,
-        /// What is usual of these.
-        usual: [f64; 2],
-    },
-    /// GNSS positions, or their heights, that cannot be: images, each with the value.
-    ImpossiblePositions { images: Vec<[String; 2]> },
-}
-
-/// Images are named one by one up to so many.
-const NAMED: usize = 5;
-
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::UnusedCamera { images } => write!(f, "the camera of {images} is of none of the images"),
-            Self::DoubtfulFocal { camera, focal_px, sides, usual: [least, most] } => {
-                let in_mm = if sides < least { ": is it in mm?" } else { "" };
-                let rounded = format!("{sides:.1e}").parse().unwrap_or(*sides);
-                write!(
-                    f,
-                    "the focal length of {camera} is {focal_px} px, {rounded} of the longer side of the image, where {least} to {most} are usual{in_mm}"
-                )
-            }
-            Self::ImpossiblePositions { images } => {
-                let named: Vec<String> = images.iter().take(NAMED).map(|[name, value]| format!("{name} ({value})")).collect();
-                let more = images.len().checked_sub(NAMED + 1).map_or(String::new(), |more| format!(" and {} more", more + 1));
-                write!(f, "impossible recorded positions and heights are left out: {}{more}", named.join(", "))
-            }
-        }
-    }
-}
-
-/// Why a job of the run, or the reading of a file that it needs, failed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Failure {
-    /// The host could not read the file, in its words.
-    Unreadable { message: String },
-    /// The job refused its input: [`Error::code`], its text, and [`Error::is_usage`].
-    Refused { code: String, message: String, usage: bool },
-    /// The worker broke down, as where memory ran out.
-    BrokeOff { message: String },
-}
-
-impl From<&Error> for Failure {
-    fn from(error: &Error) -> Self {
-        Self::Refused { code: error.code().into(), message: error.to_string(), usage: error.is_usage() }
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unreadable { message } | Self::Refused { message, .. } => f.write_str(message),
-            Self::BrokeOff { message } => write!(f, "the computation broke off ({message})"),
-        }
-    }
+pub struct ImpossiblePosition {
+    pub name: String,
+    /// As the file has it.
+    pub value: String,
 }
 
 impl Failure {

@@ -1,9 +1,9 @@
 //! What the run of a block finds.
 
-use super::{Failure, Remark};
+use super::Remark;
 use crate::{
-    BlockModel, BlockSettings, Camera, Connection, Error, ExifImage, FreeParameters, JoinCounts, KnownCamera, Project, Reconstruction,
-    RefinementOutcome, SharedPoints, TwoView,
+    BlockModel, BlockSettings, Camera, Connection, Error, ExifImage, Failure, FreeParameters, JoinCounts, KnownCamera, Project,
+    Reconstruction, RefinementOutcome, SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 

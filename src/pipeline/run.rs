@@ -1,5 +1,6 @@
 //! The run of a block as a state machine: it hands out jobs and takes their bytes.
 
+use super::BlockRun;
 use super::images::Images;
 use super::input::RunInput;
 use super::job::{Job, News, Step, Work};
@@ -10,8 +11,7 @@ use super::refinement::Refinement;
 use super::stage::Stage;
 use super::state::State;
 use super::windows::WindowStage;
-use super::{BlockRun, Failure};
-use crate::{Error, PairRule, RefinementMethod, SelectOptions, choose_pairs, select_points};
+use crate::{Error, Failure, PairRule, RefinementMethod, SelectOptions, choose_pairs, select_points};
 use std::collections::BTreeMap;
 
 /// The run of a block. It reads no file, starts no thread and knows no clock: the host does its jobs, any number at the same time and in

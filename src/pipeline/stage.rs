@@ -1,9 +1,8 @@
 //! What the stages of a run have in common.
 
-use super::Failure;
 use super::job::{Done, FileNeeded, StageName, Work};
 use super::state::State;
-use crate::Error;
+use crate::{Error, Failure};
 
 /// A job of a stage before it has a number of its own.
 pub(super) struct Request {

@@ -5,7 +5,7 @@ use super::control::gnss_observation;
 use super::images::Read;
 use super::input::Checked;
 use super::pairs::Matched;
-use super::{BlockRun, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
+use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::{BlockDescription, BlockModel, Error, ExifImage, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic};
 
 /// Positions of an image's features in px.
@@ -93,8 +93,8 @@ impl State {
     }
 
     fn impossible_positions(&self) -> Option<Remark> {
-        let value = |image: &RunImage| image.exif.impossible.clone().map(|value| [image.name.clone(), value]);
-        let images: Vec<[String; 2]> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
+        let value = |image: &RunImage| Some(ImpossiblePosition { name: image.name.clone(), value: image.exif.impossible.clone()? });
+        let images: Vec<ImpossiblePosition> = self.images.iter().filter(|_| self.input.use_gnss).filter_map(value).collect();
         (!images.is_empty()).then_some(Remark::ImpossiblePositions { images })
     }
 

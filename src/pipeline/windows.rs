@@ -1,13 +1,12 @@
 //! Windows around the observations of many points are cut out of each image, which is decoded once more for them.
 
-use super::Failure;
 use super::features::Features;
 use super::job::{Done, FileNeeded, StageName, Work};
 use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_record};
 use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{Task, WindowTask};
-use crate::{DecodeLimits, Error, WindowCentre, decode, observation_windows};
+use crate::{DecodeLimits, Error, Failure, WindowCentre, decode, observation_windows};
 use serde::{Deserialize, Serialize};
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

@@ -4,10 +4,11 @@ use super::choosing::{adjusting_points, given};
 use super::growth::Growth;
 use super::material::Material;
 use super::net::Net;
-use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation, UnorientedReason};
-use super::weaknesses::weaknesses;
-use crate::Error;
+use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation};
+use super::review::warnings;
+use super::warning::UnorientedReason;
 use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, ControlPoint, Datum, adjust_block};
+use crate::{Cause, Error};
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
@@ -53,7 +54,7 @@ fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<Unori
         drop_images(net, LEAST_RAYS, lost);
         let draft = Draft::new(material, net)?;
         match draft.adjust(material) {
-            Ok((adjusted, in_system, complaint)) => return given(material, draft.model(material, adjusted, in_system, complaint)),
+            Ok((adjusted, in_system, cause)) => return given(material, draft.model(material, adjusted, in_system, cause)),
             // What an image hangs by may fall in data snooping.
             Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;
@@ -144,7 +145,7 @@ impl Draft {
 
     /// Adjusts in the datum that was asked for, or in the best that the observed positions allow; tells whether it lies in their system, and
     /// why not, where it should.
-    fn adjust(&self, material: &Material<'_>) -> Result<(AdjustmentResult, bool, Option<String>), Error> {
+    fn adjust(&self, material: &Material<'_>) -> Result<(AdjustmentResult, bool, Option<Cause>), Error> {
         let options = material.options;
         let with = |datum: Datum| adjust_block(&self.block, &AdjustmentOptions { datum, ..options.adjustment.clone() });
         if let Some(datum) = options.datum {
@@ -160,19 +161,18 @@ impl Draft {
         };
         match with(datum) {
             Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
-            Err(Error::Degenerate { what: "the datum", reason }) => with(Datum::Free).map(|adjusted| (adjusted, false, Some(reason))),
             // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end. Wrong ones pull images
             // off their rays.
-            Err(error @ (Error::NotConverged { .. } | Error::Degenerate { .. } | Error::UndeterminedImage { .. }))
+            Err(Error::NotConverged { cause, .. } | Error::Degenerate { cause, .. } | Error::UndeterminedImage { cause, .. })
                 if datum != Datum::Free =>
             {
-                with(Datum::Free).map(|adjusted| (adjusted, false, Some(error.to_string())))
+                with(Datum::Free).map(|adjusted| (adjusted, false, Some(cause)))
             }
             Err(error) => Err(error),
         }
     }
 
-    fn model(self, material: &Material<'_>, adjusted: AdjustmentResult, in_system: bool, complaint: Option<String>) -> ReconstructedModel {
+    fn model(self, material: &Material<'_>, adjusted: AdjustmentResult, in_system: bool, cause: Option<Cause>) -> ReconstructedModel {
         let guessed = |camera: &usize| material.description.cameras[*camera].focal_px.is_none();
         let mut model = ReconstructedModel {
             guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
@@ -183,9 +183,9 @@ impl Draft {
             rejected: self.rejected,
             adjusted,
             in_system,
-            weaknesses: Vec::new(),
+            warnings: Vec::new(),
         };
-        model.weaknesses = weaknesses(&model, material.description, material.frame, complaint);
+        model.warnings = warnings(&model, material.description, material.frame, cause);
         model
     }
 }
@@ -193,6 +193,7 @@ impl Draft {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Computation;
     use crate::reconstruction::options::ReconstructionOptions;
     use crate::reconstruction::rays::Rays;
 
@@ -202,9 +203,9 @@ mod tests {
         let mut net = Net::new(&rays, &[0; 4], &[100.0], Vec::new(), &ReconstructionOptions::default());
         net.accepted.iter_mut().for_each(|accepted| *accepted = true);
         let images = [0, 2, 3];
-        let named = Error::UndeterminedImage { what: "the bundle adjustment", image: 1, reason: String::new() };
+        let named = Error::UndeterminedImage { computation: Computation::BundleAdjustment, image: 1, cause: Cause::NoPosition };
         assert_eq!(undetermined(&named, &images, &net), Some(2));
-        let unnamed = Error::Degenerate { what: "the bundle adjustment", reason: String::new() };
+        let unnamed = Error::Degenerate { computation: Computation::BundleAdjustment, cause: Cause::PointInPlane };
         assert_eq!(undetermined(&unnamed, &images, &net), Some(3));
     }
 }

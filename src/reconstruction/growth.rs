@@ -4,8 +4,8 @@ use super::adjusting::{CALIBRATED, CameraPrior, MANY, adjust};
 use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::resection::resect;
-use super::result::UnorientedReason;
 use super::start::StartPair;
+use super::warning::UnorientedReason;
 use std::collections::BTreeMap;
 
 /// Up to so many images all are adjusted in every round; beyond, all are when there are this many times as many as the last time.

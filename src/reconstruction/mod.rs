@@ -20,12 +20,12 @@ mod reconstruct;
 mod refusal;
 mod resection;
 mod result;
+mod review;
 mod start;
 mod units;
-mod weaknesses;
+mod warning;
 
 pub use options::ReconstructionOptions;
 pub use reconstruct::reconstruct_block;
-pub use result::{
-    ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, UnorientedImage, UnorientedReason,
-};
+pub use result::{ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, UnorientedImage};
+pub use warning::{BlockWarning, LengthUnit, Observed, RejectedPosition, UnorientedReason};

@@ -9,8 +9,9 @@ use super::net::Net;
 use super::options::ReconstructionOptions;
 use super::rays::Rays;
 use super::refusal::check;
-use super::result::{ReconstructedModel, Reconstruction, UnorientedImage, UnorientedReason};
+use super::result::{ReconstructedModel, Reconstruction, UnorientedImage};
 use super::start::start_pairs;
+use super::warning::UnorientedReason;
 use crate::Error;
 use crate::camera::Camera;
 use crate::model::{BlockDescription, KnownCamera};
@@ -89,7 +90,7 @@ pub fn reconstruct_block(
     let unoriented = (0..images).filter(|image| !is_oriented[*image]).map(|image| {
         let known = rays.of_image(image).len();
         let reason = if known == 0 { UnorientedReason::NoPoints } else { refused[image].unwrap_or(UnorientedReason::NoPartner) };
-        UnorientedImage { image, reason, text: reason.in_words(&description.images[image].name) }
+        UnorientedImage { image, reason }
     });
     let unoriented = unoriented.collect();
     let origin = frame.origin.filter(|_| models.iter().any(|model| model.in_system));

@@ -2,7 +2,7 @@
 
 use super::net::{Net, residual};
 use super::p3p::p3p;
-use super::result::UnorientedReason;
+use super::warning::UnorientedReason;
 use crate::adjustment::linearise;
 use crate::camera::Pose;
 use crate::math::Random;

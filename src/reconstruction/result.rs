@@ -1,5 +1,6 @@
 //! What the reconstruction of a block gives.
 
+use super::warning::{BlockWarning, UnorientedReason};
 use crate::adjustment::AdjustmentResult;
 use crate::model::GeographicOrigin;
 use serde::{Deserialize, Serialize};
@@ -33,8 +34,7 @@ pub struct ReconstructedModel {
     pub adjusted: AdjustmentResult,
     /// Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
     pub in_system: bool,
-    /// What is weak about it, in words.
-    pub weaknesses: Vec<String>,
+    pub warnings: Vec<BlockWarning>,
 }
 
 /// What a point of an adjusted block is.
@@ -80,27 +80,4 @@ pub struct UnorientedImage {
     /// Index of the image.
     pub image: usize,
     pub reason: UnorientedReason,
-    /// The same in words.
-    pub text: String,
-}
-
-/// Why an image is not oriented.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum UnorientedReason {
-    /// It has no multi-ray points at all.
-    NoPoints,
-    /// Too few of its points were intersected by oriented images.
-    TooFewPoints { points: usize, needed: usize },
-    /// Too few of its rays agree on one orientation.
-    NoAgreement { agreeing: usize, points: usize, needed: usize },
-    /// The rays that agree lie on a line or in one spot of the image.
-    Narrow { agreeing: usize },
-    /// No second image has enough points in common with it from a place far enough away.
-    NoPartner,
-    /// It was oriented, and then lost nearly all of its rays.
-    Lost { rays: usize },
-    /// It was oriented, and the rays it had left did not determine its orientation in the bundle adjustment.
-    Undetermined { rays: usize },
 }

@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::result::ReconstructedModel;
+use super::warning::{BlockWarning, LengthUnit};
 use crate::math::median;
 use crate::model::{BlockDescription, ObservedPosition};
 
@@ -15,9 +16,14 @@ const LARGEST_SHARE: f64 = 0.25;
 const LEAST_DISTANCES: usize = 3;
 /// Images between which distances are compared, about.
 const COMPARED: usize = 200;
-/// Numbers of a unit in a metre, and its name.
-const UNITS: [(f64, &str); 5] =
-    [(1000.0, "millimetres"), (100.0, "centimetres"), (39.37, "inches"), (3.281, "feet"), (0.001, "kilometres")];
+/// Numbers of a unit in a metre.
+const UNITS: [(f64, LengthUnit); 5] = [
+    (1000.0, LengthUnit::Millimetres),
+    (100.0, LengthUnit::Centimetres),
+    (39.37, LengthUnit::Inches),
+    (3.281, LengthUnit::Feet),
+    (0.001, LengthUnit::Kilometres),
+];
 /// A ratio within this of a unit's is taken for it: the logarithm of 1.15.
 const NEAR_UNIT_LOG: f64 = 0.14;
 /// Surveyed points within a degree are near each other; heights do not come as small.
@@ -25,15 +31,11 @@ const LARGEST_EXTENT_DEG: f64 = 1.0;
 const LEAST_HEIGHT: f64 = 10.0;
 
 /// What speaks against metres.
-pub(super) fn of_units(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<String> {
+pub(super) fn of_units(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
     let ratio = ratio_of_lengths(model, frame).filter(|_| model.in_system);
-    let scale = ratio.map(|ratio| {
-        let unit = UNITS.iter().find(|(per_metre, _)| libm::log(ratio / per_metre).abs() < NEAR_UNIT_LOG);
-        let asked = unit.map_or("metres are needed.".to_string(), |(_, name)| format!("are they in {name}?"));
-        format!("The surveyed points make the block {} times as large as the recorded positions: {asked}", figures(ratio))
-    });
-    let degrees = ((!model.in_system || ratio.is_some()) && look_like_degrees(description))
-        .then(|| "The x and y of the surveyed points look like longitude and latitude: metres are needed, not degrees.".to_string());
+    let unit = |ratio: f64| UNITS.iter().find(|(per_metre, _)| libm::log(ratio / per_metre).abs() < NEAR_UNIT_LOG).map(|(_, unit)| *unit);
+    let scale = ratio.map(|ratio| BlockWarning::Scale { ratio, unit: unit(ratio) });
+    let degrees = ((!model.in_system || ratio.is_some()) && look_like_degrees(description)).then_some(BlockWarning::Degrees);
     scale.into_iter().chain(degrees).collect()
 }
 
@@ -85,24 +87,4 @@ fn look_like_degrees(description: &BlockDescription) -> bool {
         && other <= 180.0
         && extent(0).max(extent(1)) <= LARGEST_EXTENT_DEG
         && median(&mut places.iter().map(|p| p[2].abs()).collect::<Vec<_>>()).is_some_and(|height| height >= LEAST_HEIGHT)
-}
-
-/// A ratio with two figures: recorded positions do not tell more.
-fn figures(ratio: f64) -> String {
-    let exponent = libm::floor(libm::log10(ratio)) as i32;
-    if exponent < 1 {
-        return format!("{ratio:.*}", (1 - exponent) as usize);
-    }
-    let unit = libm::pow(10.0, f64::from(exponent - 1));
-    format!("{:.0}", libm::round(ratio / unit) * unit)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ratios_have_two_figures() {
-        assert_eq!([0.001_012, 0.3048, 3.32, 39.4, 1012.0].map(figures), ["0.0010", "0.30", "3.3", "39", "1000"]);
-    }
 }

@@ -2,7 +2,7 @@
 
 use super::text::{count, fixed};
 use super::{Report, figures, picture};
-use crate::{Error, FiducialModel, PARAMETERS, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, Weakness, orient_fiducials};
+use crate::{Error, FiducialModel, PARAMETERS, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -135,12 +135,6 @@ fn extremes(report: &Report, orientation: &RelativeOrientation, title: &str, pix
 /// The figures of the adjustment as a whole, and its pictures.
 pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
     let study = &report.studies[0];
-    let weaknesses = orientation.weaknesses.iter().map(|weakness| match weakness {
-        Weakness::Plane => "all points lie in a plane within their precision: a second orientation fits nearly as well",
-        Weakness::Rotation => "the photos hardly differ but by a rotation: the base is too short to be told from noise and distortion",
-        Weakness::Clustered => "the points cover a small part of the photo",
-        Weakness::IllConditioned => "the unknowns can hardly be told apart, as over a critical cylinder",
-    });
     let base_errors = study.errors.map(|e| [e[3], e[4]]).filter(|e| e.iter().all(|v| v.is_finite()));
     html! {
         dl {
@@ -154,7 +148,7 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
                 dt { "Global test" }
                 dd { (fixed(test.statistic, 1)) ", expected between " (fixed(test.lower, 1)) " and " (fixed(test.upper, 1)) ": " (if test.passed { "passed" } else { "failed" }) }
             }
-            @for weakness in weaknesses { dt { "Weak" } dd { (weakness) } }
+            @for warning in &orientation.warnings { dt { "Warning" } dd { (warning) } }
         }
         p.note { "σ₀ is computed from y-parallaxes: a wrong match along its epipolar line leaves it unchanged." }
         div.pair {

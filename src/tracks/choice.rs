@@ -1,21 +1,24 @@
 //! Which pairs of images are worth matching: all, those near each other, those that follow each other, those that look alike.
 
 use crate::Error;
+use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
-/// Why a pair was chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum PairRule {
-    /// All pairs were chosen.
-    All,
-    /// One is among the nearest of the other.
-    Near,
-    /// One follows the other.
-    Sequence,
-    /// One is among the most similar to the other.
-    Alike,
+messages! {
+    /// Why a pair was chosen.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PairRule as "rule" {
+        /// All pairs were chosen.
+        All,
+        /// One is among the nearest of the other.
+        Near,
+        /// One follows the other.
+        Sequence,
+        /// One is among the most similar to the other.
+        Alike,
+    }
 }
 
 /// A pair to be matched; its images are in ascending order.

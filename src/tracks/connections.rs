@@ -1,25 +1,28 @@
 //! Which images are connected, by how many matches, and why the others are not.
 
 use super::PairRule;
-use crate::Error;
+use crate::message::{messages, written};
+use crate::{Error, Failure, Message, NoGeometry};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
-/// What came of matching a pair.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum PairOutcome {
-    /// Chosen, but not matched yet.
-    Waiting,
-    /// Enough matches agree with one geometry of the pair.
-    Connected { matches: u32 },
-    /// Fewer matches than are needed.
-    TooFewMatches { matches: u32, needed: u32 },
-    /// The matches do not agree with one geometry.
-    NotOriented { matches: u32, reason: String },
-    /// Matching was refused or broken off.
-    Failed { reason: String },
+messages! {
+    /// What came of matching a pair.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PairOutcome as "outcome" {
+        /// Chosen, but not matched yet.
+        Waiting,
+        /// Enough matches agree with one geometry of the pair.
+        Connected { matches: u32 },
+        /// Fewer matches than are needed.
+        TooFewMatches { matches: u32, needed: u32 },
+        /// The matches do not agree with one geometry.
+        NotOriented { no_geometry: NoGeometry },
+        /// Matching was refused or broken off.
+        Failed { failure: Failure },
+    }
 }
 
 /// A pair that was chosen, and its outcome.
@@ -31,6 +34,14 @@ pub struct Connection {
     pub images: [u32; 2],
     pub rule: PairRule,
     pub outcome: PairOutcome,
+}
+
+written!(Connection);
+
+impl Message for Connection {
+    const FAMILY: &'static str = "connection";
+    #[cfg(test)]
+    const KINDS: &'static [(&'static str, &'static [&'static str])] = &[("", &["outcome", "rule"])];
 }
 
 /// The images of a block and the pairs among them that were chosen.
@@ -64,32 +75,6 @@ impl ConnectionGraph {
     /// All pairs that were chosen, in order.
     pub fn iter(&self) -> impl Iterator<Item = &Connection> {
         self.connections.values()
-    }
-
-    /// Why two images are or are not connected, in words.
-    ///
-    /// # Errors
-    /// As [`set`](Self::set).
-    pub fn explain(&self, images: [u32; 2]) -> Result<String, Error> {
-        let Some(connection) = self.connections.get(&self.key(images)?) else {
-            return Ok("not tried: neither position, sequence nor likeness chose this pair".into());
-        };
-        let chosen = match connection.rule {
-            PairRule::All => "all pairs are tried",
-            PairRule::Near => "chosen as near each other",
-            PairRule::Sequence => "chosen as following each other",
-            PairRule::Alike => "chosen as alike",
-        };
-        let outcome = match &connection.outcome {
-            PairOutcome::Waiting => "not matched yet".into(),
-            PairOutcome::Connected { matches } => format!("connected by {matches} matches"),
-            PairOutcome::TooFewMatches { matches, needed } => format!("not connected: {matches} matches, {needed} are needed"),
-            // Without any that agree, the reason tells how many there were.
-            PairOutcome::NotOriented { matches: 0, reason } => format!("not connected: no common geometry ({reason})"),
-            PairOutcome::NotOriented { matches, reason } => format!("not connected: {matches} matches of no common geometry ({reason})"),
-            PairOutcome::Failed { reason } => format!("not connected: {reason}"),
-        };
-        Ok(format!("{outcome}; {chosen}"))
     }
 
     /// The images in groups within which a way of connections leads from each to each: the largest group first, then by the first image.
@@ -129,19 +114,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn why_two_images_are_not_connected_has_an_answer() {
-        let mut graph = ConnectionGraph::new(5);
-        graph.set([1, 0], PairRule::Near, PairOutcome::Connected { matches: 120 }).unwrap();
-        graph.set([1, 2], PairRule::Sequence, PairOutcome::TooFewMatches { matches: 4, needed: 15 }).unwrap();
-        graph.set([3, 2], PairRule::Alike, PairOutcome::NotOriented { matches: 30, reason: "9 inliers".into() }).unwrap();
-        let answer = |a, b| graph.explain([a, b]).unwrap();
-        assert_eq!(answer(0, 1), "connected by 120 matches; chosen as near each other");
-        assert_eq!(answer(2, 1), "not connected: 4 matches, 15 are needed; chosen as following each other");
-        assert_eq!(answer(2, 3), "not connected: 30 matches of no common geometry (9 inliers); chosen as alike");
-        assert!(answer(0, 4).starts_with("not tried"));
-        assert!(graph.explain([0, 0]).is_err() && graph.explain([0, 5]).is_err());
-        graph.set([2, 3], PairRule::Alike, PairOutcome::NotOriented { matches: 0, reason: "9 given".into() }).unwrap();
-        assert_eq!(graph.explain([2, 3]).unwrap(), "not connected: no common geometry (9 given); chosen as alike");
+    fn a_connection_says_why_it_is_or_is_not_one() {
+        let text = |rule, outcome| Connection { images: [0, 1], rule, outcome }.to_string();
+        assert_eq!(text(PairRule::Near, PairOutcome::Connected { matches: 120 }), "connected by 120 matches; chosen as near each other");
+        assert_eq!(
+            text(PairRule::Sequence, PairOutcome::TooFewMatches { matches: 4, needed: 15 }),
+            "not connected: 4 matches; at least 15 are needed; chosen as following each other"
+        );
+        let no_geometry = NoGeometry::Chance { agreeing: 9, matches: 30 };
+        assert_eq!(
+            text(PairRule::Alike, PairOutcome::NotOriented { no_geometry }),
+            "not connected: 9 of 30 matches agree on one geometry, no more than would by chance; chosen as similar"
+        );
     }
 
     #[test]
@@ -150,7 +134,7 @@ mod tests {
         for images in [[4, 5], [5, 2], [0, 1]] {
             graph.set(images, PairRule::All, PairOutcome::Connected { matches: 20 }).unwrap();
         }
-        graph.set([1, 2], PairRule::All, PairOutcome::Failed { reason: "cancelled".into() }).unwrap();
+        graph.set([1, 2], PairRule::All, PairOutcome::Failed { failure: Failure::BrokeOff { message: "cancelled".into() } }).unwrap();
         assert_eq!(graph.groups(), [vec![2, 4, 5], vec![0, 1], vec![3]]);
         graph.set([1, 2], PairRule::All, PairOutcome::Connected { matches: 20 }).unwrap();
         assert_eq!(graph.groups(), [vec![0, 1, 2, 4, 5], vec![3]]);

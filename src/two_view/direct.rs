@@ -3,7 +3,7 @@
 use super::frame::{Frame, rows};
 use super::fundamental::{eight_point, seven_point};
 use super::homography::direct_linear;
-use crate::Error;
+use crate::{Cause, Computation, Error};
 
 /// The fundamental matrix of eight or more matches `[x left, y left, x right, y right]` in px, all of them good: qᵀ F p = 0, of norm 1. The
 /// coordinates are normalised within.
@@ -14,9 +14,9 @@ use crate::Error;
 /// # Source
 /// Hartley 1997, In defense of the eight-point algorithm, IEEE PAMI 19(6).
 pub fn fundamental_eight_point(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
-    let what = "the fundamental matrix";
-    let frame = frame_of(what, points, 8)?;
-    let matrix = eight_point(&frame.rays(points)).ok_or(Error::Degenerate { what, reason: "more than one matrix fulfils them".into() })?;
+    let frame = frame_of("the fundamental matrix", points, 8)?;
+    let matrix = eight_point(&frame.rays(points))
+        .ok_or(Error::Degenerate { computation: Computation::FundamentalMatrix, cause: Cause::SeveralMatrices })?;
     Ok(rows(&frame.fundamental_px(&matrix)))
 }
 
@@ -42,10 +42,9 @@ pub fn fundamental_seven_point(points: &[[f64; 4]; 7]) -> Result<Vec<[[f64; 3]; 
 /// # Source
 /// Hartley & Zisserman 2004, Multiple View Geometry, 2nd ed., section 4.1.
 pub fn homography_direct(points: &[[f64; 4]]) -> Result<[[f64; 3]; 3], Error> {
-    let what = "the homography";
-    let frame = frame_of(what, points, 4)?;
-    let matrix =
-        direct_linear(&frame.rays(points)).ok_or(Error::Degenerate { what, reason: "too many of the points lie on a line".into() })?;
+    let frame = frame_of("the homography", points, 4)?;
+    let matrix = direct_linear(&frame.rays(points))
+        .ok_or(Error::Degenerate { computation: Computation::Homography, cause: Cause::TooManyOnLine })?;
     Ok(rows(&frame.homography_px(&matrix)))
 }
 

@@ -9,12 +9,10 @@ use super::result::{TwoView, TwoViewModel};
 use super::scale::{Conditions, LEAST_REDUNDANCY, Noise, NoiseLimits, noise, search_scale};
 use super::support::Tolerance;
 use super::transfer::square_transfer;
-use crate::Error;
 use crate::math::{Candidate, Problem, Search, consensus};
 use crate::orientation::{Field, Ray};
+use crate::{Cause, Computation, Error};
 use nalgebra::Matrix3;
-
-const WHAT: &str = "the geometry of two views";
 
 /// Of a thousand pairs without overlap, one may be told to have a geometry.
 const LARGEST_LOG_FALSE_ALARMS: f64 = -6.9;
@@ -158,7 +156,6 @@ impl<'a> Matches<'a> {
     }
 
     pub fn unsupported(&self, agreeing: usize) -> Error {
-        let reason = format!("{agreeing} of {} matches agree on one, no more than would by chance", self.rays.len());
-        Error::Degenerate { what: WHAT, reason }
+        Error::Degenerate { computation: Computation::TwoViewGeometry, cause: Cause::Chance { agreeing, matches: self.rays.len() } }
     }
 }

@@ -26,6 +26,6 @@ mod two_view;
 
 pub use direct::{fundamental_eight_point, fundamental_seven_point, homography_direct};
 pub use options::{Pinhole, TwoViewOptions};
-pub use result::{Degeneracy, FocalEstimate, TwoView, TwoViewModel};
+pub use result::{Degeneracy, FocalEstimate, NoGeometry, TwoView, TwoViewModel};
 pub use two_view::two_view;
 pub(crate) use two_view::two_view_from;

@@ -1,5 +1,7 @@
 //! The geometry of two views as it is given.
 
+use crate::message::messages;
+use crate::{Cause, Error};
 use serde::{Deserialize, Serialize};
 
 /// What relates the views; matrices by rows, of homogeneous positions in px and of norm 1.
@@ -23,7 +25,7 @@ pub enum TwoViewModel {
     },
     /// The map of a plane from the left to the right image; all that is determined there without known cameras.
     Homography { homography: [[f64; 3]; 3] },
-    /// Both photos were taken from one place.
+    /// There is no base.
     Rotation {
         homography: [[f64; 3]; 3],
         /// From the left photo's system to the right photo's.
@@ -31,16 +33,45 @@ pub enum TwoViewModel {
     },
 }
 
-/// Why the general geometry is not determined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Degeneracy {
-    /// All points lie in a plane, or nearly so. Calibrated views have an orientation all the same, if a weaker one. Of unknown cameras
-    /// it may be a rotation alone too.
-    Plane,
-    /// Both photos were taken from one place: there is no base.
-    PureRotation,
+messages! {
+    /// Why the general geometry is not determined.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "kebab-case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Degeneracy as "degeneracy" {
+        /// All points lie in a plane, or nearly so. Calibrated views have an orientation all the same, if a weaker one. Of unknown cameras
+        /// it may be a rotation alone too.
+        Plane,
+        /// There is no base.
+        PureRotation,
+    }
+}
+
+messages! {
+    /// Why matches give no geometry of two views.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum NoGeometry as "no_geometry" {
+        /// Fewer different matches than are needed.
+        TooFewMatches { matches: usize, needed: usize },
+        /// No more matches agree on one geometry than would by chance.
+        Chance { agreeing: usize, matches: usize },
+    }
+}
+
+impl NoGeometry {
+    /// The reason that an error of [`two_view`](crate::two_view) states; other errors are given back.
+    ///
+    /// # Errors
+    /// The error itself.
+    pub fn of(error: Error) -> Result<Self, Error> {
+        match error {
+            Error::TooFew { got, needed, .. } => Ok(Self::TooFewMatches { matches: got, needed }),
+            Error::Degenerate { cause: Cause::Chance { agreeing, matches }, .. } => Ok(Self::Chance { agreeing, matches }),
+            other => Err(other),
+        }
+    }
 }
 
 /// A focal length that was estimated from the matches.

@@ -1,6 +1,6 @@
 //! Files of a block: what EXIF tells, cameras and surveyed points in, the project and the exchange formats.
 
-use super::convert::{JsResult, object, pack, read, thrown};
+use super::convert::{JsResult, pack, read, thrown};
 use crate::{
     BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, Project, export_block as write_block,
     parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
@@ -82,14 +82,13 @@ pub fn export_block(
     written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
 }
 
-/// Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
-#[wasm_bindgen(unchecked_return_type = "{ reasons: string[]; groups: number[][] }")]
-pub fn explain_connections(images: u32, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
+/// The groups of connected images of a block, the largest first.
+#[wasm_bindgen(unchecked_return_type = "number[][]")]
+pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
     let connections: Vec<Connection> = read("connections", connections)?;
     let mut graph = ConnectionGraph::new(images);
     for connection in &connections {
         graph.set(connection.images, connection.rule, connection.outcome.clone()).map_err(thrown)?;
     }
-    let reasons: Vec<String> = connections.iter().map(|c| graph.explain(c.images)).collect::<Result<_, _>>().map_err(thrown)?;
-    Ok(object([("reasons", pack(&reasons)), ("groups", pack(&graph.groups()))]))
+    Ok(pack(&graph.groups()))
 }

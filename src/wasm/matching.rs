@@ -6,8 +6,8 @@ use super::orientation::pack_orientation;
 use super::photo::{Photo, pack_points};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, FocalEstimate, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions,
-    MatchSet, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PairSide, PointCounts, PointSet, Reduced, Rule,
-    TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
+    MatchSet, NoGeometry, OffsetField, PairInput, PairInterior, PairMatching, PairResult, PairSettings, PointCounts, PointSet, Reduced,
+    Rule, Side, TwoView, TwoViewModel, candidates_of, epipolar_line as line_between, estimate_offset_of_reduced,
     gradient_candidates as nearest_by_gradients, match_described_pair as match_described, match_in_rounds, match_pair as match_images,
     match_points as match_by_moments,
 };
@@ -37,7 +37,7 @@ export interface MatchResult {
     /** What relates the views, by which the strategy gradient verified its matches; null for the others and where there is nothing. */
     geometry: Omit<TwoView, "inliers"> | null;
     /** Why there is no geometry, where one was looked for. */
-    geometry_reason: string | null;
+    no_geometry: NoGeometry | null;
 }
 
 /** Points as matching takes them: `DescribedPoints`, or what of it the strategy needs. */
@@ -60,7 +60,7 @@ export interface MatchedPair {
     pixel_mm: number | null;
     orientation: RelativeOrientation | null;
     /** Why there is no orientation. */
-    orientation_reason: string | null;
+    no_orientation: NoOrientation | null;
 }
 "#;
 
@@ -168,7 +168,7 @@ pub fn epipolar_line(
     other_width: usize,
     other_height: usize,
 ) -> JsResult<Vec<f64>> {
-    let side: PairSide = read("from", from)?;
+    let side: Side = read("from", from)?;
     let model: TwoViewModel = read("model", model)?;
     let interior: Option<PairInterior> = read("interior", interior)?;
     let line = line_between(&model, interior.as_ref(), (side, [x, y]), (other_width, other_height));
@@ -241,7 +241,7 @@ fn pack_matched(result: &PairResult) -> JsValue {
         ("interior", pack(&result.interior)),
         ("pixel_mm", pack(&result.interior.as_ref().map(|i| i.left.pixel_mm()))),
         ("orientation", result.orientation.as_ref().map_or(JsValue::NULL, pack_orientation)),
-        ("orientation_reason", pack(&result.orientation.as_ref().err())),
+        ("no_orientation", pack(&result.orientation.as_ref().err())),
     ])
 }
 
@@ -252,14 +252,14 @@ fn pack_matching(matching: &PairMatching) -> JsValue {
 }
 
 /// Sets what relates the views, or why nothing does. All matches agree with it: inliers are left out.
-pub(super) fn set_geometry(object: &JsValue, geometry: Option<&Result<TwoView, String>>) {
+pub(super) fn set_geometry(object: &JsValue, geometry: Option<&Result<TwoView, NoGeometry>>) {
     let found = geometry.and_then(|geometry| geometry.as_ref().ok()).map(|found| TwoView { inliers: Vec::new(), ..found.clone() });
     let packed = pack(&found);
     if found.is_some() {
         Reflect::delete_property(packed.unchecked_ref::<Object>(), &"inliers".into()).expect("a plain object gives up its fields");
     }
     set(object, "geometry", &packed);
-    set(object, "geometry_reason", &pack(&geometry.and_then(|geometry| geometry.as_ref().err())));
+    set(object, "no_geometry", &pack(&geometry.and_then(|geometry| geometry.as_ref().err())));
 }
 
 fn pack_matches(set: &MatchSet) -> JsValue {

@@ -15,6 +15,7 @@ mod draw;
 mod features;
 mod geometry;
 mod matching;
+mod message;
 mod orientation;
 mod photo;
 mod reconstruction;

@@ -14,7 +14,7 @@ export interface VerifiedMatches extends DescriptorMatches {
     /** What relates the views; null where there is nothing, and then there are no matches. */
     geometry: Omit<TwoView, "inliers"> | null;
     /** Why there is no geometry. */
-    geometry_reason: string | null;
+    no_geometry: NoGeometry | null;
 }
 "#;
 

@@ -210,8 +210,8 @@ test('surveyed points place the block', () => {
   const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: places within its/);
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
-  const { weaknesses } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
-  assert.ok(weaknesses.some((/** @type {string} */ text) => /The surveyed points make the block 3\.\d times as large as the recorded positions: are they in feet\?/.test(text)), weaknesses.join());
+  const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
+  assert.ok(warnings.some((/** @type {{ text: string }} */ { text }) => /The GCPs make the block 3\.\d times as large as the GNSS positions: are they in feet\?/.test(text)), JSON.stringify(warnings));
 });
 
 test('each rule of pairs chooses its own', () => {
@@ -270,7 +270,7 @@ test('one strip is oriented where its poor recorded positions do not settle', { 
   assert.equal(orientation.oriented, 6, JSON.stringify(orientation));
   const [model] = orientation.models;
   assert.ok(model.sigma0_px < 0.5, JSON.stringify(model));
-  assert.ok(model.in_system || model.weaknesses.some((/** @type {string} */ weakness) => /no observed positions determine them/.test(weakness)), JSON.stringify(model));
+  assert.ok(model.in_system || model.warnings.some((/** @type {{ kind: string }} */ { kind }) => kind === 'free'), JSON.stringify(model));
 });
 
 test('a damaged project is refused plainly', () => {

@@ -40,12 +40,12 @@ test('matching photos takes pieces of nearest neighbours and finds the same', ()
 
 test('features of two images are matched, verified and completed', () => {
   const result = match_features(positions(left), left.descriptors, positions(right), right.descriptors, {});
-  assert.equal(result.geometry_reason, null);
+  assert.equal(result.no_geometry, null);
   assert.ok(result.geometry && result.geometry.sigma_px < 0.5 * result.geometry.threshold_px && result.geometry.threshold_px < 2);
   assert.ok(result.indices.length > 0.5 * match_descriptors(left.descriptors, right.descriptors, {}).indices.length);
   const none = match_features(positions(left), left.descriptors, positions(right), right.descriptors.map((byte) => byte ^ 85), {});
   assert.equal(none.geometry, null);
-  assert.match(none.geometry_reason ?? '', /chance|different matches/);
+  assert.match(none.no_geometry?.kind ?? '', /chance|too_few_matches/);
   assert.equal(none.indices.length, 0);
 });
 

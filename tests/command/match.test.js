@@ -29,7 +29,7 @@ test('the orientation of the sample is the true one within its precision', () =>
     assert.ok(Math.abs(o[name] - truth[name]) < limit, `${name} is ${o[name]}, truth ${truth[name]}`);
     assert.ok(o.standard_errors[name] > 0);
   }
-  assert.equal(result.orientation_reason, null);
+  assert.equal(result.no_orientation, null);
 });
 
 test('the same call prints the same bytes, and the files hold the same', () => {
@@ -84,7 +84,7 @@ test('without a focal length the matches stand and the orientation is null with 
   const bare = json('match', left, right);
   assert.equal(bare.counts.matches, result.counts.matches);
   assert.equal(bare.orientation, null);
-  assert.match(bare.orientation_reason, /focal/i);
+  assert.match(bare.no_orientation.text, /focal/i);
   assert.match(tiepoint('match', left, right).stdout, /no orientation: .*focal/i);
 });
 
@@ -106,7 +106,7 @@ test('a focal length in px stands for a camera of pixels of 0.001 mm', () => {
 
 test('gradients tell the geometry of the two views, with a camera and without', () => {
   const known = json(...call, '--strategy', 'gradient');
-  assert.deepEqual([known.geometry.model.kind, known.geometry_reason, known.offset_px], ['calibrated', null, null]);
+  assert.deepEqual([known.geometry.model.kind, known.no_geometry, known.offset_px], ['calibrated', null, null]);
   assert.ok(known.geometry.sigma_px < known.geometry.threshold_px && known.geometry.threshold_px < 2);
   assert.equal(known.settings.points.operator, 'multiscale');
   assert.match(tiepoint(...call, '--strategy', 'gradient').stdout, /geometry of the two views: orientation of calibrated cameras, standard error 0\.\d+ px/);
@@ -114,7 +114,7 @@ test('gradients tell the geometry of the two views, with a camera and without', 
   const flat = image(folder(), 'flat.png', 80, 60, () => 50);
   const none = json('match', flat, flat, '--strategy', 'gradient');
   assert.deepEqual([none.counts.matches, none.geometry], [0, null]);
-  assert.equal(typeof none.geometry_reason, 'string');
+  assert.equal(typeof none.no_geometry.text, 'string');
 });
 
 test('the outcome of gradients is the same for any number of workers, oriented or not', () => {

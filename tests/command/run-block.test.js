@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { write_project } from '../../pkg/node.js';
+import { message, write_project } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -68,7 +68,7 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   };
   const first = await runBlock(SOURCES, OPTIONS, { pool: weak, store });
   const failed = first.connections.filter(({ outcome }) => outcome.kind === 'failed');
-  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', reason: 'the computation broke off (unreachable)' }]);
+  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'broke_off', message: 'unreachable' } }]);
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
   assert.ok(second.connections.every(({ outcome }) => outcome.kind !== 'failed'));
 });
@@ -76,7 +76,7 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
 test('features where the distortion has no inverse are left out of their pairs alone', async () => {
   const cameras = { text: JSON.stringify({ cameras: [{ focal_px: 300, radial: [-0.9, 0, 0] }] }), name: 'cameras.json' };
   const run = await runBlock(SOURCES, { ...OPTIONS, cameras }, { pool: HERE, store: memory() });
-  const reasons = run.connections.map(({ outcome }) => ('reason' in outcome ? outcome.reason : ''));
+  const reasons = run.connections.map((connection) => message('connection', connection));
   assert.ok(reasons.every((reason) => !reason.includes('inverse')), reasons.join('\n'));
   assert.ok(run.geometries.some((geometry) => geometry !== null), reasons.join('\n'));
 });

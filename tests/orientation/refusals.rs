@@ -48,7 +48,7 @@ fn a_pure_rotation_is_flagged() {
 fn a_base_without_x_is_named() {
     let pair = Pair { base: [0.0, 80.0, 0.0], ..NADIR };
     let error = orient_relative(&pair.observe(100, 0.0, 60), FOCAL_MM, &OrientationOptions::default()).unwrap_err();
-    assert!(error.code() == "degenerate" && error.to_string().starts_with("by and bz"), "{error}");
+    assert!(error.code() == "degenerate" && error.to_string().contains("by and bz"), "{error}");
 }
 
 #[test]

@@ -32,7 +32,7 @@ test('control points without marks are refused beside their field and on Run, an
   await give(page, 'marks', 'marks.csv', marksIn(['photo_0.png', 'photo_1.png']));
   assert.match((await part(page, 'block-marks-problem').textContent()) ?? '', /^Image measurements need their ground control points/);
   await part(page, 'block-run').click();
-  await status(page, /^Not run: Marks need the control points/);
+  await status(page, /^Not run: Image measurements need their ground control points/);
   await give(page, 'control', 'points.csv', POINTS);
   await status(page, /^Ground control points from points\.csv\.$/);
   assert.equal(await part(page, 'block-marks-problem').textContent(), '');

@@ -86,7 +86,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'offset-problem', /^Give both numbers, or empty both/);
   // Nothing of it was taken.
   await page.waitForTimeout(400);
-  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: the value typed is not allowed/);
+  assert.match((await part(page, 'status').textContent()) ?? '', /^Focal length: this value is not allowed/);
   await type(page, 'camera-focal', '150');
   assert.equal(await invalid(page, 'camera-focal'), null);
   assert.equal(await part(page, 'camera-focal-problem').textContent(), '');
@@ -94,7 +94,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'base', /150\.0 mm/);
   await type(page, 'offset-dy', '1');
   await says(page, 'offset-found', /^Given/);
-  await says(page, 'status', /^Origin of the left image in the scan: the value typed is not allowed/);
+  await says(page, 'status', /^Origin of the left image in the scan: this value is not allowed/);
   await type(page, 'origin-left-col', '');
   assert.match(await done(page), /^Done/);
   assert.deepEqual(complaints, []);
@@ -220,7 +220,7 @@ test('the status line says that a value is not allowed, until it is', { skip: SK
   assert.match(await done(page), /^Done/);
   await part(page, 'tab-camera').click();
   await type(page, 'camera-focal', '-5');
-  await says(page, 'status', /^Focal length: the value typed is not allowed/);
+  await says(page, 'status', /^Focal length: this value is not allowed/);
   await type(page, 'camera-focal', '153.38');
   assert.match(await done(page), /^Done/);
   await part(page, 'mode-block').click();
@@ -228,7 +228,7 @@ test('the status line says that a value is not allowed, until it is', { skip: SK
   await pairs.fill('-1');
   await says(page, 'block-status', /is not allowed/);
   await pairs.fill('2000');
-  await says(page, 'block-status', /^Give the images/);
+  await says(page, 'block-status', /^Open the images/);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -67,10 +67,13 @@ impl Scene {
                 model.rejected.len(),
                 model.adjusted.rmse_px,
                 model.adjusted.sigma0_px,
-                model.weaknesses,
+                model.warnings,
             );
         }
-        reconstruction.unoriented.iter().for_each(|image| println!("{what}: {}", image.text));
+        reconstruction
+            .unoriented
+            .iter()
+            .for_each(|image| println!("{what}: {}: {}", self.description.images[image.image].name, image.reason));
     }
 }
 

@@ -1,6 +1,6 @@
 /** All strategies on the same points through the same rules: right matches, precision, and true errors beside standard errors. */
 
-import { flight_preset, flight_presets, match_pair, Photo, score_matches, simulate } from '../../pkg/node.js';
+import { flight_preset, flight_presets, match_pair, message, Photo, score_matches, simulate } from '../../pkg/node.js';
 import { edgePrecision } from '../score.mjs';
 import { settingsWith } from './accuracy.mjs';
 import { have, simulated } from './data.mjs';
@@ -64,7 +64,7 @@ function compare(name, { left, right, input, base_mm, truth, share }) {
     const found = `  ${name}, ${label}: ${output.match.counts.matches} matches, edge precision ${share(output.match.matches).toFixed(3)}`;
     const o = output.orientation;
     if (!o) {
-      console.log(`${found}; no orientation: ${output.orientation_reason}`);
+      console.log(`${found}; no orientation: ${message('no_orientation', output.no_orientation)}`);
       continue;
     }
     const errors = NAMES.map((n) => `${(o[n] - truth[n]).toFixed(4)} (${((o[n] - truth[n]) / (o.total_standard_errors ?? o.standard_errors ?? o)[n]).toFixed(1)})`);

@@ -3,7 +3,7 @@ import './style/block.css';
 import { button, byId, fill, h } from '../shared/panel/dom';
 import type { Taker } from '../shared/files/drop';
 import { fileButton } from '../shared/panel/picker';
-import { mountTabs, showTab } from '../shared/panel/tabs';
+import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { BlockEngine } from './engine/engine';
 import type { BlockStore } from './engine/engine';
@@ -56,22 +56,9 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   mountResults(results.panels[0], store);
   mountStage(stage, store, looking, files);
   mountImages(results.panels[1], store, { ...looking, point: () => undefined });
-  mountPoints(results.panels[2] ?? results.panels[0], store);
-  for (const list of main.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
+  mountPoints(results.panels[2], store);
   store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
   return { store, taker: files.taker };
-}
-
-/** A column of tabs with their panels. */
-function tabbed(label: string, tabs: readonly (readonly [string, string])[]): { element: HTMLElement; panels: [HTMLElement, HTMLElement, ...HTMLElement[]] } {
-  const buttons = tabs.map(([id, text], i) => {
-    const tab = h('button', { type: 'button', role: 'tab', id: `tab-${id}`, testid: `tab-${id}`, tabindex: i === 0 ? 0 : -1, aria: { controls: `panel-${id}`, selected: String(i === 0) } }, text);
-    return tab;
-  });
-  const panels = tabs.map(([id], i) => h('div', { class: 'panel', role: 'tabpanel', id: `panel-${id}`, tabindex: 0, hidden: i > 0, aria: { labelledby: `tab-${id}` } }));
-  const element = h('section', { class: 'side', aria: { label } }, h('div', { class: 'tabs', role: 'tablist', aria: { label } }, ...buttons), ...panels);
-  // At least two tabs are given.
-  return { element, panels: panels as unknown as [HTMLElement, HTMLElement, ...HTMLElement[]] };
 }
 
 /** The buttons that give images. */

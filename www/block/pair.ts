@@ -7,6 +7,7 @@ import type { GivenImage, Side } from '../pair/state/state';
 import type { Store } from '../pair/state/store';
 import type { BlockFile } from './state/state';
 import type { BlockStore } from './engine/engine';
+import { messageOf } from '../shared/text/format';
 
 /** The pair's own images count up from 1: those of blocks count down. */
 let nextId = -1;
@@ -27,7 +28,7 @@ export async function openPair(block: BlockStore, store: Store, engine: Engine, 
     camera = cameraOf(block, a, b);
     await Promise.all([engine.open('left', images.left), engine.open('right', images.right)]);
   } catch (error) {
-    say(block, `The pair cannot be shown: ${error instanceof Error ? error.message : String(error)}.`);
+    say(block, `The pair cannot be shown: ${messageOf(error)}.`);
     return;
   }
   readyFor(store, block, camera);

@@ -2,7 +2,7 @@
 import './style/pair.css';
 import type { Taker } from '../shared/files/drop';
 import { byId } from '../shared/panel/dom';
-import { mountTabs, showTab } from '../shared/panel/tabs';
+import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
 import { Files, takerOf } from './files/open';
@@ -25,6 +25,7 @@ import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
 import { View } from './view/view';
+import { messageOf } from '../shared/text/format';
 
 export interface Pair {
   store: Store;
@@ -36,6 +37,10 @@ export interface Pair {
 
 export function mountPair(): Pair {
   const store = new Store();
+  const { element: left, panels: [settings, camera, simulate] } = tabbed('Settings', [['settings', 'Settings'], ['camera', 'Camera'], ['simulate', 'Simulate']]);
+  const { element: right, panels: [results, point, matches] } = tabbed('Results', [['results', 'Results'], ['point', 'Point'], ['matches', 'Matches']]);
+  byId('stage').before(left);
+  byId('stage').after(right);
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
@@ -44,12 +49,11 @@ export function mountPair(): Pair {
     try {
       await action();
     } catch (error) {
-      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, error instanceof Error ? error.message : String(error))}.` } });
+      store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${readable(store.state.catalogue, messageOf(error))}.` } });
     }
   };
 
   mountInput(view, store, navigator);
-  for (const list of document.querySelectorAll<HTMLElement>('[role="tablist"]')) mountTabs(list);
   mountToolbar(byId('toolbar'), store, navigator);
   const pick = pickerOf(files);
   mountPanes(view, store, {
@@ -57,16 +61,16 @@ export function mountPair(): Pair {
     mask: (side) => { pick(side, 'mask'); },
     unmask: (side) => { store.dispatch({ type: 'mask', side, mask: null }); },
   });
-  mountControls(byId('panel-settings'), store);
-  mountCamera(byId('panel-camera'), store, () => { pick(null); });
-  mountFiducials(byId('panel-camera'), store, (side) => { pick(side); });
-  mountCounts(byId('panel-results'), store);
-  mountGeometry(byId('panel-results'), store);
-  mountOrientation(byId('panel-results'), store);
-  mountHistograms(byId('panel-results'), store);
-  mountPoint(byId('panel-point'), store, (side, index) => { navigator.select({ side, index }); });
-  mountStatistics(byId('panel-matches'), store, (side, index) => { navigator.select({ side, index }); });
-  mountSimulate(byId('panel-simulate'), store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
+  mountControls(settings, store);
+  mountCamera(camera, store, () => { pick(null); });
+  mountFiducials(camera, store, (side) => { pick(side); });
+  mountCounts(results, store);
+  mountGeometry(results, store);
+  mountOrientation(results, store);
+  mountHistograms(results, store);
+  mountPoint(point, store, (side, index) => { navigator.select({ side, index }); });
+  mountStatistics(matches, store, (side, index) => { navigator.select({ side, index }); });
+  mountSimulate(simulate, store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
   mountAnnouncements(byId('announce'), store);
   mountStatus(store, {
     cancel: () => { engine.cancel(); },
@@ -75,7 +79,7 @@ export function mountPair(): Pair {
   mountHeader({ store, engine, view, files, pick, attempt });
   store.watch((s) => [s.selection] as const, ([selection]) => {
     // The table of matches shows the selected one itself, and is gone through by selecting.
-    if (selection !== null && byId('panel-matches').hidden) showTab('tab-point');
+    if (selection !== null && matches.hidden) showTab('tab-point');
   });
   return { store, engine, attempt, taker: takerOf(view, files) };
 }

@@ -5,12 +5,12 @@ import {
 import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
 
 export type {
-  CameraMm, Degeneracy, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
+  CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
   FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, NearestPiece, OffsetField, PairInput, PairInterior,
-  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Weakness,
+  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Warning,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
-export { draw_match_lines, draw_points, draw_vectors } from '../../pkg/wasm/tiepoint.js';
+export { draw_match_lines, draw_points, draw_vectors, message } from '../../pkg/wasm/tiepoint.js';
 
 export type { Flight, Parameter, Preset, Settings };
 

@@ -1,15 +1,15 @@
 //! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round.
 
 use super::course::Course;
-use crate::Error;
 use crate::adjustment::calibration::{effects, weakest_of_each};
 use crate::adjustment::datum::held_images;
 use crate::adjustment::loss::Robust;
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{Datum, Loss};
 use crate::adjustment::reduced::Problem;
-use crate::adjustment::result::{CameraParameter, FixedParameter};
+use crate::adjustment::result::FixedParameter;
 use crate::adjustment::solution::{Factored, Singular};
+use crate::{CameraParameter, Error};
 
 /// Before the first adjustment a camera parameter is only fixed where it is this many times worse than the limit: σ₀ is not known yet.
 const FIRST_TOLERANCE: f64 = 50.0;

@@ -1,8 +1,7 @@
 //! The rounds of an adjustment: adjust, check, and again until no check changes anything.
 
 use super::course::Course;
-use crate::Error;
-use crate::adjustment::adjustment::{Adjusted, Demand, WHAT};
+use crate::adjustment::adjustment::{Adjusted, Demand};
 use crate::adjustment::block::Block;
 use crate::adjustment::datum::{held_images, moved_onto};
 use crate::adjustment::network::Columns;
@@ -10,6 +9,7 @@ use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::Problem;
 use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::statistics::{Statistics, statistics};
+use crate::{Cause, Computation, Error, Unsettled};
 
 /// Rounds with the robust loss, and in all but for those that fix camera parameters.
 const ROBUST_ROUNDS: usize = 10;
@@ -23,11 +23,6 @@ const TOLERANCE: f64 = 1e-4;
 
 /// A σ₀ that weights observed positions has settled when it changes by less than this share.
 const SETTLED_SIGMA: f64 = 0.02;
-
-/// What may go on changing.
-const RAYS: &str = "the rejection of gross errors";
-const POSITIONS: &str = "the rejection of GNSS positions";
-const WEIGHTS: &str = "the weight of the observed positions";
 
 /// A settled adjustment.
 pub(in crate::adjustment) struct Settled {
@@ -54,7 +49,7 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
     course.fix_undetermined()?;
     let mut is_robust = options.loss != Loss::Squares;
     let (mut calm_rounds, mut rounds, mut fixing) = (0, 0, 0);
-    let mut last = "";
+    let mut last = Unsettled::GrossErrors;
     while rounds - fixing < MAX_ROUNDS {
         rounds += 1;
         let outcome = course.round(if is_robust { options.loss } else { Loss::Squares }, calm_rounds)?;
@@ -69,8 +64,8 @@ pub(in crate::adjustment) fn settle(block: &Block, options: &AdjustmentOptions) 
             Outcome::Settled(settled) => return Ok(Settled { rounds, ..*settled }),
         }
     }
-    let reason = format!("{last} did not settle in {MAX_ROUNDS} rounds");
-    Err(Error::NotConverged { what: WHAT, iterations: course.iterations, reason })
+    let cause = Cause::Unsettled { unsettled: last, rounds: MAX_ROUNDS };
+    Err(Error::NotConverged { computation: Computation::BundleAdjustment, iterations: course.iterations, cause })
 }
 
 /// How a round ends.
@@ -78,7 +73,7 @@ enum Outcome {
     /// Rays, observed positions or weights are others now; so many rays were rejected.
     Changed {
         rejected: usize,
-        what: &'static str,
+        what: Unsettled,
     },
     /// Camera parameters were fixed, and nothing else changed.
     Fixed,
@@ -184,12 +179,12 @@ impl<'a> Course<'a> {
     }
 
     fn impossible(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
-        Ok(self.drop_impossible(&round.problem, round.adjusted.robust).then(|| self.changed(round, RAYS)))
+        Ok(self.drop_impossible(&round.problem, round.adjusted.robust).then(|| self.changed(round, Unsettled::GrossErrors)))
     }
 
     fn by_earlier_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
         let serves = self.options.snooping && self.snoop_by_earlier(&round.problem, &round.adjusted, round.loss, round.calm_rounds);
-        Ok(serves.then(|| self.changed(round, RAYS)))
+        Ok(serves.then(|| self.changed(round, Unsettled::GrossErrors)))
     }
 
     fn by_own_cofactors(&mut self, round: &mut Round<'_>) -> Result<Option<Outcome>, Error> {
@@ -212,10 +207,10 @@ impl<'a> Course<'a> {
         // What a robust loss leaves is judged again without it.
         let is_judged_again = options.snooping && round.loss != Loss::Squares;
         let what = match (is_replaced, is_snooped, is_reweighted, is_judged_again) {
-            (true, ..) => POSITIONS,
-            (_, true, ..) => RAYS,
-            (_, _, true, _) => WEIGHTS,
-            (.., true) => RAYS,
+            (true, ..) => Unsettled::Positions,
+            (_, true, ..) => Unsettled::GrossErrors,
+            (_, _, true, _) => Unsettled::Weights,
+            (.., true) => Unsettled::GrossErrors,
             _ => return Ok(None),
         };
         Ok(Some(self.changed(round, what)))
@@ -225,7 +220,7 @@ impl<'a> Course<'a> {
         Ok(self.fix_weakest(&round.problem, self.options.calibration_limit_px)?.then_some(Outcome::Fixed))
     }
 
-    fn changed(&self, round: &Round<'_>, what: &'static str) -> Outcome {
+    fn changed(&self, round: &Round<'_>, what: Unsettled) -> Outcome {
         Outcome::Changed { rejected: round.problem.network.sights.len().saturating_sub(self.accepted()), what }
     }
 }

@@ -1,6 +1,6 @@
 /** A pair by our own features, matching and geometry, as an entry of a result file. */
 
-import { match_descriptors, match_features } from '../../../pkg/node.js';
+import { match_descriptors, match_features, message } from '../../../pkg/node.js';
 import { medianMs } from '../speed.mjs';
 import { photoOf } from '../data.mjs';
 import { ideal } from './pairs.mjs';
@@ -42,7 +42,7 @@ export function ours({ name, a, b, cameras }) {
   const found = verified();
   const seconds = { features: (left.ms + right.ms) / 1000, matching: matching / 1000, geometry: (medianMs(3, verified) - matching) / 1000 };
   const entry = { case: name, a, b, points: [left.positions.length / 2, right.positions.length / 2], seconds };
-  if (!found.geometry) return { ...entry, matches: [], R: null, t: null, note: found.geometry_reason ?? '' };
+  if (!found.geometry) return { ...entry, matches: [], R: null, t: null, note: found.no_geometry ? message('no_geometry', found.no_geometry) : '' };
   const all = joined(left.positions, right.positions, found.indices);
   const matches = Array.from({ length: found.indices.length / 2 }, (_, k) => [...all.subarray(4 * k, 4 * k + 4)]);
   const note = [found.geometry.model.kind, found.geometry.degenerate ?? '', `sigma ${found.geometry.sigma_px.toFixed(3)} px`].filter(Boolean).join(', ');

@@ -1,20 +1,21 @@
 /** What the adjustment of a block says of its images, cameras and points, laid over what the page shows of it. */
 import type { ReconstructedModel, Reconstruction } from '../../../pkg/wasm/tiepoint.js';
+import { message } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewImage } from '../state/view';
 
 /** `reason`: why there is no model at all; null where there is one. */
 export function withReconstruction(view: BlockView, reconstruction: Reconstruction | null, reason: string | null): BlockView {
   const why = (images: readonly ViewImage[], of: (index: number) => string) => images.map((image, i) => (image.oriented ? image : { ...image, why: of(i) }));
   const [model, ...others] = reconstruction?.models ?? [];
-  const unoriented = new Map(reconstruction?.unoriented.map(({ image, text }) => [image, text]));
+  const unoriented = new Map(reconstruction?.unoriented.map(({ image, reason: own }) => [image, message('unoriented', own)]));
   const apart = (index: number) => others.find(({ images }) => images.includes(index))?.images.length;
   const whyNot = (index: number) => {
     const size = apart(index);
     return size === undefined ? (unoriented.get(index) ?? reason ?? 'not oriented') : `in a model of its own, of ${String(size)} images`;
   };
   const told = { ...view, images: why(view.images, whyNot) };
-  if (model === undefined) return { ...told, weaknesses: [reason === null ? 'No image could be oriented.' : `No image could be oriented: ${reason}.`] };
-  return withModel({ ...told, weaknesses: [...model.weaknesses, ...others.map(({ images }) => `${String(images.length)} images are oriented apart from the others, in a model of their own.`)] }, model);
+  if (model === undefined) return { ...told, warnings: [reason === null ? 'No image could be oriented.' : `No image could be oriented: ${reason}.`] };
+  return withModel({ ...told, warnings: [...model.warnings.map((warning) => message('block_warning', warning)), ...others.map(({ images }) => `${String(images.length)} images are oriented apart from the others, in a model of their own.`)] }, model);
 }
 
 function withModel(view: BlockView, { adjusted, images, cameras }: ReconstructedModel): BlockView {

@@ -3,7 +3,7 @@ import type { Jobs } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../../pkg/wasm/tiepoint.js';
 import { CallError, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
-import { sentence } from '../../shared/text/format';
+import { messageOf, sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
 import type { BlockCalls, ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, RunInput, ToRun } from './calls';
 import type { BlockFile, BlockOptions, BlockState } from '../state/state';
@@ -150,6 +150,6 @@ function madeBuffer(answer: JobAnswer): Transferable[] {
 }
 
 function reasonOf(error: unknown): string {
-  const text = error instanceof Error ? error.message : String(error);
+  const text = messageOf(error);
   return error instanceof CallError && error.ended ? `the worker ran out of memory or broke down (${text})` : text;
 }

@@ -1,7 +1,7 @@
 /** What of a run, or of a project that was opened, the page shows. */
 import { chosenOf, knownCamera } from '../../../pkg/block/index.js';
 import type { BlockRun, GroupedCamera, ReadImage } from '../../../pkg/block/index.js';
-import { explain_connections, export_formats } from '../../../pkg/wasm/tiepoint.js';
+import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockModel, Connection, Camera, Project } from '../../../pkg/wasm/tiepoint.js';
 import { withReconstruction } from './adjustment';
 import { layoutOf } from './layout';
@@ -54,10 +54,10 @@ type Block = Omit<BlockModel, 'cameras'> & { cameras: readonly (Camera | Grouped
 function viewOf(
   model: Block, connections: readonly Connection[], exif: Parameters<typeof layoutOf>[1], shared: ReadonlyMap<string, number>, geometries: readonly string[],
 ): BlockView {
-  const { reasons, groups } = explain_connections(model.images.length, [...connections]);
+  const groups = connected_groups(model.images.length, [...connections]);
   const chosen = chosenOf(model);
   const links: ViewConnection[] = connections.map(({ images, rule, outcome }, i) => ({
-    images, rule, outcome, reason: reasons[i] ?? '', geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0, chosen: chosen.get(images.join()) ?? 0,
+    images, rule, outcome, reason: message('connection', connections[i] as Connection), geometry: geometries[i] ?? '', shared: shared.get(images.join()) ?? 0, chosen: chosen.get(images.join()) ?? 0,
   }));
   const images = imagesOf(model).map((image, i) => ({ ...image, exifOrientation: exif[i]?.orientation ?? null }));
   return {
@@ -79,7 +79,7 @@ function viewOf(
     rmsePx: rmseOf(model),
     sigma0Px: null,
     score: null,
-    weaknesses: [],
+    warnings: [],
     formats: export_formats(),
   };
 }
@@ -128,13 +128,9 @@ function byRays({ points }: Block): RayCount[] {
   return [...groups].sort(([a], [b]) => a - b).map(([rays, group]) => ({ rays, points: group.length, rmsePx: rmseOf({ points: group }) }));
 }
 
-const MODELS: Readonly<Record<string, string>> = {
-  calibrated: 'relative orientation', fundamental: 'fundamental matrix', homography: 'plane', rotation: 'rotation about one place',
-};
-
 function geometryName(geometry: BlockRun['geometries'][number]): string {
   if (geometry === null) return '';
   const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
-  const weak = degenerate === null ? '' : { plane: ', ground nearly plane', 'pure-rotation': ', no base' }[degenerate];
-  return `${MODELS[kind] ?? kind}${weak}, ± ${sigma.toFixed(2)} px`;
+  const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;
+  return `${message('two_view_model', { kind }, 'short')}${weak}, ± ${sigma.toFixed(2)} px`;
 }

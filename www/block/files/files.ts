@@ -1,7 +1,7 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile, Taker } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
-import { sentence } from '../../shared/text/format';
+import { messageOf, sentence } from '../../shared/text/format';
 import type { BlockFile } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { PARTNER_MISSING, problemsOf } from '../state/given';
@@ -104,7 +104,7 @@ export class BlockFiles {
 
   private failed(what: string, error: unknown): void {
     if (error instanceof Cancelled) this.say('info', 'Cancelled. Nothing was changed.');
-    else this.say('problem', `${what}: ${error instanceof Error ? error.message : String(error)}. The block is unchanged.`);
+    else this.say('problem', `${what}: ${messageOf(error)}. The block is unchanged.`);
   }
 }
 

@@ -5,6 +5,7 @@ import { save } from '../../shared/files/save';
 import type { ExportKind } from '../engine/calls';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { isBusy } from '../state/state';
+import { messageOf } from '../../shared/text/format';
 
 const NAMES: Readonly<Record<ExportKind, string>> = {
   project: 'Project file', everything: 'Everything (.zip)', colmap: 'COLMAP', micmac: 'MicMac', bundler: 'Bundler', nvm: 'NVM (VisualSFM)',
@@ -42,7 +43,7 @@ async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind):
       store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'Cancelled: nothing was saved. The block is unchanged.' } });
       return;
     }
-    const reason = error instanceof Error ? error.message : String(error);
+    const reason = messageOf(error);
     store.dispatch({ type: 'notice', notice: { kind: 'problem', text: `${NAMES[kind]} was not written: ${reason}.` } });
   }
 }

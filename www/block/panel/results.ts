@@ -1,4 +1,4 @@
-/** What came of a block: images oriented, points by rays, residuals, calibrated cameras, weaknesses, and what was left out. */
+/** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
 import { fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
@@ -31,7 +31,7 @@ function sectionsOf(view: BlockView): (HTMLElement | null)[] {
     listOf('Remarks', 'block-remarks', view.remarks),
     section('Block', 'block-facts', facts(factsOf(view))),
     view.score === null ? null : section('Against the truth', 'block-score', facts(scoreFacts(view.score))),
-    listOf('Weaknesses', 'block-weaknesses', view.weaknesses),
+    listOf('Warnings', 'block-warnings', view.warnings),
     notOriented(view),
     section('Tie points by number of rays', 'block-by-rays', rayTable(view)),
     section('Cameras', 'block-cameras', cameraTable(view)),

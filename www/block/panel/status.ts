@@ -46,7 +46,7 @@ function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
   const { view, files } = shown;
   // A block that was opened may never have been oriented.
   if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: 'done' };
-  const why = view.weaknesses[0] ?? 'No image could be oriented.';
+  const why = view.warnings[0] ?? 'No image could be oriented.';
   const group = view.groups[0]?.length ?? 0;
   const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : '';
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
@@ -58,7 +58,7 @@ function doneText({ view, seconds }: Shown): string {
   const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} skipped`;
   const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
   const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
-  const weak = view.weaknesses.length === 0 ? '' : ` ${counted(view.weaknesses.length, 'weakness', 'weaknesses')}, see Results.`;
+  const weak = view.warnings.length === 0 ? '' : ` ${counted(view.warnings.length, 'warning', 'warnings')}, see Results.`;
   return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${pointsText(view)}.${time}${weak}`;
 }
 

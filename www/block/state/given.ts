@@ -5,6 +5,7 @@ import { masksOf } from '../../../pkg/block/masks.js';
 import { parse_camera_rules, parse_image_measurements, parse_ground_control_points } from '../../../pkg/wasm/tiepoint.js';
 import { remember } from '../../shared/state/remember';
 import type { BlockOptions, BlockState } from './state';
+import { messageOf } from '../../shared/text/format';
 
 /** What a run can be given beside its images. */
 export type Given = 'cameras' | 'control' | 'marks' | 'masks';
@@ -40,7 +41,7 @@ const problems = remember((
       read();
       return true;
     } catch (error) {
-      found[given] = `${name === '' ? '' : `${name}: `}${error instanceof Error ? error.message : String(error)}`;
+      found[given] = `${name === '' ? '' : `${name}: `}${messageOf(error)}`;
       return false;
     }
   };

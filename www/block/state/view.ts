@@ -102,6 +102,6 @@ export interface BlockView {
   /** How near a simulated block is to its truth. */
   score: BlockScore | null;
   /** What is weak about the block, in words. */
-  weaknesses: string[];
+  warnings: string[];
   formats: ExportFormat[];
 }

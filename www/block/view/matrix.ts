@@ -2,7 +2,7 @@
 import { onRecolour, themeColours } from '../../shared/view/colours';
 import type { Colours } from '../../shared/view/colours';
 import { listen } from '../../shared/view/gestures';
-import { Layers } from '../../shared/view/layers';
+import { Layers, within } from '../../shared/view/layers';
 import { panned, toCanvas, toPosition, zoomedAbout } from '../../shared/view/transform';
 import type { Transform } from '../../shared/view/transform';
 import type { BlockStore } from '../engine/engine';
@@ -141,13 +141,10 @@ export class Matrix implements Zoomable {
     const t = this.current(view);
     const { width, height } = this.layers;
     paintHeads(context, colours, view.images.length, t, width, height);
-    context.save();
-    context.beginPath();
-    context.rect(HEAD - 1, HEAD - 1, width, height);
-    context.clip();
-    this.paintCells(context, colours, view, t);
-    this.paintMarks(context, colours, view, t);
-    context.restore();
+    within(context, { left: HEAD - 1, top: HEAD - 1, width, height }, () => {
+      this.paintCells(context, colours, view, t);
+      this.paintMarks(context, colours, view, t);
+    });
   }
 
   private paintCells(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void {

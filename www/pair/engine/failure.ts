@@ -4,6 +4,7 @@ import type { StageName } from '../state/state';
 import type { Catalogue } from '../../shared/crate';
 import { CallError } from '../../shared/engine/client';
 import { STAGES } from '../state/stages';
+import { messageOf } from '../../shared/text/format';
 
 const KEPT = 'Images, settings and earlier results are kept.';
 
@@ -26,7 +27,7 @@ function advice(stage: StageName): string {
 
 /** A sentence or two for the user. */
 export function plainMessage(stage: StageName, error: unknown, catalogue: Catalogue | null): string {
-  const text = readable(catalogue, error instanceof Error ? error.message : String(error));
+  const text = readable(catalogue, messageOf(error));
   if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
   switch (error.failure.kind) {
     case 'refused':

@@ -1,4 +1,5 @@
 /** What is looked up about the selected point: what was compared, the candidates, where it may be seen in the other image. */
+import { CELLS, DESCRIPTOR_BYTES } from '../state/descriptor';
 import { knownInterior } from '../state/interior';
 import { comparesGradients, comparesGreyValues } from '../state/keys';
 import { readable } from '../../shared/text/names';
@@ -10,9 +11,6 @@ import { CallError } from '../../shared/engine/client';
 import { matchInput, needed, settingsOf } from './inputs';
 import type { Run, Workers } from './inputs';
 
-/** Bytes of a gradient descriptor; its cells a side. */
-const DESCRIPTOR_BYTES = 128;
-const CELLS = 4;
 /** Samples a side of a patch that is shown. */
 export const PATCH_SIDE = 112;
 /** How much wider than the cells is what is shown of the image around them: turned by an eighth they still fit. */

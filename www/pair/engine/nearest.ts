@@ -1,8 +1,7 @@
 /** The search for nearest gradient descriptors, in pieces over a pool of workers: the same result for any number of them. */
+import { DESCRIPTOR_BYTES } from '../state/descriptor';
 import type { Output } from './calls';
 
-/** Bytes of a descriptor. */
-const DESCRIPTOR_BYTES = 128;
 /** Pairs of descriptors that a worker compares in some ten milliseconds: fewer are not worth a message to it. */
 const LEAST_PAIRS = 2e6;
 

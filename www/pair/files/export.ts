@@ -1,4 +1,5 @@
 /** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
+import { withText } from '../../../pkg/messages.js';
 import type { Engine } from '../engine/engine';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, pairCameras } from '../state/keys';
@@ -94,7 +95,7 @@ export function everything(state: State): object {
     fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
     verdicts: verdicts(state),
     geometry: match?.geometry ?? null,
-    geometry_reason: match?.geometry_reason ?? null,
+    no_geometry: match?.no_geometry == null ? null : withText('no_geometry', match.no_geometry),
     interior: {
       left: state.results.interiorLeft?.value ?? null,
       right: state.results.interiorRight?.value ?? null,

@@ -2,7 +2,7 @@
 import { CallError, Cancelled } from '../../shared/engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
-import { sentence } from '../../shared/text/format';
+import { messageOf, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
@@ -107,7 +107,7 @@ export class Files {
 
   private failed(what: string, error: unknown): Told {
     if (error instanceof Cancelled) return info('Cancelled. Nothing was changed.');
-    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, error instanceof Error ? error.message : String(error)))}`);
+    return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
   }
 
   /** Fiducials named "right", or the second of two tables, belong right. */

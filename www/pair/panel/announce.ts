@@ -1,8 +1,8 @@
-/** Tells screen readers what was selected. */
-import { UNDECIDED } from '../state/codes';
+/** Announces the selected point to screen readers. */
+import { message } from '../../shared/crate';
+import { CODES, UNDECIDED } from '../state/codes';
 import { leftCodes, rightCodes, shownPair } from '../state/select';
 import type { Store } from '../state/store';
-import { styleOf } from '../view/palette';
 import { count, fixed } from '../../shared/text/format';
 
 export function mountAnnouncements(host: HTMLElement, store: Store): void {
@@ -15,6 +15,6 @@ export function mountAnnouncements(host: HTMLElement, store: Store): void {
     const points = shown[selection.side];
     const codes = selection.side === 'left' ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
-    host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${styleOf(codes[selection.index] ?? UNDECIDED).label}.`;
+    host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${message('verdict', CODES[codes[selection.index] ?? UNDECIDED] ?? 'undecided', 'label')}.`;
   });
 }

@@ -1,15 +1,15 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
+import { message } from '../../shared/crate';
 import type { PointCounts } from '../../shared/crate';
 import { comparesMoments, isCurrent, isStale } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
-import { GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
+import { CODES, GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
 import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
 import { swatch } from './swatch';
-import { styleOf } from '../view/palette';
 
 /** What the paper's Table 1 has for its pair; it does not count what the threshold of roundness leaves. */
 const PAPER: Readonly<Record<keyof PointCounts, readonly [number, number] | null>> = {
@@ -92,21 +92,22 @@ function ruleTable(state: State, store: Store): HTMLElement {
     h('tbody', {}, ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
       markStale(ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
         gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match')),
-      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Refused by')), ...refused));
+      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Rejected by')), ...refused));
 }
 
 function ruleRow(
   code: number, testid: string, value: number | undefined, share: (n: number | undefined) => string, state: State, store: Store, label?: string,
 ): HTMLTableRowElement {
-  const style = styleOf(code);
-  const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${style.label}` } });
+  const verdict = CODES[code] ?? 'undecided';
+  const own = message('verdict', verdict, 'label');
+  const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${own}` } });
   toggle.checked = !state.display.hidden.includes(code);
   toggle.addEventListener('change', () => {
     const hidden = toggle.checked ? store.state.display.hidden.filter((c) => c !== code) : [...store.state.display.hidden, code];
     store.dispatch({ type: 'display', display: { hidden } });
     document.querySelector<HTMLInputElement>(`[data-testid="show-${String(code)}"]`)?.focus();
   });
-  const name = h('span', { title: style.sentence }, label ?? style.label);
+  const name = h('span', { title: message('verdict', verdict) }, label ?? own);
   return row(h('span', { class: 'legend' }, swatch(code), name), cell(testid, count(value)), h('td', { class: 'number' }, share(value)), h('td', { class: 'centre' }, toggle));
 }
 

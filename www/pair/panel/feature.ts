@@ -1,11 +1,10 @@
 /** Gradient descriptors as pictures: the patch around a point, and a star of eight directions in each of its 4 x 4 cells. */
 import { PATCH_SIDE, SURROUNDINGS } from '../engine/inspect';
+import { CELLS, DIRECTIONS } from '../state/descriptor';
 import type { FeatureView, Inspection, Side } from '../state/state';
 import { h } from '../../shared/panel/dom';
 import { fixed } from '../../shared/text/format';
 
-const CELLS = 4;
-const DIRECTIONS = 8;
 /** Canvas px of a sample. */
 const PIXEL = 3;
 const SIZE = PATCH_SIDE * PIXEL;

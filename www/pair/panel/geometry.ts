@@ -1,7 +1,7 @@
 /** What relates the two views, by which matches of gradients were verified: the kind of model, its precision, where it is degenerate. */
-import type { Degeneracy, MatchResult, TwoViewModel } from '../../shared/crate';
+import { message } from '../../shared/crate';
+import type { MatchResult } from '../../shared/crate';
 import { comparesGradients, isStale } from '../state/keys';
-import { readable } from '../../shared/text/names';
 import { shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -9,18 +9,6 @@ import { fill, h, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count, fixed } from '../../shared/text/format';
-
-const KINDS: Readonly<Record<TwoViewModel['kind'], { name: string; help: string }>> = {
-  calibrated: { name: 'calibrated cameras', help: 'Orientation of cameras that are known, or whose focal length the matches tell: a match lies on its epipolar line and before both cameras.' },
-  fundamental: { name: 'unknown cameras', help: 'Epipolar geometry (fundamental matrix): a match lies on its epipolar line; nothing of the cameras is known.' },
-  homography: { name: 'map of a plane', help: 'All points lie in a plane: each point of one image has one place in the other.' },
-  rotation: { name: 'rotation', help: 'Both photos were taken from one place: each point of one image has one place in the other, whatever its distance.' },
-};
-
-const DEGENERATE: Readonly<Record<Degeneracy, string>> = {
-  plane: 'Nearly all points lie in a plane: without known cameras the orientation is not determined; with them, its weaknesses tell whether that matters.',
-  'pure-rotation': 'Pure rotation: both photos were taken from one place. There is no base, so nothing can be oriented.',
-};
 
 export function mountGeometry(host: HTMLElement, store: Store): void {
   const body = h('div', {});
@@ -39,20 +27,20 @@ function content(state: State): HTMLElement[] {
   if (match === null) return [h('p', { class: 'note' }, 'Not computed yet.')];
   if (match.geometry === null) {
     // Matches of another strategy stay on the screen until those of this one come.
-    const reason = match.geometry_reason;
-    return [h('p', { class: reason === null ? 'note' : 'field-problem', testid: 'geometry-reason' }, reason === null ? 'Not computed yet.' : `None: ${readable(state.catalogue, reason)}.`)];
+    const none = match.no_geometry;
+    return [h('p', { class: none === null ? 'note' : 'field-problem', testid: 'geometry-reason' }, none === null ? 'Not computed yet.' : `None: ${message('no_geometry', none)}.`)];
   }
   const { degenerate } = match.geometry;
   return [
-    ...(degenerate === null ? [] : [h('p', { class: 'field-problem', testid: `degenerate-${degenerate}` }, DEGENERATE[degenerate])]),
+    ...(degenerate === null ? [] : [h('p', { class: 'field-problem', testid: `degenerate-${degenerate}` }, message('degeneracy', degenerate))]),
     facts(figures(match, match.geometry)),
   ];
 }
 
-function figures(match: MatchResult, { model, sigma_px: sigma, threshold_px: threshold, focal }: NonNullable<MatchResult['geometry']>): Fact[] {
+function figures(match: MatchResult, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }: NonNullable<MatchResult['geometry']>): Fact[] {
   return [
-    { name: 'Model', testid: 'geometry-kind', value: KINDS[model.kind].name, help: KINDS[model.kind].help },
-    { name: 'Matches that agree', testid: 'geometry-matches', value: count(match.counts.matches), help: 'All others are refused. Matches that only the geometry made unambiguous are among them.' },
+    { name: 'Model', testid: 'geometry-kind', value: message('two_view_model', { kind }, 'label'), help: message('two_view_model', { kind }, 'help') },
+    { name: 'Matches that agree', testid: 'geometry-matches', value: count(match.counts.matches), help: 'All others are rejected. Matches that only the geometry made unambiguous are among them.' },
     { name: 'Standard error of a coordinate', testid: 'geometry-sigma', value: `${fixed(sigma, 3)} px`, help: 'From the distances of these matches to their epipolar lines, or to their predicted positions.' },
     { name: 'Threshold', testid: 'geometry-threshold', value: `${fixed(threshold, 2)} px`, help: 'Largest distance of a match that agrees. It follows from the scatter of the matches where none is given.' },
     ...(focal === null ? [] : [{

@@ -1,8 +1,8 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
-import type { FiveParameters, RelativeOrientation, Weakness } from '../../shared/crate';
+import { message } from '../../shared/crate';
+import type { FiveParameters, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
-import { readable } from '../../shared/text/names';
 import { hasPaperCamera } from '../state/paper';
 import { pixelMm } from '../state/residuals';
 import { orientationAt, truthOf } from '../state/truth';
@@ -66,9 +66,9 @@ export function whyNotOriented(state: State): string | null {
   if (match?.geometry?.degenerate === 'pure-rotation') {
     return areEqual(match.matches)
       ? 'Not oriented: both images show the same at the same positions. Is it one photo twice?'
-      : 'Not oriented: the photos were taken from one place. They differ by a rotation alone, so there is no base.';
+      : `Not oriented: ${message('no_orientation', { kind: 'pure_rotation' })}.`;
   }
-  if (match?.geometry_reason != null) return `Not oriented: ${readable(state.catalogue, match.geometry_reason)}. Do both photos show the same ground?`;
+  if (match?.no_geometry != null) return `Not oriented: ${message('no_geometry', match.no_geometry)}. Do both photos show the same ground?`;
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
     const untold = match?.geometry == null ? '' : ', and the matches do not determine the focal length';
@@ -118,15 +118,8 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
     h('tbody', {}, ...rows))), paper);
 }
 
-const WEAKNESSES: Readonly<Record<Weakness, string>> = {
-  plane: 'Weak: all points lie in a plane within their precision. A second orientation fits a plane nearly as well.',
-  rotation: 'Weak: the photos hardly differ but by a rotation. The base is too short to be told from noise and distortion.',
-  clustered: 'Weak: the points cover a small part of the photo, so that errors grow outside it.',
-  ill_conditioned: 'Weak: the unknowns can hardly be told apart, as over a critical cylinder or along a line.',
-};
-
-function warnings({ weaknesses }: RelativeOrientation): HTMLElement[] {
-  return weaknesses.map((weakness) => h('p', { class: 'field-problem', testid: `weakness-${weakness}` }, WEAKNESSES[weakness]));
+function warnings({ warnings: found }: RelativeOrientation): HTMLElement[] {
+  return found.map((warning) => h('p', { class: 'field-problem', testid: `warning-${warning.kind}` }, message('warning', warning)));
 }
 
 function precision(state: State, result: RelativeOrientation): HTMLElement {

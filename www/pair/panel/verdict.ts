@@ -1,4 +1,5 @@
 /** Why a point was matched or refused, with the numbers that its rule compared. */
+import { message } from '../../shared/crate';
 import type { MatchResult, Settings } from '../../shared/crate';
 import { CODES, MATCHED, UNDECIDED } from '../state/codes';
 import type { CodeName } from '../state/codes';
@@ -7,7 +8,6 @@ import { leftCodes, rightCodes } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
 import type { State } from '../state/state';
-import { styleOf } from '../view/palette';
 import { count, fixed } from '../../shared/text/format';
 
 /** The rule that decided about the selected point, in words. */
@@ -23,8 +23,8 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   }
   const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
   const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
-  const prefix = selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which was refused. ` : '';
-  return { code, text: `${prefix}${styleOf(code).sentence} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, state, settings)}`.trimEnd() };
+  const prefix = selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : '';
+  return { code, text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, state, settings)}`.trimEnd() };
 }
 
 function numbers(code: CodeName, index: number, match: MatchResult, { catalogue }: State, settings: Settings): string {
@@ -66,9 +66,9 @@ function agreeing(best: number, second: number, largest: number): string {
 }
 
 /** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
-function outOfGeometry({ geometry, geometry_reason: reason }: MatchResult, ratio: string, best: number): string {
+function outOfGeometry({ geometry, no_geometry: none }: MatchResult, ratio: string, best: number): string {
   const alike = `Distance ${fixed(best, 4)}, ${ratio}`;
-  if (geometry === null) return `${alike}. No geometry of the two views was found${reason === null ? '' : `: ${reason}`}.`;
+  if (geometry === null) return `${alike}. No geometry of the two views was found${none === null ? '' : `: ${message('no_geometry', none)}`}.`;
   const what = 'fundamental' in geometry.model ? 'its epipolar line' : 'the place that the map gives';
   return `${alike}; but it does not fit: allowed are up to ${fixed(geometry.threshold_px, 2)} px from ${what}.`;
 }

@@ -1,4 +1,5 @@
 /** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
+import { CELLS } from '../state/descriptor';
 import { comparesGradients } from '../state/keys';
 import type { Settings } from '../../shared/crate';
 import type { State } from '../state/state';
@@ -13,8 +14,6 @@ const SCALES = 2;
 /** Least radius in CSS px at which a circle is drawn, and how many are: where more are in sight, zooming in shows them. */
 const LEAST_RADIUS = 6;
 const MOST_DRAWN = 250;
-/** Cells a side of a descriptor. */
-const CELLS = 4;
 
 /** Whether the directions of the frames were sought. */
 function haveDirections(settings: Settings | null): boolean {

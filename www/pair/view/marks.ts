@@ -2,6 +2,7 @@
 import { draw_match_lines, draw_points, draw_vectors } from '../../shared/crate';
 import { GROSS_ERROR, MATCHED } from '../state/codes';
 import { remember } from '../../shared/state/remember';
+import { within } from '../../shared/view/layers';
 import { SIDES } from '../state/state';
 import type { PointLayer, Side, State } from '../state/state';
 import { drawFrames } from './frames';
@@ -84,12 +85,9 @@ export function drawMarks(context: CanvasRenderingContext2D, state: State, scene
   drawLines(context, state, scene);
   for (const side of SIDES) {
     const pane = scene.panes[side];
-    context.save();
-    context.beginPath();
-    context.rect(pane.rect.left, pane.rect.top, pane.rect.width, pane.rect.height);
-    context.clip();
-    drawPoints(context, state, scene, pane, pane.transform, pane.rect);
-    drawResiduals(context, state, scene, pane);
-    context.restore();
+    within(context, pane.rect, () => {
+      drawPoints(context, state, scene, pane, pane.transform, pane.rect);
+      drawResiduals(context, state, scene, pane);
+    });
   }
 }

@@ -4,6 +4,7 @@ import { expectedPosition } from '../state/offset';
 import { leftIndexOf, placeOf } from '../state/selected';
 import type { State } from '../state/state';
 import { drawSupport } from './frames';
+import { within } from '../../shared/view/layers';
 import { contains, toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect, Transform } from '../../shared/view/transform';
 import { drawPoints } from './marks';
@@ -23,15 +24,6 @@ function pointOf(pane: Pane, index: number): [number, number] | null {
   const x = pane.points?.[3 * index];
   const y = pane.points?.[3 * index + 1];
   return x === undefined || y === undefined ? null : [x, y];
-}
-
-function within(context: CanvasRenderingContext2D, rect: Rect, draw: () => void): void {
-  context.save();
-  context.beginPath();
-  context.rect(rect.left, rect.top, rect.width, rect.height);
-  context.clip();
-  draw();
-  context.restore();
 }
 
 /** A ring with a dark edge, so that it shows on light and dark ground. */

@@ -6,55 +6,25 @@ import type { CodeName } from '../state/codes';
 export const SHAPES = { dot: 0, circle: 1, plus: 2, cross: 3, square: 4, triangleUp: 5, triangleDown: 6, diamond: 7 } as const;
 
 export interface PointStyle {
-  label: string;
-  /** What the rule says, for a point of which it is true. */
-  sentence: string;
   colour: string;
   shape: number;
 }
 
 const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
-  matched: { label: 'Matched', sentence: 'Matched: no rule refused it.', colour: '#00c08b', shape: SHAPES.circle },
-  no_descriptor: {
-    label: 'No window', colour: '#b0b0b0', shape: SHAPES.dot,
-    sentence: 'Refused: its window leaves the image or all its grey values are equal, so there is nothing to compare.',
-  },
-  no_candidate: { label: 'No candidate', sentence: 'Refused: there is nothing in reach that could be compared with it.', colour: '#ffffff', shape: SHAPES.plus },
-  threshold: { label: 'Threshold', sentence: 'Refused: its best candidate is not like enough.', colour: '#e69f00', shape: SHAPES.triangleUp },
-  ambiguous: {
-    label: 'Ambiguous', colour: '#cc79a7', shape: SHAPES.square,
-    sentence: 'Refused: its second best candidate is too nearly as good as its best.',
-  },
-  many_to_one: { label: 'Many to one', sentence: 'Refused: another left point matches the same place better.', colour: '#f0e442', shape: SHAPES.cross },
-  parallax: {
-    label: 'y-parallax', colour: '#0a84d6', shape: SHAPES.triangleDown,
-    sentence: 'Refused: its y-parallax deviates from that of the nearest matches, or it does not fit the geometry of the two views.',
-  },
-  border: {
-    label: 'Border', colour: '#e69f00', shape: SHAPES.square,
-    sentence: 'Refused: the best place lies on the border of its search window, so a better one may lie beyond.',
-  },
-  left_right: {
-    label: 'Left-right', colour: '#cc79a7', shape: SHAPES.cross,
-    sentence: 'Refused: from the right image back, another place of the left image is like it more.',
-  },
-  not_converged: {
-    label: 'Not converged', colour: '#56b4e9', shape: SHAPES.diamond,
-    sentence: 'Refused: least squares matching did not settle within its limits of shape, distance and iterations.',
-  },
-  imprecise: {
-    label: 'Imprecise', colour: '#f0e442', shape: SHAPES.triangleUp,
-    sentence: 'Refused: the standard error of its right position is too large, as on an edge along which it can slide.',
-  },
-  frame: {
-    label: 'Frame', colour: '#b0b0b0', shape: SHAPES.square,
-    sentence: 'Refused: it lies at the same place of both frames, as the border of the film, fiducial marks and data strips do.',
-  },
-  gross_error: {
-    label: 'Gross error', colour: '#d55e00', shape: SHAPES.diamond,
-    sentence: 'Matched, then left out of the relative orientation: its standardised residual exceeds the limit that α₀ sets.',
-  },
-  undecided: { label: 'Not matched', sentence: 'No match uses this point.', colour: '#56b4e9', shape: SHAPES.plus },
+  matched: { colour: '#00c08b', shape: SHAPES.circle },
+  no_descriptor: { colour: '#b0b0b0', shape: SHAPES.dot },
+  no_candidate: { colour: '#ffffff', shape: SHAPES.plus },
+  threshold: { colour: '#e69f00', shape: SHAPES.triangleUp },
+  ambiguous: { colour: '#cc79a7', shape: SHAPES.square },
+  many_to_one: { colour: '#f0e442', shape: SHAPES.cross },
+  parallax: { colour: '#0a84d6', shape: SHAPES.triangleDown },
+  border: { colour: '#e69f00', shape: SHAPES.square },
+  left_right: { colour: '#cc79a7', shape: SHAPES.cross },
+  not_converged: { colour: '#56b4e9', shape: SHAPES.diamond },
+  imprecise: { colour: '#f0e442', shape: SHAPES.triangleUp },
+  frame: { colour: '#b0b0b0', shape: SHAPES.square },
+  gross_error: { colour: '#d55e00', shape: SHAPES.diamond },
+  undecided: { colour: '#56b4e9', shape: SHAPES.plus },
 };
 
 /** By code. */

@@ -1,4 +1,5 @@
 /** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
+import { within } from '../../shared/view/layers';
 import type { MaskImage, Overview } from '../state/data';
 import type { Rect, Transform } from '../../shared/view/transform';
 import { toPosition } from '../../shared/view/transform';
@@ -44,17 +45,14 @@ function paintBitmap(
 export function paintPicture(
   context: CanvasRenderingContext2D, picture: Picture, t: Transform, clip: Rect, ratio: number, tiles: TileCache | null,
 ): void {
-  context.save();
-  context.beginPath();
-  context.rect(clip.left, clip.top, clip.width, clip.height);
-  context.clip();
-  // Enlarged pixels are shown as they are; reduced ones are smoothed.
-  context.imageSmoothingEnabled = t.scale * ratio < 2;
-  context.imageSmoothingQuality = 'medium';
-  const part = visiblePart(picture, t, clip);
-  paintBitmap(context, picture.overview.bitmap, 0, 0, 2 ** picture.overview.halvings, part, t);
-  const level = wantedLevel(t.scale, ratio);
-  if (tiles !== null && level < picture.overview.halvings) {
+  within(context, clip, () => {
+    // Enlarged pixels are shown as they are; reduced ones are smoothed.
+    context.imageSmoothingEnabled = t.scale * ratio < 2;
+    context.imageSmoothingQuality = 'medium';
+    const part = visiblePart(picture, t, clip);
+    paintBitmap(context, picture.overview.bitmap, 0, 0, 2 ** picture.overview.halvings, part, t);
+    const level = wantedLevel(t.scale, ratio);
+    if (tiles === null || level >= picture.overview.halvings) return;
     const step = 2 ** level;
     const side = TILE_SIDE * step;
     for (let row = Math.floor(part[1] / side); row * side < part[3]; row++) {
@@ -63,17 +61,13 @@ export function paintPicture(
         if (tile !== null) paintBitmap(context, tile, column * side, row * side, step, part, t);
       }
     }
-  }
-  context.restore();
+  });
 }
 
 /** Paints what a mask leaves out over its image. */
 export function paintMask(context: CanvasRenderingContext2D, { overlay, width, height }: MaskImage, t: Transform, clip: Rect): void {
-  context.save();
-  context.beginPath();
-  context.rect(clip.left, clip.top, clip.width, clip.height);
-  context.clip();
-  context.imageSmoothingEnabled = false;
-  context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
-  context.restore();
+  within(context, clip, () => {
+    context.imageSmoothingEnabled = false;
+    context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
+  });
 }

@@ -1,6 +1,7 @@
 /** One worker as the page sees it: typed calls that are answered, refused, or ended with the worker. */
 import type { RequestMessage, ResponseMessage, StartMessage, Table, WireFailure } from './messages';
 import { spawnWorker, wasmModule } from './platform';
+import { messageOf } from '../text/format';
 
 /** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 export class CallError extends Error {
@@ -93,5 +94,5 @@ interface Started {
 }
 
 function otherFailure(error: unknown): WireFailure {
-  return { kind: 'other', code: null, message: error instanceof Error ? error.message : String(error) };
+  return { kind: 'other', code: null, message: messageOf(error) };
 }

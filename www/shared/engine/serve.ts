@@ -1,6 +1,7 @@
 /** The worker's end of the calls: answers them in their order, each by the handler of its name. */
 import { initSync } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers, RequestMessage, StartMessage, Table, WireFailure } from './messages';
+import { messageOf } from '../text/format';
 
 /** Buffers and bitmaps of an answer, moved rather than copied. Every array the crate hands out is a copy of its own. */
 function transferables(value: unknown): Transferable[] {
@@ -11,7 +12,7 @@ function transferables(value: unknown): Transferable[] {
 }
 
 function failureOf(error: unknown): WireFailure {
-  const message = error instanceof Error ? error.message : String(error);
+  const message = messageOf(error);
   const code = error instanceof Error && 'code' in error && typeof error.code === 'string' ? error.code : null;
   if (error instanceof WebAssembly.RuntimeError) return { kind: 'trap', code, message };
   if (error instanceof RangeError) return { kind: 'memory', code, message };

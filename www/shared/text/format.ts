@@ -35,3 +35,8 @@ export function sentence(text: string): string {
 export function refusedText(label: string): string {
   return `${label}: this value is not allowed. The last valid one stays in use.`;
 }
+
+/** What is said of whatever was thrown. */
+export function messageOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
+}

@@ -1,9 +1,20 @@
 /** Canvases that fill their host, one above the other, sharp on any screen; each is drawn again only when what it shows changed. */
+import type { Rect } from './transform';
 
 export function contextOf(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
   const context = canvas.getContext('2d');
   if (context === null) throw new Error('this browser offers no canvas to draw on');
   return context;
+}
+
+/** Draws within a rectangle alone. */
+export function within(context: CanvasRenderingContext2D, rect: Rect, draw: () => void): void {
+  context.save();
+  context.beginPath();
+  context.rect(rect.left, rect.top, rect.width, rect.height);
+  context.clip();
+  draw();
+  context.restore();
 }
 
 export class Layers<Name extends string> {

@@ -2,7 +2,7 @@
 
 use super::coplanarity::Ray;
 use super::normals::Matrix5;
-use super::result::Weakness;
+use super::result::Warning;
 use crate::math::median;
 use nalgebra::{Matrix3, SMatrix, SVector, Vector3};
 
@@ -82,14 +82,14 @@ fn normalising(rays: &[Ray], first: usize) -> Matrix3<f64> {
 }
 
 /// What the figures say.
-pub(super) fn weaknesses(condition: f64, plane_misfit: Option<f64>, spread: f64, (beside_rotation, sigma): (f64, f64)) -> Vec<Weakness> {
-    let found = [
-        (plane_misfit.is_some_and(|misfit| misfit < LEAST_MISFIT), Weakness::Plane),
-        (spread < LEAST_SPREAD, Weakness::Clustered),
-        (beside_rotation < LEAST_PARALLAX.max(LEAST_PARALLAX_SIGMAS * sigma), Weakness::Rotation),
-        (!(condition <= LARGEST_CONDITION), Weakness::IllConditioned),
-    ];
-    found.into_iter().filter(|(is, _)| *is).map(|(_, weakness)| weakness).collect()
+pub(super) fn warnings(condition: f64, plane_misfit: Option<f64>, spread: f64, (beside_rotation, sigma): (f64, f64)) -> Vec<Warning> {
+    let least_parallax = LEAST_PARALLAX.max(LEAST_PARALLAX_SIGMAS * sigma);
+    let [parallax_deg, least_deg] = [beside_rotation, least_parallax].map(f64::to_degrees);
+    let plane = plane_misfit.filter(|misfit| *misfit < LEAST_MISFIT).map(|misfit| Warning::Plane { misfit, least: LEAST_MISFIT });
+    let clustered = (spread < LEAST_SPREAD).then_some(Warning::Clustered { coverage: spread, least: LEAST_SPREAD });
+    let rotation = (beside_rotation < least_parallax).then_some(Warning::Rotation { parallax_deg, least_deg });
+    let conditioned = (!(condition <= LARGEST_CONDITION)).then_some(Warning::IllConditioned { condition, most: LARGEST_CONDITION });
+    [plane, clustered, rotation, conditioned].into_iter().flatten().collect()
 }
 
 /// Median parallax that the best rotation leaves, in radians: what of the images' difference only a base explains.

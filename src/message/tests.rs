@@ -1,0 +1,141 @@
+//! The catalogue and the families of messages hold each other: every kind has a text, every text a kind, every variable a figure.
+
+use super::texts::NESTED;
+use super::{Message, Texts};
+use crate::{
+    BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, LengthUnit, NamedCamera, NoGeometry,
+    NoOrientation, Observed, PairOutcome, PairRule, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
+};
+use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
+
+const ENGLISH: &str = include_str!("../catalogue/en.ftl");
+
+/// Entries of what are no messages: kinds of results, and points that no rule decides.
+const OTHER: [&str; 6] = [
+    "two-view-model-calibrated",
+    "two-view-model-fundamental",
+    "two-view-model-homography",
+    "two-view-model-rotation",
+    "verdict-gross-error",
+    "verdict-undecided",
+];
+
+/// Identifiers of a family's entries with their figures.
+fn family<M: Message>() -> Vec<(String, &'static [&'static str])> {
+    let kebab = |name: &str| {
+        let words = name.chars().enumerate().flat_map(|(k, c)| ((k > 0 && c.is_uppercase()).then_some('-')).into_iter().chain([c]));
+        words.collect::<String>().to_lowercase()
+    };
+    let family = M::FAMILY.replace('_', "-");
+    let id = |kind: &str| if kind.is_empty() { family.clone() } else { format!("{family}-{}", kebab(kind)) };
+    M::KINDS.iter().map(|(kind, figures)| (id(kind), *figures)).collect()
+}
+
+fn messages() -> BTreeMap<String, &'static [&'static str]> {
+    let families = [
+        family::<BlockWarning>(),
+        family::<CameraParameter>(),
+        family::<Cause>(),
+        family::<Connection>(),
+        family::<Degeneracy>(),
+        family::<Error>(),
+        family::<Failure>(),
+        family::<LengthUnit>(),
+        family::<NamedCamera>(),
+        family::<NoGeometry>(),
+        family::<NoOrientation>(),
+        family::<Observed>(),
+        family::<PairOutcome>(),
+        family::<PairRule>(),
+        family::<Remark>(),
+        family::<Rule>(),
+        family::<Side>(),
+        family::<Computation>(),
+        family::<UnorientedReason>(),
+        family::<Unsettled>(),
+        family::<Warning>(),
+    ];
+    families.into_iter().flatten().collect()
+}
+
+/// The entries of a catalogue with the variables that each names in its text; those of items are in the attributes.
+fn entries(catalogue: &str) -> BTreeMap<String, BTreeSet<String>> {
+    let mut found: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    let (mut id, mut is_item) = (String::new(), false);
+    for line in catalogue.lines().filter(|line| !line.starts_with('#')) {
+        if let Some((name, _)) = line.split_once(" =").filter(|_| line.starts_with(|c: char| c.is_ascii_lowercase())) {
+            (id, is_item) = (name.to_string(), false);
+            found.insert(id.clone(), BTreeSet::new());
+        }
+        is_item |= line.trim_start().starts_with('.') && line.contains(" = ");
+        let variable = |rest: &str| rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>();
+        if !is_item {
+            found.get_mut(&id).into_iter().for_each(|names| names.extend(line.split('$').skip(1).map(variable)));
+        }
+    }
+    found
+}
+
+#[test]
+fn every_kind_has_a_text_and_every_text_a_kind() {
+    let written: BTreeSet<String> = entries(ENGLISH).into_keys().collect();
+    let wanted: BTreeSet<String> = messages().into_keys().chain(OTHER.map(String::from)).collect();
+    assert_eq!(written, wanted, "in the catalogue; of the families");
+    assert!(fluent_bundle::FluentResource::try_new(ENGLISH.into()).is_ok(), "the catalogue has an entry that cannot be read");
+}
+
+#[test]
+fn texts_name_the_figures_of_their_messages() {
+    for (id, figures) in messages() {
+        let given = |name: &str| figures.iter().any(|f| name == *f || name == format!("{f}_more") || name == format!("{f}_count"));
+        for name in &entries(ENGLISH)[&id] {
+            assert!(given(name), "{id} names ${name}; its figures are {figures:?}");
+        }
+        for name in figures {
+            let is_family = messages().keys().any(|id| id.starts_with(&format!("{}-", name.replace('_', "-"))));
+            assert!(!is_family || NESTED.contains(name), "{id} has the message {name}, which is not rendered");
+        }
+    }
+}
+
+#[test]
+fn figures_are_written_in_one_way() {
+    let text = |family, message| Texts::english().text_of(family, &message, None);
+    let scale = |ratio: f64| text("block_warning", json!({ "kind": "scale", "ratio": ratio, "unit": null }));
+    for (ratio, written) in [(0.001_012, "0.0010"), (0.3048, "0.30"), (3.32, "3.3"), (39.4, "39"), (1012.0, "1000"), (9.97, "10")] {
+        assert_eq!(scale(ratio), format!("The GCPs make the block {written} times as large as the GNSS positions: metres are needed."));
+    }
+    let names = |n: usize| (0..n).map(|k| format!("{k}.jpg")).collect::<Vec<_>>();
+    let few = |n: usize| BlockWarning::FewObservations { images: names(n), least: 20 }.to_string();
+    assert_eq!(few(1), "1 image has fewer than 20 observations: 0.jpg.");
+    assert_eq!(few(7), "7 images have fewer than 20 observations: 0.jpg, 1.jpg, 2.jpg, 3.jpg, 4.jpg and 2 more.");
+    let condition = Warning::IllConditioned { condition: f64::INFINITY, most: 2e4 };
+    assert!(condition.to_string().contains("condition –; up to 2e4"), "{condition}");
+}
+
+#[test]
+fn messages_within_messages_have_their_texts() {
+    let cause = Cause::PointsOnLine { side: Side::Left, width: 0.000_02, least: 1e-4 };
+    let error = Error::Degenerate { computation: Computation::RelativeOrientation, cause };
+    let text = NoOrientation::Refused { error }.to_string();
+    assert_eq!(
+        text,
+        "the observations do not determine the relative orientation: all points of the left photo lie on a line (width / length = 2.0e-5; \
+         at least 1e-4 is needed)"
+    );
+    let camera = NamedCamera { only: false, number: 2, first: Some("0005.jpg".into()), more: 4 };
+    let fixed = BlockWarning::ParameterFixed { camera, camera_parameter: CameraParameter::K3 };
+    assert_eq!(fixed.to_string(), "The block does not determine k3 of camera 2 (0005.jpg and 4 more images); it stays as it was.");
+}
+
+#[test]
+fn a_second_language_is_a_second_catalogue_and_falls_back_to_english() {
+    let german =
+        Texts::new("de", "unoriented-lost = nur { $rays ->\n    [one] ein Strahl\n   *[other] { $rays } Strahlen\n}\nbroken = {\n");
+    assert_eq!(german.text(&UnorientedReason::Lost { rays: 1 }), "nur ein Strahl");
+    assert_eq!(german.text(&UnorientedReason::Lost { rays: 3 }), "nur 3 Strahlen");
+    assert_eq!(german.text(&UnorientedReason::NoPoints), "it has no tie points");
+    assert_eq!(Texts::new("no tag!", "").text(&UnorientedReason::NoPoints), "it has no tie points");
+    assert_eq!(german.text_of("unoriented", &json!({ "kind": "of_the_future" }), None), "unoriented-of-the-future");
+}

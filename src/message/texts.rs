@@ -1,0 +1,147 @@
+//! The texts of messages in one language, from a catalogue in the syntax of Project Fluent.
+
+use super::family::Message;
+use fluent_bundle::concurrent::FluentBundle;
+use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use serde_json::Value;
+use std::sync::OnceLock;
+
+/// Lists are named one by one up to so many.
+const NAMED: usize = 5;
+
+/// Fields that are messages themselves: the names of their families.
+pub(super) const NESTED: [&str; 13] = [
+    "camera",
+    "camera_parameter",
+    "cause",
+    "computation",
+    "error",
+    "failure",
+    "no_geometry",
+    "observed",
+    "outcome",
+    "rule",
+    "side",
+    "unit",
+    "unsettled",
+];
+
+/// The texts of one language.
+///
+/// What a language has no text for is given in English.
+pub struct Texts {
+    bundle: FluentBundle<FluentResource>,
+}
+
+impl Texts {
+    /// Of English.
+    pub fn english() -> &'static Self {
+        static ENGLISH: OnceLock<Texts> = OnceLock::new();
+        ENGLISH.get_or_init(|| Self::new("en", include_str!("../catalogue/en.ftl")))
+    }
+
+    /// Of the language of a tag (`de`, `pt-BR`), from its catalogue. Entries that cannot be read are skipped. A tag that is none has the
+    /// plurals of English.
+    pub fn new(language: &str, catalogue: &str) -> Self {
+        let tag = language.parse().or_else(|_| "en".parse()).expect("a tag of a language");
+        let mut bundle = FluentBundle::new_concurrent(vec![tag]);
+        // Terminals and tables take no marks of direction.
+        bundle.set_use_isolating(false);
+        let resource = FluentResource::try_new(catalogue.into()).unwrap_or_else(|(readable, _)| readable);
+        bundle.add_resource_overriding(resource);
+        for (name, format) in FORMATS {
+            bundle.add_function(name, move |given, named| formatted(given, named, format)).expect("each name once");
+        }
+        Self { bundle }
+    }
+
+    /// The text of a message.
+    pub fn text<M: Message + ?Sized>(&self, message: &M) -> String {
+        self.text_of(M::FAMILY, &serde_json::to_value(message).unwrap_or_default(), None)
+    }
+
+    /// The text of a message of a family, or an attribute of it, from its JSON form.
+    pub(crate) fn text_of(&self, family: &str, message: &Value, attribute: Option<&str>) -> String {
+        let kind = message.as_str().or_else(|| message.get("kind")?.as_str());
+        let id = kind.map_or_else(|| family.to_string(), |kind| format!("{family}-{kind}")).replace('_', "-");
+        let mut figures = FluentArgs::new();
+        for (name, value) in message.as_object().into_iter().flatten() {
+            self.add(&mut figures, &id, name, value);
+        }
+        self.entry(&id, attribute, &figures)
+    }
+
+    fn entry(&self, id: &str, attribute: Option<&str>, figures: &FluentArgs) -> String {
+        let entry = self.bundle.get_message(id);
+        let pattern = entry.and_then(|entry| match attribute {
+            None => entry.value(),
+            Some(name) => entry.get_attribute(name).map(|attribute| attribute.value()),
+        });
+        match pattern {
+            Some(pattern) => self.bundle.format_pattern(pattern, Some(figures), &mut Vec::new()).into_owned(),
+            None if std::ptr::eq(self, Self::english()) => id.into(),
+            None => Self::english().entry(id, attribute, figures),
+        }
+    }
+
+    /// A list gives its first items, `name_more` of them unnamed and `name_count` in all; items with fields have their text in the attribute
+    /// of the list's name.
+    fn add(&self, figures: &mut FluentArgs, id: &str, name: &str, value: &Value) {
+        let text = match value {
+            Value::Null => "none".into(),
+            Value::Bool(is) => is.to_string(),
+            Value::Number(number) => return figures.set(name.to_string(), number.as_f64().unwrap_or(f64::NAN)),
+            _ if NESTED.contains(&name) => self.text_of(name, value, None),
+            Value::String(text) => text.clone(),
+            Value::Array(items) => {
+                figures.set(format!("{name}_count"), items.len());
+                figures.set(format!("{name}_more"), items.len().saturating_sub(NAMED));
+                items.iter().take(NAMED).map(|item| self.item(id, name, item)).collect::<Vec<_>>().join(", ")
+            }
+            Value::Object(_) => self.item(id, name, value),
+        };
+        figures.set(name.to_string(), text);
+    }
+
+    fn item(&self, id: &str, name: &str, item: &Value) -> String {
+        match item {
+            Value::String(text) => text.clone(),
+            Value::Object(fields) => {
+                let mut figures = FluentArgs::new();
+                fields.iter().for_each(|(field, value)| self.add(&mut figures, id, field, value));
+                self.entry(id, Some(name), &figures)
+            }
+            other => other.to_string(),
+        }
+    }
+}
+
+/// How a number is written, by its digits.
+type Format = fn(f64, usize) -> String;
+
+/// The functions of catalogues: digits after the point, significant digits, and powers of ten; a share in per cent.
+const FORMATS: [(&str, Format); 4] = [
+    ("FIXED", |value, digits| format!("{value:.digits$}")),
+    ("SIGNIFICANT", significant),
+    ("POWER", |value, digits| format!("{value:.digits$e}")),
+    ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
+];
+
+fn significant(value: f64, digits: usize) -> String {
+    let power = format!("{value:.*e}", digits.max(1) - 1);
+    let (rounded, exponent) =
+        power.split_once('e').map_or((value, 0), |(_, exponent)| (power.parse().unwrap_or(value), exponent.parse().unwrap_or(0)));
+    format!("{rounded:.*}", usize::try_from(digits as i64 - 1 - exponent).unwrap_or(0))
+}
+
+fn formatted<'a>(given: &[FluentValue<'a>], named: &FluentArgs, format: Format) -> FluentValue<'a> {
+    let digits = match named.get("digits") {
+        Some(FluentValue::Number(digits)) => digits.value as usize,
+        _ => 0,
+    };
+    match given.first() {
+        Some(FluentValue::Number(number)) if number.value.is_finite() => format(number.value, digits).into(),
+        // Where there is no number, as where JSON has null for one that is not finite.
+        _ => "–".into(),
+    }
+}

@@ -1,0 +1,136 @@
+//! What of a model deserves a warning.
+
+use super::frame::Frame;
+use super::result::{PointSource, ReconstructedModel};
+use super::units::of_units;
+use super::warning::{BlockWarning, Observed, RejectedPosition};
+use crate::Cause;
+use crate::adjustment::ObservationVerdict;
+use crate::model::BlockDescription;
+
+/// An image with fewer accepted rays is weak.
+const FEW_RAYS: usize = 20;
+/// A model is weak where this share of its points has two rays only.
+const MANY_TWO_RAYS: f64 = 0.8;
+/// A model is weak where this share of its rays was rejected.
+const MANY_REJECTED: f64 = 0.2;
+/// A model is weak where the angles of no image are surer than this.
+const UNCERTAIN_TURN_DEG: f64 = 2.0;
+/// An angle that is not surer than this is not known.
+const UNKNOWN_TURN_DEG: f64 = 45.0;
+/// Views that are this far off the vertical are no vertical photographs.
+const OBLIQUE_DEG: f64 = 10.0;
+
+/// `cause`: why the model does not lie in the system of what was observed.
+pub(super) fn warnings(
+    model: &ReconstructedModel,
+    description: &BlockDescription,
+    frame: &Frame,
+    cause: Option<Cause>,
+) -> Vec<BlockWarning> {
+    let mut found = Vec::new();
+    found.extend(if model.in_system { of_rotation(model) } else { Some(BlockWarning::Free { cause }) });
+    found.extend(of_positions(model, description, frame));
+    found.extend(of_units(model, description, frame));
+    found.extend(of_measurements(model, description));
+    found.extend(of_cameras(model, description));
+    found.extend(of_images(model, description));
+    found.extend(of_observations(model));
+    found
+}
+
+/// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
+/// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
+fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
+    let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
+    let error_deg = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
+    let datum = model.adjusted.datum;
+    let observed = match (datum.uses_gnss(), datum.uses_control()) {
+        (true, true) => Observed::Both,
+        (false, true) => Observed::Points,
+        _ => Observed::Positions,
+    };
+    let tilt_deg = Some(mean_tilt_deg(model)).filter(|tilt| *tilt > OBLIQUE_DEG);
+    match error_deg {
+        error if error > UNKNOWN_TURN_DEG => Some(BlockWarning::UnknownRotation { observed, tilt_deg }),
+        error if error > UNCERTAIN_TURN_DEG => Some(BlockWarning::UncertainRotation { observed, error_deg, tilt_deg }),
+        _ => None,
+    }
+}
+
+/// The angle between the mean direction of view and the vertical.
+fn mean_tilt_deg(model: &ReconstructedModel) -> f64 {
+    let images = &model.adjusted.block.images;
+    let [x, y, z] = [0, 1, 2].map(|k| images.iter().map(|image| image.pose.rotation[2][k]).sum::<f64>());
+    libm::atan2((x * x + y * y).sqrt(), z).to_degrees()
+}
+
+/// GNSS positions that took no part, and heights that they do not have.
+fn of_positions(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame) -> Vec<BlockWarning> {
+    let images = model.images.iter().zip(&model.adjusted.images).filter_map(|(image, statistics)| {
+        let [x, y, z] = statistics.gnss.filter(|prior| !prior.accepted)?.residual;
+        Some(RejectedPosition { name: description.images[*image].name.clone(), distance_m: (x * x + y * y + z * z).sqrt() })
+    });
+    let images: Vec<RejectedPosition> = images.collect();
+    let level = (frame.is_levelled && model.adjusted.datum.uses_gnss()).then_some(BlockWarning::NoHeights);
+    level.into_iter().chain((!images.is_empty()).then_some(BlockWarning::PositionsRejected { images })).collect()
+}
+
+/// GCPs whose image measurements do not fit, each by its name.
+fn of_measurements(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
+    let place = |control: usize| model.points.iter().position(|point| *point == PointSource::GroundControl(control));
+    let name = |image: usize| description.images[model.images[image]].name.clone();
+    let mut found = Vec::new();
+    for (index, control) in description.control.iter().enumerate() {
+        let measurements = control.measurements.iter().filter(|ray| model.images.binary_search(&ray.image).is_ok()).count();
+        if measurements == 0 {
+            continue;
+        }
+        let Some(place) = place(index) else {
+            found.push(BlockWarning::PointRejected { point: control.name.clone(), measurements });
+            continue;
+        };
+        let of_rays = model.adjusted.block.rays.iter().zip(&model.adjusted.rays);
+        let after = of_rays.filter(|(ray, statistics)| ray.point == place && statistics.verdict != ObservationVerdict::Accepted);
+        let mut images: Vec<usize> = after.map(|(ray, _)| ray.image).collect();
+        images.extend(model.rejected.iter().filter(|ray| ray.point == place).map(|ray| ray.image));
+        images.sort_unstable();
+        if !images.is_empty() {
+            let images = images.into_iter().map(name).collect();
+            found.push(BlockWarning::MeasurementsRejected { point: control.name.clone(), measurements, images });
+        }
+    }
+    found
+}
+
+fn of_cameras(model: &ReconstructedModel, description: &BlockDescription) -> Vec<BlockWarning> {
+    let mut found = Vec::new();
+    for (index, statistics) in model.cameras.iter().zip(&model.adjusted.cameras) {
+        let camera = description.named_camera(*index);
+        if model.guessed_focal.contains(index) {
+            found.push(match statistics.standard_errors[0] {
+                Some(error_px) => BlockWarning::FocalEstimated { camera: camera.clone(), error_px },
+                None => BlockWarning::FocalUndetermined { camera: camera.clone() },
+            });
+        }
+        let fixed = |camera_parameter| BlockWarning::ParameterFixed { camera: camera.clone(), camera_parameter };
+        found.extend(statistics.fixed.iter().map(|is| fixed(is.parameter)));
+    }
+    found
+}
+
+fn of_images(model: &ReconstructedModel, description: &BlockDescription) -> Option<BlockWarning> {
+    let weak = model.images.iter().zip(&model.adjusted.images).filter(|(_, statistics)| statistics.rays < FEW_RAYS);
+    let images: Vec<String> = weak.map(|(image, _)| description.images[*image].name.clone()).collect();
+    (!images.is_empty()).then_some(BlockWarning::FewObservations { images, least: FEW_RAYS })
+}
+
+fn of_observations(model: &ReconstructedModel) -> Vec<BlockWarning> {
+    let points: usize = model.adjusted.rmse_by_rays.iter().map(|group| group.points).sum();
+    let two: usize = model.adjusted.rmse_by_rays.iter().filter(|group| group.rays == 2).map(|group| group.points).sum();
+    let rejected = model.adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count() + model.rejected.len();
+    let observations = model.adjusted.rays.len() + model.rejected.len();
+    let weak = (two as f64 > MANY_TWO_RAYS * points as f64).then_some(BlockWarning::TwoRays { two, points });
+    let wrong = (rejected as f64 > MANY_REJECTED * observations as f64).then_some(BlockWarning::ManyRejected { rejected, observations });
+    weak.into_iter().chain(wrong).collect()
+}

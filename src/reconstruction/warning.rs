@@ -1,0 +1,104 @@
+//! Warnings about an adjusted block, and why images are not in it.
+
+use crate::message::messages;
+use crate::{CameraParameter, Cause, NamedCamera};
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// What is weak about a model.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    #[non_exhaustive]
+    pub enum BlockWarning as "block_warning" {
+        /// Nothing determines its position, rotation and scale. `cause`: why what was observed does not.
+        Free { cause: Option<Cause> },
+        /// What was observed lies along a line, about which the block may turn. `tilt_deg`: of the views, where they are not vertical.
+        UnknownRotation { observed: Observed, tilt_deg: Option<f64> },
+        /// The angles of no image are known better than `error_deg`.
+        UncertainRotation { observed: Observed, error_deg: f64, tilt_deg: Option<f64> },
+        /// The GNSS positions have no heights.
+        NoHeights,
+        /// GNSS positions that do not fit.
+        PositionsRejected { images: Vec<RejectedPosition> },
+        /// The GCPs make the block another number of times as large as the GNSS positions.
+        Scale { ratio: f64, unit: Option<LengthUnit> },
+        /// The GCPs seem to be in degrees.
+        Degrees,
+        /// A GCP whose image measurements in oriented images do not meet, or that has one alone.
+        PointRejected { point: String, measurements: usize },
+        /// The images of image measurements of a GCP that do not fit.
+        MeasurementsRejected { point: String, measurements: usize, images: Vec<String> },
+        /// A focal length that was not known.
+        FocalEstimated { camera: NamedCamera, error_px: f64 },
+        /// A focal length that was not known and stays so.
+        FocalUndetermined { camera: NamedCamera },
+        /// A parameter of a camera that the block does not determine.
+        ParameterFixed { camera: NamedCamera, camera_parameter: CameraParameter },
+        /// Images with fewer observations than `least`.
+        FewObservations { images: Vec<String>, least: usize },
+        /// Most points have two rays.
+        TwoRays { two: usize, points: usize },
+        /// Many observations do not fit.
+        ManyRejected { rejected: usize, observations: usize },
+    }
+}
+
+messages! {
+    /// What was observed of positions.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum Observed as "observed" {
+        /// GNSS positions.
+        Positions,
+        /// GCPs.
+        Points,
+        Both,
+    }
+}
+
+messages! {
+    /// Units of length that are taken for metres.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum LengthUnit as "unit" {
+        Millimetres,
+        Centimetres,
+        Inches,
+        Feet,
+        Kilometres,
+    }
+}
+
+/// An image whose GNSS position does not fit, and its distance from the adjusted one.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RejectedPosition {
+    pub name: String,
+    pub distance_m: f64,
+}
+
+messages! {
+    /// Why an image is not oriented.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum UnorientedReason as "unoriented" {
+        /// It has no tie points at all.
+        NoPoints,
+        /// Too few of its points were intersected by oriented images.
+        TooFewPoints { points: usize, needed: usize },
+        /// Too few of its rays agree on one orientation.
+        NoAgreement { agreeing: usize, points: usize, needed: usize },
+        /// The rays that agree lie on a line or in one spot of the image.
+        Narrow { agreeing: usize },
+        /// No second image has enough points in common with it and a base.
+        NoPartner,
+        /// It was oriented, and then lost nearly all of its rays.
+        Lost { rays: usize },
+        /// It was oriented, and the rays it had left did not determine its orientation in the bundle adjustment.
+        Undetermined { rays: usize },
+    }
+}
