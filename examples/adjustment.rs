@@ -6,20 +6,20 @@
 use std::error::Error;
 use std::fs;
 use std::time::Instant;
-use tiepoint::{AdjustmentOptions, Block, NetworkFlight, adjust_block, simulate_network};
+use tiepoint::{AdjustmentOptions, Block, NetworkFlight, adjust_block, simulate_network, with_defaults};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["simulate", flight, block, truth] => {
-            let flight: NetworkFlight = serde_json::from_str(&fs::read_to_string(flight)?)?;
+            let flight: NetworkFlight = with_defaults(serde_json::from_str(&fs::read_to_string(flight)?)?)?;
             let simulated = simulate_network(&flight)?;
             fs::write(block, serde_json::to_vec(&simulated.observed)?)?;
             fs::write(truth, serde_json::to_vec(&simulated.truth)?)?;
         }
         ["adjust", block, options, result] => {
             let block: Block = serde_json::from_slice(&fs::read(block)?)?;
-            let options: AdjustmentOptions = serde_json::from_str(&fs::read_to_string(options)?)?;
+            let options: AdjustmentOptions = with_defaults(serde_json::from_str(&fs::read_to_string(options)?)?)?;
             let start = Instant::now();
             let adjusted = adjust_block(&block, &options)?;
             let seconds = start.elapsed().as_secs_f64();

@@ -6,6 +6,7 @@
 
 mod adjustment;
 mod camera;
+mod catalogue;
 mod descriptors;
 mod error;
 mod formats;
@@ -17,7 +18,6 @@ mod message;
 mod model;
 mod orientation;
 mod pair;
-mod parameters;
 mod pipeline;
 mod points;
 mod reconstruction;
@@ -39,6 +39,7 @@ pub use camera::{
     Camera, CameraMm, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose,
     angles_from_rotation, orient_fiducials, rotation_from_angles,
 };
+pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
 pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
@@ -70,10 +71,6 @@ pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
     PhotoInput, VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair,
     match_weights, observations, orient_matches, photo_interior,
-};
-pub use parameters::{
-    ADJUSTMENT_PARAMETERS, BLOCK_FLIGHT_PARAMETERS, BLOCK_PARAMETERS, FEATURE_PARAMETERS, FLIGHT_PARAMETERS, GEOMETRY_PARAMETERS,
-    NETWORK_PARAMETERS, PARAMETERS, Parameter, ParameterKind, RECONSTRUCTION_PARAMETERS,
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,

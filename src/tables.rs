@@ -26,8 +26,8 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
     Ok(rows.into_iter().map(|[xl, yl, xr, yr]| Observation::new([xl, yl], [xr, yr])).collect())
 }
 
-/// Reads a camera: `{"focal_mm": 153.38, "principal_point_mm": [0, 0], "pixel_mm": 0.01, "radial_distortion": [0, 0, 0]}`, all but the first
-/// optional.
+/// Reads a camera: `{"focal_mm": 153.38, "principal_point_mm": [0, 0], "pixel_mm": 0.01, "radial_distortion": [0, 0, 0],
+/// "tangential_distortion": [0, 0]}`, all but the first optional.
 ///
 /// # Errors
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.

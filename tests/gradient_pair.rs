@@ -14,7 +14,7 @@ fn turned(image: &GreyImage) -> GreyImage {
 
 fn settings() -> PairSettings {
     let mut settings = PairSettings::default();
-    settings.points.operator = Operator::Multiscale;
+    settings.points.operator = Some(Operator::Multiscale);
     settings.matching.strategy = Strategy::Gradient;
     settings
 }
@@ -87,7 +87,7 @@ fn every_operator_can_be_described_by_gradients() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
     for operator in [Operator::Ground2, Operator::Forstner] {
         let mut settings = settings();
-        settings.points = PointOptions { operator, ..PointOptions::default() };
+        settings.points = PointOptions { operator: Some(operator), ..PointOptions::default() };
         let result = matched(&sample.left, &sample.right, &input(&sample), &settings);
         assert_eq!(result.left.frames.len(), result.left.points.len());
         assert!(result.matching.matches.len() > 500 && result.orientation.is_ok(), "{operator:?}: {:?}", result.matching.counts);
@@ -97,7 +97,7 @@ fn every_operator_can_be_described_by_gradients() {
 #[test]
 fn an_image_and_itself_differ_by_a_rotation_alone() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
-    let camera = CameraMm { focal_mm: 150.0, principal_point_mm: [0.0; 2], pixel_mm: Some(0.1), radial_distortion: [0.0; 3] };
+    let camera = CameraMm::without_distortion(150.0, Some(0.1));
     let result = matched(&sample.left, &turned(&sample.left), &PairInput { camera: Some(camera), ..PairInput::default() }, &settings());
     let geometry = result.geometry.unwrap().unwrap();
     assert_eq!(geometry.degenerate, Some(Degeneracy::PureRotation));
@@ -123,7 +123,7 @@ fn points_under_a_mask_are_left_out() {
     let small = GreyImage::from_fn(20, 20, |_, _| 255).unwrap();
     for operator in [Operator::Multiscale, Operator::Ground2] {
         let mut settings = settings();
-        settings.points.operator = operator;
+        settings.points.operator = Some(operator);
         let left = PairImage { grey: sample.left.view(), exif: None, mask: Some(half.view()) };
         let right = PairImage { grey: sample.right.view(), exif: None, mask: None };
         let result = match_pair(left, right, &PairInput::default(), &settings).unwrap();

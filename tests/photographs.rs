@@ -58,7 +58,7 @@ fn a_rendered_stereo_pair_is_oriented_as_it_was_rendered() {
     // Any pixel size will do: the focal length is in its unit. The truth's pixels count from the centre of the first.
     let pixel = 0.005;
     let principal_point_mm = [(k[2] + 0.5 - 500.0) * pixel, (375.0 - (k[3] + 0.5)) * pixel];
-    let camera = CameraMm { focal_mm: k[0] * pixel, principal_point_mm, pixel_mm: Some(pixel), radial_distortion: [0.0; 3] };
+    let camera = CameraMm { principal_point_mm, ..CameraMm::without_distortion(k[0] * pixel, Some(pixel)) };
     let input = PairInput { camera: Some(camera), ..PairInput::default() };
     let (left, right) = (image(&folder, "v1.png"), image(&folder, "v2.png"));
     let result = run(&left, &right, &input, PointOptions { fraction: Some(0.148), ..PointOptions::default() }).unwrap();
@@ -83,7 +83,7 @@ fn a_drone_pair_of_12_mp_is_oriented_with_nothing_given() {
 fn a_camera_that_only_turned_is_flagged() {
     let Some(folder) = folder("degenerate_rotation_arches") else { return };
     let (left, right) = (image(&folder, "JDW_9518.jpg"), image(&folder, "JDW_9519.jpg"));
-    let camera = CameraMm { focal_mm: 30.0, principal_point_mm: [0.0, 0.0], pixel_mm: Some(0.025), radial_distortion: [0.0; 3] };
+    let camera = CameraMm::without_distortion(30.0, Some(0.025));
     let input = PairInput { camera: Some(camera), ..PairInput::default() };
     for strategy in [Strategy::Moments, Strategy::Correlation, Strategy::LeastSquares] {
         let mut settings = PairSettings::default();

@@ -250,7 +250,7 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of surveyed point a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
         let ray = ImageObservation { image: 1, x_px, y_px, confidence: 1.0 };
-        let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: places within its 4000 x 3000 px");
+        let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: positions within its 4000 x 3000 px");
         refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray], ..control.clone() }), &got);
     }
     let ray = ImageObservation { image: 1, x_px: 4000.0, y_px: 0.0, confidence: 1.0 };

@@ -3,7 +3,7 @@
 //! `TIEPOINT_GOLDEN=write cargo test --test sample` rewrites the golden file after a change that is meant to change the matches.
 
 use tiepoint::{
-    Denominator, DenseTruth, MatchOptions, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions,
+    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions,
     Refinement, SAMPLE_SEED, Sample, Strategy, match_pair, matches_csv, sample_pair, score_matches,
 };
 #[cfg(target_arch = "wasm32")]
@@ -37,8 +37,7 @@ fn run(sample: &Sample, matching: MatchOptions) -> PairResult {
         right: photo(&sample.right_fiducials, sample.right_origin),
         offset: None,
     };
-    let operator = if matching.strategy == Strategy::Gradient { Operator::Multiscale } else { Operator::Ground2 };
-    let points = PointOptions { operator, fraction: Some(0.148), ..PointOptions::default() };
+    let points = PointOptions { fraction: Some(0.148), ..PointOptions::default() };
     let mut settings = PairSettings { points, matching, ..PairSettings::default() };
     settings.orientation.base_mm = Some(sample.base_mm);
     let image = |grey| PairImage { grey, exif: None, mask: None };

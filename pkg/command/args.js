@@ -1,6 +1,7 @@
 // @ts-check
 /** Splits a call into its positional arguments and its options, each checked against what the command takes. */
 
+import { parseArgs } from 'node:util';
 import { UsageError } from './errors.js';
 
 /**
@@ -20,31 +21,18 @@ import { UsageError } from './errors.js';
 
 /** @param {Command} command @param {string[]} args @returns {Call} */
 export function parse(command, args) {
-  /** @type {Call} */
-  const call = { positionals: [], values: new Map() };
-  for (let i = 0; i < args.length; i++) {
-    const arg = args[i] ?? '';
-    if (arg === '--') {
-      call.positionals.push(...args.slice(i + 1));
-      break;
-    }
-    if (!/^--?[a-z]/i.test(arg)) {
-      call.positionals.push(arg);
-      continue;
-    }
-    const [name, attached] = split(arg);
-    const option = find(command, name);
-    if (call.values.has(option.name)) throw new UsageError(`--${option.name} is given twice; give it once`);
-    call.values.set(option.name, option.placeholder ? option.read(attached ?? valueAfter(args, ++i, option)) : flag(option, attached));
+  const options = Object.fromEntries(command.options.map((o) => [o.name, { type: /** @type {'string' | 'boolean'} */ (o.placeholder ? 'string' : 'boolean') }]));
+  const { tokens, positionals } = parseArgs({ args, options, strict: false, allowPositionals: true, tokens: true });
+  /** @type {Call['values']} */
+  const values = new Map();
+  for (const token of tokens) {
+    if (token.kind !== 'option') continue;
+    const option = find(command, token.rawName);
+    if (values.has(option.name)) throw new UsageError(`--${option.name} is given twice; give it once`);
+    values.set(option.name, option.read(option.placeholder ? valueOf(option, token) : flag(option, token)));
   }
-  checkPositionals(command, call.positionals);
-  return call;
-}
-
-/** @param {string} arg @returns {[string, string | undefined]} */
-function split(arg) {
-  const at = arg.indexOf('=');
-  return at < 0 ? [arg, undefined] : [arg.slice(0, at), arg.slice(at + 1)];
+  checkPositionals(command, positionals);
+  return { positionals, values };
 }
 
 /** @param {Command} command @param {string} name @returns {Option} */
@@ -55,17 +43,18 @@ function find(command, name) {
   throw new UsageError(`tiepoint ${command.name} has no option ${name}; ${near ? `did you mean ${near}?` : `see tiepoint ${command.name} --help`}`);
 }
 
-/** @param {string[]} args @param {number} i @param {Option} option @returns {string} */
-function valueAfter(args, i, option) {
-  const value = args[i];
-  if (value === undefined || /^--[a-z]/i.test(value)) throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
+/** @typedef {{ value?: string | undefined, inlineValue?: boolean | undefined }} Token */
+
+/** What follows the option, unless it is an option itself.  @param {Option} option @param {Token} token @returns {string} */
+function valueOf(option, { value, inlineValue }) {
+  if (value === undefined || (!inlineValue && /^--[a-z]/i.test(value))) throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
   return value;
 }
 
-/** @param {Option} option @param {string | undefined} attached */
-function flag(option, attached) {
-  if (attached !== undefined) throw new UsageError(`--${option.name} takes no value; give --${option.name} alone`);
-  return true;
+/** @param {Option} option @param {Token} token */
+function flag(option, { value }) {
+  if (value !== undefined) throw new UsageError(`--${option.name} takes no value; give --${option.name} alone`);
+  return '';
 }
 
 /** @param {Command} command @param {string[]} given */
@@ -80,7 +69,7 @@ function checkPositionals(command, given) {
 
 /**
  * The known word nearest to one that is not known, if it is near.
- * @param {string} word @param {string[]} known @returns {string | undefined}
+ * @param {string} word @param {readonly string[]} known @returns {string | undefined}
  */
 export function nearest(word, known) {
   const ranked = known.map((k) => ({ k, d: editDistance(word, k) })).sort((a, b) => a.d - b.d);

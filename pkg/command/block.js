@@ -2,49 +2,25 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
-import { block_parameters, block_settings, export_formats, feature_parameters, parse_camera_rules, parse_image_measurements, parse_ground_control_points, score_block } from '../node.js';
+import { block_parameters, block_settings, export_formats, parse_camera_rules, parse_ground_control_points, parse_image_measurements, score_block } from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { checkTruth, exportPaths } from './foresight.js';
-import { DEFAULT_WORKERS, JSON_FLAG, list, parameterOption, path, word, workersOption } from './options.js';
+import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
-import { StageProgress } from './stage-progress.js';
+import { Progress } from './progress.js';
 import { Written } from './written.js';
 
 /**
  * @typedef {import('./args.js').Call} Call
- * @typedef {import('./options.js').Option} Option
- * @typedef {import('../node.js').Parameter} Parameter
  * @typedef {import('../node.js').ExportFormat} ExportFormat
  * @typedef {import('../block/index.js').Source} Source
  */
 
-const PARAMETERS = new Map([...block_parameters(), ...feature_parameters()].map((p) => [p.key, p]));
-const DEFAULTS = block_settings({});
-const RULES = ['all', 'near', 'sequence', 'alike'];
-const REFINEMENTS = ['none', 'least-squares'];
-
-/** Settings of the crate that are options, each with the place of its default.  @type {[name: string, key: string, fallback: number | undefined][]} */
-const SETTINGS = [
-  ['features', 'multiscale.number', DEFAULTS.features.multiscale.number],
-  ['near', 'pairs.near', DEFAULTS.pairs.near],
-  ['sequence', 'pairs.sequence', DEFAULTS.pairs.sequence],
-  ['alike', 'pairs.alike', DEFAULTS.pairs.alike],
-  ['least-matches', 'pairs.least_matches', DEFAULTS.pairs.least_matches],
-  ['per-image', 'selection.per_image', DEFAULTS.selection.per_image],
-  ['per-connection', 'selection.per_connection', DEFAULTS.selection.per_connection],
-  ['receiver-across-m', 'placing.receiver_across_m', DEFAULTS.placing.receiver_across_m],
-  ['receiver-up-m', 'placing.receiver_up_m', DEFAULTS.placing.receiver_up_m],
-];
-
-/** @param {string} name @param {string} key @param {number | undefined} fallback @returns {Option} */
-function setting(name, key, fallback) {
-  const p = /** @type {Parameter} */ (PARAMETERS.get(key));
-  return { ...parameterOption(name, p), ...(fallback !== undefined && { fallback }) };
-}
+const OPTIONS = optionsOf(block_parameters(), block_settings({}), BLOCK_NAMES);
 
 /** What files an image may have in a folder. */
 const IMAGE = /\.(jpe?g|png|tiff?|bmp|webp|pgm|ppm|pnm)$/i;
@@ -57,11 +33,8 @@ export const block = {
   rest: 'FOLDER|IMAGE…',
   options: [
     path('out', 'DIR', 'Folder that receives the files; required. What is done stands in its folder work/: started again, the command goes on from there.'),
-    word('pairs', RULES, PARAMETERS.get('pairs.rule')?.help ?? ''),
-    ...SETTINGS.map(([name, key, fallback]) => setting(name, key, fallback)),
-    { ...word('refine', REFINEMENTS, PARAMETERS.get('refinement.method')?.help ?? ''), fallback: DEFAULTS.refinement.method },
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
-    { ...word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.'), fallback: 'use' },
+    word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.', 'use'),
     path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
     path('masks', 'DIR', 'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.'),
@@ -69,6 +42,7 @@ export const block = {
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     workersOption('the result is'),
     JSON_FLAG,
+    ...OPTIONS,
   ],
   details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
     + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. '
@@ -83,7 +57,7 @@ async function run(call) {
   const out = values.get('out');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
   const sources = sourcesOf(call.positionals);
-  const settings = settingsOf(values);
+  const settings = settingsOf(OPTIONS, values, block_settings({}));
   const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
   const cameras = values.get('cameras');
   const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values), ...masksOf(values) };
@@ -98,9 +72,9 @@ async function run(call) {
   const written = new Written(out);
   written.refuseOthers([...FIXED_FILES, ...exported], formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
-  const shown = new StageProgress(values.has('json'));
+  const shown = new Progress({ quiet: values.has('json') });
   try {
-    const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.show(step) });
+    const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
     const score = known && about(String(truth), () => score_block(found.model, known));
     const summary = /** @type {any} */ (writeBlock(found, formats, (name, text) => written.put(name, text), score ? { score } : {}));
@@ -158,20 +132,6 @@ function masksOf(values) {
   if (typeof folder !== 'string') return {};
   if (!isFolder(folder)) throw new UsageError(`--masks is ${folder}, which is no folder; name a folder of masks`);
   return { masks: imagesIn(folder).map(sourceOf) };
-}
-
-/** The settings that were given, and no others.  @param {Call['values']} values */
-function settingsOf(values) {
-  /** @type {Record<string, any>} */
-  const given = { features: { multiscale: {} }, pairs: {}, placing: {}, selection: {} };
-  const groups = { multiscale: given.features.multiscale, pairs: given.pairs, placing: given.placing, selection: given.selection };
-  for (const [name, key] of SETTINGS) {
-    const [group = '', field = ''] = key.split('.');
-    if (values.has(name)) groups[/** @type {keyof typeof groups} */ (group)][field] = values.get(name);
-  }
-  if (values.has('refine')) given.refinement = { method: values.get('refine') };
-  if (values.has('pairs')) given.pairs.rule = values.get('pairs');
-  return given;
 }
 
 /** The images of folders, by name, and single images, in the order in which they were given.  @param {string[]} given @returns {Source[]} */

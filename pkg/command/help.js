@@ -2,7 +2,6 @@
 /** The help texts, made from the tables the commands work with. */
 
 import { version } from '../node.js';
-import { allowedText, defaultText } from './options.js';
 import { wrap } from './text.js';
 
 /** @typedef {import('./args.js').Command} Command @typedef {import('./options.js').Option} Option */
@@ -26,13 +25,14 @@ export function overview(commands) {
 /** @param {Command} command @returns {string} */
 export function helpOf(command) {
   const usage = ['tiepoint', command.name, ...command.positionals, ...(command.rest ? [command.rest] : []), '[OPTIONS]'].join(' ');
-  return [usage, '', wrap(command.summary, WIDTH), '', ...command.options.map(describe), wrap(command.details, WIDTH)].join('\n').trimEnd();
+  const sections = [...new Set(command.options.map(({ section }) => section))];
+  const options = sections.flatMap((title) => [...(title ? [`${title}:`, ''] : []), ...command.options.filter(({ section }) => section === title).map(describe)]);
+  return [usage, '', wrap(command.summary, WIDTH), '', ...options, wrap(command.details, WIDTH)].join('\n').trimEnd();
 }
 
 /** @param {Option} option @returns {string} */
-function describe(option) {
-  const facts = [['allowed', allowedText(option)], ['default', defaultText(option)]].filter(([, text]) => text !== '');
-  const text = facts.length > 0 ? `${option.help} (${facts.map((fact) => fact.join(': ')).join('; ')})` : option.help;
-  return `${`  --${option.name} ${option.placeholder}`.trimEnd()}\n${wrap(text, WIDTH, '      ')}\n`;
+function describe({ name, placeholder, help, range = '', fallback = '' }) {
+  const facts = [['allowed', range], ['default', String(fallback)]].filter(([, text]) => text !== '');
+  const text = facts.length > 0 ? [help, `(${facts.map((fact) => fact.join(': ')).join('; ')})`] : [help];
+  return `${`  --${name} ${placeholder}`.trimEnd()}\n${text.map((part) => wrap(part, WIDTH, '      ')).join('\n')}\n`;
 }
-

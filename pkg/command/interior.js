@@ -1,8 +1,8 @@
 // @ts-check
 import { orient_fiducials, parse_fiducials } from '../node.js';
-import { about, UsageError } from './errors.js';
+import { about } from './errors.js';
 import { readText } from './files.js';
-import { JSON_FLAG } from './options.js';
+import { JSON_FLAG, word } from './options.js';
 import { print, printJson } from './output.js';
 import { fixed, table } from './text.js';
 
@@ -11,18 +11,7 @@ import { fixed, table } from './text.js';
 /** @type {FiducialModel[]} */
 const MODELS = ['affine', 'similarity'];
 
-/** @type {import('./options.js').Option} */
-const MODEL = {
-  name: 'model',
-  placeholder: 'NAME',
-  help: `The transformation from scan to photo: ${MODELS.join(' (six parameters, default) or ')} (four).`,
-  read: (text) => MODELS.find((m) => m === text) ?? refuse(text),
-};
-
-/** @param {string} text @returns {never} */
-function refuse(text) {
-  throw new UsageError(`--model is ${text || 'empty'}; allowed: ${MODELS.join(', ')}`);
-}
+const MODEL = word('model', MODELS, 'The transformation from scan to photo: affine has six parameters, similarity four.', 'affine');
 
 /** @type {import('./args.js').Command} */
 export const interior = {

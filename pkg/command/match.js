@@ -1,8 +1,8 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { matches_csv, message, points_csv } from '../node.js';
+import { defaults, matches_csv, message, points_csv } from '../node.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, POINT_OPTIONS, settingsOf, workersOption } from './options.js';
+import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
 import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
@@ -19,9 +19,9 @@ const OPTIONS = [
   ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: the matches and the orientation are scored by it.'),
   path('out', 'DIR', 'Folder that receives matches.csv, left-points.csv, right-points.csv and result.json.'),
-  ...POINT_OPTIONS,
   workersOption('the result is'),
   JSON_FLAG,
+  ...SETTING_OPTIONS,
 ];
 
 /** @type {import('./args.js').Command} */
@@ -37,16 +37,16 @@ export const match = {
   async run(call) {
     const { positionals: [leftPath = '', rightPath = ''], values } = call;
     const input = inputOf(call);
-    const settings = settingsOf(OPTIONS, values);
+    const settings = settingsOf(OPTIONS, values, defaults());
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     if (typeof out === 'string') makeFolder(out);
-    const progress = new Progress(4);
+    const progress = new Progress({ steps: 4 });
     const left = progress.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = progress.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     if (truth) checkPair(truth, left, right);
     const pair = { left, right, input, settings, masks: masksOf(call, left, right) };
-    const output = await progress.stepAsync('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
+    const output = await progress.step('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
     const score = truth && scoreOf(output, truth, right);
     const result = { ...resultOf(output, settings), ...(score ? { score } : {}) };
     const written = progress.step('writing', () => (typeof out === 'string' ? write(out, output, result) : []));

@@ -1,12 +1,13 @@
 // @ts-check
+import { defaults } from '../node.js';
 import { UsageError } from './errors.js';
 import { readPhoto } from './files.js';
-import { BRIGHTNESS, JSON_FLAG, pair, settingsOf, WINDOW } from './options.js';
+import { groupOptions, JSON_FLAG, pair, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
 import { fixed, table } from './text.js';
 
 const AT = pair('at', 'COL,ROW', 'The pixel at the centre of the window, counted from 0 at the top left; required.');
-const OPTIONS = [AT, WINDOW, BRIGHTNESS, JSON_FLAG];
+const OPTIONS = [AT, ...groupOptions('window'), JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const moments = {
@@ -21,7 +22,7 @@ export const moments = {
     if (!Array.isArray(at)) throw new UsageError('--at is missing: give the pixel as --at COL,ROW');
     const [col, row] = at.map(Math.floor);
     if (col === undefined || row === undefined || col < 0 || row < 0) throw new UsageError(`--at is ${at.join(',')}; allowed: a column and a row from 0`);
-    const settings = settingsOf(OPTIONS, values);
+    const settings = settingsOf(OPTIONS, values, defaults());
     const { side, centroid_px, axis_angle_deg, central, normalized, invariants } = readPhoto(image).window_moments(col, row, settings.window);
     if (values.has('json')) printJson({ central, normalized, invariants, col, row, side, centroid_px, axis_angle_deg });
     else {

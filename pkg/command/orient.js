@@ -1,16 +1,16 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { message, orient_relative, parse_observations } from '../node.js';
+import { defaults, message, orient_relative, parse_observations } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readText } from './files.js';
-import { BASE, JSON_FLAG, ORIENTATION_OPTIONS, real, settingsOf } from './options.js';
+import { groupOptions, JSON_FLAG, real, settingsOf } from './options.js';
 import { print, printJson, rows } from './output.js';
 import { fixed, significant, table } from './text.js';
 
 /** @typedef {import('../node.js').RelativeOrientation} RelativeOrientation */
 
 const FOCAL = { ...real('focal-mm', 'focal_mm', 'Focal length (principal distance) in mm; required.', (f) => f > 0, 'a number above 0'), placeholder: 'F' };
-const OPTIONS = [FOCAL, BASE, ...ORIENTATION_OPTIONS, JSON_FLAG];
+const OPTIONS = [FOCAL, ...groupOptions('orientation'), JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const orient = {
@@ -26,7 +26,7 @@ export const orient = {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
     if (!values.has('base-mm')) throw new UsageError('--base-mm is missing: give the photo base in mm');
-    const settings = settingsOf(OPTIONS, values);
+    const settings = settingsOf(OPTIONS, values, defaults());
     const text = readText(file);
     const observations = about(file, () => parse_observations(text));
     const result = orient_relative(observations, focal, settings.orientation);

@@ -4,7 +4,7 @@
 import { parse_camera, parse_fiducials } from '../node.js';
 import { about, UsageError } from './errors.js';
 import { readMask, readText } from './files.js';
-import { BASE, MASK, MATCH_OPTIONS, pair, path, real, STATISTICS_OPTIONS } from './options.js';
+import { MASK, pair, path, real } from './options.js';
 
 /**
  * @typedef {import('../node.js').Given<import('../node.js').PairInput>} GivenInput
@@ -22,9 +22,6 @@ export const PAIR_OPTIONS = [
   pair('left-origin', 'COL,ROW', 'Place of the left image\'s top-left pixel in the scan whose fiducials were measured.'),
   pair('right-origin', 'COL,ROW', 'The same of the right image.'),
   pair('offset', 'DX,DY', 'Position of a point in the right image minus that in the left, in px; estimated when not given.'),
-  ...MATCH_OPTIONS,
-  BASE,
-  ...STATISTICS_OPTIONS,
 ];
 
 export const MASK_OPTIONS = [

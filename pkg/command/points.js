@@ -1,6 +1,7 @@
 // @ts-check
+import { defaults } from '../node.js';
 import { readMask, readPhoto } from './files.js';
-import { JSON_FLAG, MASK, path, POINT_OPTIONS, settingsOf } from './options.js';
+import { groupOptions, JSON_FLAG, MASK, path, settingsOf } from './options.js';
 import { print, printJson, rows } from './output.js';
 import { Progress } from './progress.js';
 import { fixed, table } from './text.js';
@@ -10,7 +11,7 @@ import { fixed, table } from './text.js';
 /** How many points the table shows. */
 const SHOWN = 20;
 
-const OPTIONS = [path('mask', 'FILE', `${MASK}.`), ...POINT_OPTIONS, JSON_FLAG];
+const OPTIONS = [path('mask', 'FILE', `${MASK}.`), ...groupOptions('points', 'multiscale'), JSON_FLAG];
 
 /** @type {import('./args.js').Command} */
 export const points = {
@@ -20,8 +21,8 @@ export const points = {
   options: OPTIONS,
   details: 'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
   run({ positionals: [image = ''], values }) {
-    const settings = settingsOf(OPTIONS, values);
-    const progress = new Progress(2);
+    const settings = settingsOf(OPTIONS, values, defaults());
+    const progress = new Progress({ steps: 2 });
     const photo = progress.step('reading', () => readPhoto(image));
     const file = values.get('mask');
     const mask = typeof file === 'string' ? readMask(file, photo) : undefined;

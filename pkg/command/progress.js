@@ -1,58 +1,84 @@
 // @ts-check
-/** A progress bar on stderr, when it is a terminal; in a pipe or a file, nothing. */
+/** Progress on stderr: a bar on a terminal; elsewhere nothing, or a line for each stage of a block. */
+
+/** @typedef {import('../block/index.js').Step} Step */
 
 const WIDTH = 24;
 
-export class Progress {
-  #done = 0;
-  #shown = process.stderr.isTTY === true;
+/** The bar of a stage is drawn again after so many milliseconds. */
+const PAUSE_MS = 100;
 
-  /** @param {number} steps how many there will be */
-  constructor(steps) {
+/** What the steps of each stage are; of the last one there is one step, which is not counted.  @type {Record<Step['stage'], string>} */
+const WORDS = {
+  photos: 'photos', images: 'images', likeness: 'similarity of images', pairs: 'pairs', points: 'images and pairs joined to points', windows: 'images for windows of observations',
+  refinement: 'groups of points refined', orientation: 'orientation',
+};
+
+export class Progress {
+  #bar = process.stderr.isTTY === true;
+  #open = false;
+  #drawn = 0;
+  #done = 0;
+
+  /** @param {{ steps?: number, quiet?: boolean }} how how many steps there will be; whether ended stages get no line where there is no terminal */
+  constructor({ steps = 1, quiet = true } = {}) {
     this.steps = steps;
+    this.quiet = quiet;
   }
 
   /**
    * Shows what is being done, does it, and counts it.
-   * @template T @param {string} what @param {() => T} action @returns {T}
+   * @template T @param {string} what @param {() => T} action at once, or with a promise @returns {T}
    */
   step(what, action) {
-    this.#draw(what);
-    try {
-      const result = action();
-      this.#done += 1;
-      return result;
-    } catch (error) {
+    this.#draw(this.#done / this.steps, what);
+    this.#done += 1;
+    const failed = (/** @type {unknown} */ error) => {
       this.end();
       throw error;
+    };
+    try {
+      const result = action();
+      return result instanceof Promise ? /** @type {T} */ (result.catch(failed)) : result;
+    } catch (error) {
+      return failed(error);
     }
   }
 
-  /**
-   * As `step`, for what takes its time elsewhere.
-   * @template T @param {string} what @param {() => Promise<T>} action @returns {Promise<T>}
-   */
-  async stepAsync(what, action) {
-    this.#draw(what);
-    try {
-      const result = await action();
-      this.#done += 1;
-      return result;
-    } catch (error) {
-      this.end();
-      throw error;
+  /** Shows a step of a stage; one that ends its stage leaves a line.  @param {Step} step */
+  stage({ stage, done, total, found, name, seconds, secondsLeft }) {
+    const ended = done === total;
+    const now = performance.now();
+    if (ended || now - this.#drawn >= PAUSE_MS) {
+      this.#drawn = now;
+      const left = secondsLeft === undefined ? '' : `, ${duration(secondsLeft)} left`;
+      this.#draw(total > 0 ? done / total : 1, `${WORDS[stage]} ${done}/${total}${left}${name ? ` ${name}` : ''}`);
     }
+    if (!ended || (this.quiet && !this.#bar)) return;
+    this.end();
+    const earlier = found > 0 ? ` (${found} from an earlier run)` : '';
+    const counted = stage === 'orientation' ? '' : `: ${total}`;
+    process.stderr.write(`${WORDS[stage]}${counted}${earlier} in ${duration(seconds)}\n`);
   }
 
   /** Removes the bar. */
   end() {
-    if (this.#shown) process.stderr.write('\r\x1b[K');
+    if (this.#open) process.stderr.write('\r\x1b[K');
+    this.#open = false;
   }
 
-  /** @param {string} what */
-  #draw(what) {
-    if (!this.#shown) return;
-    const filled = Math.round((WIDTH * this.#done) / this.steps);
-    process.stderr.write(`\r\x1b[K[${'#'.repeat(filled)}${'.'.repeat(WIDTH - filled)}] ${what}`);
+  /** @param {number} share @param {string} text */
+  #draw(share, text) {
+    if (!this.#bar) return;
+    this.#open = true;
+    const filled = Math.round(WIDTH * share);
+    process.stderr.write(`\r\x1b[K[${'#'.repeat(filled)}${'.'.repeat(WIDTH - filled)}] ${text}`);
   }
+}
+
+/** @param {number} seconds */
+function duration(seconds) {
+  if (seconds < 60) return `${seconds.toFixed(1)} s`;
+  const minutes = Math.floor(seconds / 60);
+  return minutes < 60 ? `${minutes} min ${Math.round(seconds % 60)} s` : `${Math.floor(minutes / 60)} h ${minutes % 60} min`;
 }

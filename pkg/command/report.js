@@ -1,9 +1,9 @@
 // @ts-check
-import { Report } from '../node.js';
+import { defaults, Report } from '../node.js';
 import { basename } from 'node:path';
 import { UsageError } from './errors.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
-import { JSON_FLAG, path, POINT_OPTIONS, settingsOf } from './options.js';
+import { JSON_FLAG, path, SETTING_OPTIONS, settingsOf } from './options.js';
 import { print, printJson } from './output.js';
 import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
 import { Progress } from './progress.js';
@@ -14,8 +14,8 @@ const OPTIONS = [
   ...PAIR_OPTIONS,
   ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: matches and orientation are compared with it.'),
-  ...POINT_OPTIONS,
   JSON_FLAG,
+  ...SETTING_OPTIONS,
 ];
 
 /** @type {import('./args.js').Command} */
@@ -29,18 +29,18 @@ export const report = {
   run(call) {
     const { positionals: [leftPath = '', rightPath = ''], values } = call;
     const input = inputOf(call);
-    const settings = settingsOf(OPTIONS, values);
+    const settings = settingsOf(OPTIONS, values, defaults());
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the report');
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     makeFolder(out);
-    const reading = new Progress(2);
+    const reading = new Progress({ steps: 2 });
     const left = reading.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = reading.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     reading.end();
     if (truth) checkPair(truth, left, right);
     const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth, ...masksOf(call, left, right));
-    const progress = new Progress(made.steps().length + 1);
+    const progress = new Progress({ steps: made.steps().length + 1 });
     for (const step of made.steps()) progress.step(`matching: ${step}`, () => made.step());
     const file = progress.step('writing', () => writeInto(out, 'report.html', made.html()));
     progress.end();

@@ -3,28 +3,20 @@ import { join } from 'node:path';
 import { block_flight_defaults, block_flight_parameters, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, removeUnfinished, replaceInto } from './files.js';
-import { DEFAULT_WORKERS, flag, JSON_FLAG, parameterOption, path, workersOption } from './options.js';
+import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, settingsOf, workersOption } from './options.js';
 import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
-import { StageProgress } from './stage-progress.js';
+import { Progress } from './progress.js';
 import { shellCommand } from './text.js';
 import { runStage } from '../block/stage.js';
 
-/** @typedef {import('../node.js').BlockFlight} BlockFlight @typedef {import('../node.js').Parameter} Parameter */
+/** @typedef {import('../node.js').BlockFlight} BlockFlight */
 
 /** Photos of a size that is soon rendered, by a wide angle: block geometry is strong where bases are long against heights. */
 const PHOTO = { width_px: 1600, height_px: 1200, pixel_mm: 0.045, relief_m: 40 };
 
-/** Parameters of blocks whose features are made without photos. */
-const OF_FEATURES = ['features', 'clutter', 'matched', 'wrong', 'repeated', 'noise_px'];
-
-const FIELDS = block_flight_parameters().map((p) => ({ field: p.key.replace('block_flight.', ''), parameter: p })).filter(({ field }) => !OF_FEATURES.includes(field));
 const DEFAULTS = { ...block_flight_defaults(), ...PHOTO };
-
-/** @param {{ field: string, parameter: Parameter }} of */
-function option({ field, parameter }) {
-  return { ...parameterOption(field.replaceAll('_', '-'), parameter), fallback: /** @type {any} */ (DEFAULTS)[field] };
-}
+const OPTIONS = optionsOf(block_flight_parameters(), DEFAULTS);
 
 /** @type {import('./args.js').Command} */
 export const simulateBlock = {
@@ -34,9 +26,9 @@ export const simulateBlock = {
   options: [
     flag('block', 'A block of photos, not a pair.'),
     path('out', 'DIR', 'Folder that receives the files; required.'),
-    ...FIELDS.map(option),
     workersOption('the photos are'),
     JSON_FLAG,
+    ...OPTIONS,
   ],
   details: 'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), '
     + 'photo x right, y up; X east, north, up of the origin in m. JSON: photos, truth, and block, the command to try next as a list of words.',
@@ -47,18 +39,16 @@ export const simulateBlock = {
 async function run({ values }) {
   const out = values.get('out');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
-  const given = FIELDS.map(({ field }) => [field, values.get(field.replaceAll('_', '-'))]).filter(([, value]) => value !== undefined);
-  /** @type {BlockFlight} */
-  const flight = { ...DEFAULTS, ...Object.fromEntries(given) };
+  const flight = settingsOf(OPTIONS, values, { ...DEFAULTS });
   const truth = truthOf(flight);
   makeFolder(out);
   removeUnfinished(out);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
-  const shown = new StageProgress(values.has('json'));
+  const shown = new Progress({ quiet: values.has('json') });
   try {
     const items = truth.images.map(({ name }, index) => ({ name: `photos/${name}`, index }));
     const photos = await runStage({
-      name: 'photos', items, width: pool.size, label: ({ name }) => name, progress: (step) => shown.show(step),
+      name: 'photos', items, width: pool.size, label: ({ name }) => name, progress: (step) => shown.stage(step),
       act: async ({ name, index }) => {
         replaceInto(out, name, await pool.run('photo', { flight, index }));
         return { result: join(out, name), found: false };

@@ -2,7 +2,7 @@
 import { flight_parameters, flight_preset, flight_presets, grey_png, simulate as fly } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, writeInto } from './files.js';
-import { flag, JSON_FLAG, parameterOption, path, word } from './options.js';
+import { flag, JSON_FLAG, optionsOf, path, settingsOf, word } from './options.js';
 import { print, printJson } from './output.js';
 import { Progress } from './progress.js';
 import { simulateBlock } from './simulate-block.js';
@@ -17,14 +17,8 @@ import { denseMap, greyDigest } from './truth.js';
  */
 
 const OUT = path('out', 'DIR', 'Folder that receives the files; required.');
-const PARAMETERS = flight_parameters();
-const OPTIONS = PARAMETERS.map((p) => parameterOption(nameOf(p.key), p));
+const OPTIONS = optionsOf(flight_parameters(), flight_preset('sample'));
 const SEED = OPTIONS.filter(({ name }) => name === 'seed');
-
-/** @param {string} key `flight.field` */
-function nameOf(key) {
-  return key.replace('flight.', '').replaceAll('_', '-');
-}
 
 /** @type {Command} */
 export const simulate = {
@@ -32,7 +26,7 @@ export const simulate = {
   summary: 'Flies over a made town and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
   variant: simulateBlock,
   positionals: [],
-  options: [flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'), OUT, word('preset', flight_presets(), 'The flight that the other options change (default: sample).'), ...OPTIONS, JSON_FLAG],
+  options: [flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'), OUT, word('preset', flight_presets(), 'The flight that the other options change; their defaults are those of the sample.', 'sample'), JSON_FLAG, ...OPTIONS],
   details: 'truth.json holds the relative orientation, the flight, and digests that name both images; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the '
     + 'top-left pixel at 0, at which each left pixel is seen in the right image (NaN: nowhere); visible.png is 255 where it is seen. JSON: files, and match, the '
     + 'command to try next as a list of words.',
@@ -53,14 +47,9 @@ export const sample = {
 function make(values, preset) {
   const out = values.get('out');
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
-  const given = PARAMETERS.flatMap(({ key }) => {
-    const value = values.get(nameOf(key));
-    return value === undefined ? [] : [[key.replace('flight.', ''), value]];
-  });
-  /** @type {Flight} */
-  const flight = { ...flight_preset(preset), ...Object.fromEntries(given) };
+  const flight = settingsOf(OPTIONS, values, flight_preset(preset));
   makeFolder(out);
-  const progress = new Progress(2);
+  const progress = new Progress({ steps: 2 });
   const made = progress.step('rendering', () => fly(flight));
   const files = progress.step('writing', () => write(out, made, flight));
   progress.end();

@@ -37,7 +37,7 @@ use crate::math::normal_spread_within;
 /// # Source
 /// Brown 1976, The bundle adjustment: progress and prospects; Triggs et al. 2000, Bundle adjustment: a modern synthesis; Baarda 1968.
 pub fn adjust_block(block: &Block, options: &AdjustmentOptions) -> Result<AdjustmentResult, Error> {
-    options.check()?;
+    options.check_ranges()?;
     check_block(block, options.datum)?;
     let settled = settle(block, options)?;
     Ok(Description::new(block, options, settled).result())

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
 use crate::camera::orthonormal;
-use crate::parameters::check_values;
+use crate::catalogue::check_values;
 use crate::{Cause, Computation, Error};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.

@@ -1,85 +1,68 @@
 //! What the user chooses of the bundle adjustment.
 
-use crate::Error;
+use crate::catalogue::{choices, options};
 use crate::math::normal_quantile;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
 
-/// What says where the block lies in object space.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Datum {
-    /// The approximate values: a free network with seven inner constraints on the orientations of all images.
-    Free,
-    /// The images' GNSS positions.
-    Gnss,
-    /// The control points.
-    Control,
-    /// Both.
-    GnssAndControl,
+choices! {
+    /// What says where the block lies in object space.
+    pub enum Datum {
+        /// The approximate values: a free network with seven inner constraints on the orientations of all images.
+        Free = "free",
+        /// The images' GNSS positions.
+        Gnss = "gnss",
+        /// The control points.
+        Control = "control",
+        /// Both.
+        GnssAndControl = "gnss_and_control",
+    }
 }
 
-/// How rays with large residuals are weighted down until the gross errors are found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Loss {
-    /// Not at all: least squares.
-    Squares,
-    /// In proportion beyond two standard errors (Huber 1964).
-    Huber,
-    /// By 1 / (1 + (v/3σ)²): gross errors lose all influence.
-    Cauchy,
+choices! {
+    /// How observations with large residuals are weighted down until the gross errors are found.
+    pub enum Loss {
+        /// Not at all: least squares.
+        Squares = "squares",
+        /// In proportion beyond two standard errors (Huber 1964).
+        Huber = "huber",
+        /// By 1 / (1 + (v/3σ)²): gross errors lose all influence.
+        Cauchy = "cauchy",
+    }
 }
 
-/// Options of [`adjust_block`](crate::adjust_block).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct AdjustmentOptions {
-    pub datum: Datum,
-    pub loss: Loss,
-    /// Reject gross errors by data snooping.
-    pub snooping: bool,
-    /// Probability α₀ with which data snooping rejects a good coordinate (Baarda 1968).
-    pub alpha0: f64,
-    /// Standard error of an image coordinate of weight 1 in px that was known before; absent: estimated from the residuals.
-    pub sigma0_px: Option<f64>,
-    /// A free camera parameter is fixed where its standard error moves a ray at the edge of the image by more than this, in px.
-    pub calibration_limit_px: f64,
-    /// Iterations that one adjustment may take.
-    pub max_iterations: usize,
-    /// Compute standard errors, redundancies and tests; data snooping needs them.
-    pub statistics: bool,
-}
+options! {
+    /// Options of [`adjust_block`](crate::adjust_block).
+    pub struct AdjustmentOptions in "adjustment" {
+        section "Bundle block adjustment";
 
-impl Default for AdjustmentOptions {
-    fn default() -> Self {
-        Self {
-            datum: Datum::Free,
-            loss: Loss::Cauchy,
-            snooping: true,
-            alpha0: 0.001,
-            sigma0_px: None,
-            calibration_limit_px: 2.0,
-            max_iterations: 100,
-            statistics: true,
-        }
+        /// What says where the block lies: its approximate values (free network), GNSS positions, control points.
+        datum: Datum = Datum::Free, "Datum";
+
+        /// How large residuals are weighted down until the gross errors are found.
+        loss: Loss = Loss::Cauchy, "Robust loss";
+
+        /// Rejects gross errors by the tests of their residuals.
+        snooping: bool = true, "Data snooping";
+
+        /// The probability with which data snooping rejects a good coordinate: higher rejects more; 0.001 rejects beyond 3.29 standard errors
+        /// (Baarda 1968).
+        alpha0: f64 = 0.001, "Significance α₀", 1e-6..=0.1;
+
+        /// The standard error of an image coordinate of weight 1 that is known before: a larger one rejects fewer observations.
+        sigma0_px: Option<f64> = None, "σ₀ a priori", in "px", 1e-6..=1000, absent "estimated from the residuals";
+
+        /// A free camera parameter is fixed where its standard error moves an observation at the edge of the image by more than this: higher
+        /// estimates more parameters.
+        calibration_limit_px: f64 = 2.0, "Limit of self-calibration", in "px", 0.01..=1000;
+
+        /// The maximum number of iterations of one adjustment.
+        max_iterations: usize = 100, "Iterations", 1..=10000;
+
+        /// Computes standard errors, redundancies and tests, which data snooping needs; they take about as long as the adjustment.
+        statistics: bool = true, "Statistics";
     }
 }
 
 impl AdjustmentOptions {
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("adjustment.alpha0", self.alpha0)?;
-        if let Some(sigma0_px) = self.sigma0_px {
-            check("adjustment.sigma0_px", sigma0_px)?;
-        }
-        check("adjustment.calibration_limit_px", self.calibration_limit_px)?;
-        check("adjustment.max_iterations", self.max_iterations as f64)
-    }
-
     /// The standardised residual beyond which a coordinate is a gross error.
     pub(super) fn limit(&self) -> f64 {
         normal_quantile(1.0 - 0.5 * self.alpha0)

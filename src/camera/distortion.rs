@@ -21,6 +21,12 @@ pub(super) fn radial_factor([k1, k2, k3]: [f64; 3], r2: f64) -> f64 {
     1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))
 }
 
+/// By how much the tangential terms of a correction move a position (x, y) of the photo, y up: r²·P + 2 (P·x)·x.
+pub(super) fn tangential_shift([p1, p2]: [f64; 2], [x, y]: [f64; 2]) -> [f64; 2] {
+    let (r2, twice) = (x * x + y * y, 2.0 * (p1 * x + p2 * y));
+    [r2 * p1 + twice * x, r2 * p2 + twice * y]
+}
+
 /// The pixel of a direction.
 pub(crate) fn distorted(camera: &CameraValues, x: f64, y: f64) -> [f64; 2] {
     let [f, cx, cy, k1, k2, k3, p1, p2] = *camera;

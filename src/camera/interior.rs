@@ -1,9 +1,9 @@
 //! The way from a pixel to photo coordinates.
 
-use super::distortion::radial_factor;
+use super::distortion::{radial_factor, tangential_shift};
 use super::{CameraMm, FiducialOrientation};
 use crate::Error;
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
@@ -22,6 +22,9 @@ pub struct Interior {
     pub principal_point_mm: [f64; 2],
     /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
     pub radial_distortion: [f64; 3],
+    /// `[p1, p2]` in mm⁻¹.
+    #[serde(default)]
+    pub tangential_distortion: [f64; 2],
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
     #[serde(default)]
     pub covariance: Option<[[f64; 3]; 3]>,
@@ -42,7 +45,7 @@ impl Interior {
         }
         let parameters = marks.parameters.map(|[by_col, by_row, shift]| [by_col, by_row, shift + by_col * origin[0] + by_row * origin[1]]);
         let covariance = marks.covariance.map(|covariance| moved_to(&covariance, origin));
-        Ok(Self { parameters, principal_point_mm: camera.principal_point_mm, radial_distortion: camera.radial_distortion, covariance })
+        Ok(Self::new(camera, parameters, covariance))
     }
 
     /// From the side of a pixel, for the whole image of a digital camera of `width` x `height` px:
@@ -55,23 +58,32 @@ impl Interior {
         let pixel = camera.pixel_mm.ok_or_else(|| refuse("camera.pixel_mm", "absent", "0.000001 to 10 where there are no fiducials"))?;
         let (half_width, half_height) = (0.5 * width as f64, 0.5 * height as f64);
         let parameters = [[pixel, 0.0, -half_width * pixel], [0.0, -pixel, half_height * pixel]];
-        let (principal_point_mm, radial_distortion) = (camera.principal_point_mm, camera.radial_distortion);
-        Ok(Self { parameters, principal_point_mm, radial_distortion, covariance: None })
+        Ok(Self::new(camera, parameters, None))
+    }
+
+    fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {
+        let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, .. } = *camera;
+        Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance }
     }
 
     /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times
-    /// 1 + k1·r² + k2·r⁴ + k3·r⁶ with r the distance in mm from the principal point.
+    /// 1 + k1·r² + k2·r⁴ + k3·r⁶ with r the distance in mm from the principal point, plus p1 (r² + 2x²) + 2 p2 xy in x and
+    /// p2 (r² + 2y²) + 2 p1 xy in y.
     ///
-    /// The factor is a correction of what was measured: a positive k1 moves points outwards, against a barrel distortion.
+    /// This is a correction of what was measured: a positive k1 moves points outwards, against a barrel distortion.
     ///
     /// # Source
-    /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), the radial terms.
+    /// Brown 1971, Close-range camera calibration, Photogrammetric Engineering 37(8), in the direction from image to object.
     pub fn photo_mm(&self, x_px: f64, y_px: f64) -> [f64; 2] {
         let [[a, b, tx], [d, e, ty]] = self.parameters;
         let x = a * x_px + b * y_px + tx - self.principal_point_mm[0];
         let y = d * x_px + e * y_px + ty - self.principal_point_mm[1];
         let factor = radial_factor(self.radial_distortion, x * x + y * y);
-        [x * factor, y * factor]
+        if self.tangential_distortion == [0.0; 2] {
+            return [x * factor, y * factor];
+        }
+        let [dx, dy] = tangential_shift(self.tangential_distortion, [x, y]);
+        [x * factor + dx, y * factor + dy]
     }
 
     /// The same rays at a focal length `factor` times as long.
@@ -82,6 +94,7 @@ impl Interior {
             parameters: self.parameters.map(|row| row.map(|v| v * factor)),
             principal_point_mm: self.principal_point_mm.map(|v| v * factor),
             radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
+            tangential_distortion: self.tangential_distortion.map(|p| p / factor),
             covariance: self.covariance.map(|rows| rows.map(|row| row.map(|v| v * f2))),
         }
     }
@@ -90,7 +103,8 @@ impl Interior {
     pub fn turned(&self) -> Self {
         let quarter = |[x, y]: [f64; 2]| [y, -x];
         let [by_x, by_y] = self.parameters;
-        Self { parameters: [by_y, by_x.map(|v| -v)], principal_point_mm: quarter(self.principal_point_mm), ..*self }
+        let (principal_point_mm, tangential_distortion) = (quarter(self.principal_point_mm), quarter(self.tangential_distortion));
+        Self { parameters: [by_y, by_x.map(|v| -v)], principal_point_mm, tangential_distortion, ..*self }
     }
 
     /// Position in px, as a camera without distortion whose rows lie along the x axis would see it: the principal point stays where it is.
@@ -103,13 +117,34 @@ impl Interior {
     /// distortion leads no image position there.
     pub fn image_px(&self, x_px: f64, y_px: f64) -> Option<[f64; 2]> {
         let (pixel_mm, [x0, y0]) = (self.pixel_mm(), self.principal_point_px());
-        let [x, y] = [(x_px - x0) * pixel_mm, (y0 - y_px) * pixel_mm];
-        let wanted = (x * x + y * y).sqrt();
-        let share = if wanted > 0.0 { self.measured_radius_mm(wanted)? / wanted } else { 1.0 };
+        let [x, y] = self.measured_mm([(x_px - x0) * pixel_mm, (y0 - y_px) * pixel_mm])?;
         let [[a, b, tx], [d, e, ty]] = self.parameters;
-        let [u, v] = [share * x + self.principal_point_mm[0] - tx, share * y + self.principal_point_mm[1] - ty];
+        let [u, v] = [x + self.principal_point_mm[0] - tx, y + self.principal_point_mm[1] - ty];
         let determinant = a * e - b * d;
         Some([(e * u - b * v) / determinant, (a * v - d * u) / determinant])
+    }
+
+    /// The measured position, from the principal point, that the distortion corrects to this one.
+    fn measured_mm(&self, corrected: [f64; 2]) -> Option<[f64; 2]> {
+        let without_tangential = |[x, y]: [f64; 2]| {
+            let wanted = (x * x + y * y).sqrt();
+            let share = if wanted > 0.0 { self.measured_radius_mm(wanted)? / wanted } else { 1.0 };
+            Some([share * x, share * y])
+        };
+        let mut at = without_tangential(corrected)?;
+        if self.tangential_distortion == [0.0; 2] {
+            return Some(at);
+        }
+        for _ in 0..MOST_STEPS {
+            let [dx, dy] = tangential_shift(self.tangential_distortion, at);
+            let next = without_tangential([corrected[0] - dx, corrected[1] - dy])?;
+            let change = (next[0] - at[0]).abs() + (next[1] - at[1]).abs();
+            at = next;
+            if change <= 1e-12 * (at[0].abs() + at[1].abs()) {
+                return Some(at);
+            }
+        }
+        None
     }
 
     /// The measured distance from the principal point that the distortion corrects to this one, by Newton's method.
@@ -160,7 +195,7 @@ mod tests {
     use crate::camera::FiducialModel;
 
     fn camera() -> CameraMm {
-        CameraMm { focal_mm: 153.38, principal_point_mm: [0.5, -0.25], pixel_mm: Some(0.01), radial_distortion: [0.0; 3] }
+        CameraMm { principal_point_mm: [0.5, -0.25], ..CameraMm::without_distortion(153.38, Some(0.01)) }
     }
 
     #[test]

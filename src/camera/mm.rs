@@ -1,10 +1,10 @@
 //! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
 
-use super::distortion::{MOST_STEPS, undistorted};
+use super::distortion::{MOST_STEPS, radial_factor, tangential_shift, undistorted};
 use super::{Camera, ExifCamera};
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use crate::{Cause, Computation, Error};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use serde::{Deserialize, Serialize};
 
 /// The constants of a camera.
@@ -23,15 +23,23 @@ pub struct CameraMm {
     /// `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`](crate::Interior::photo_mm).
     #[serde(default)]
     pub radial_distortion: [f64; 3],
+    /// `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+    #[serde(default)]
+    pub tangential_distortion: [f64; 2],
 }
 
 impl CameraMm {
+    /// A camera without distortion whose principal point is the middle of the image or of the fiducials.
+    pub fn without_distortion(focal_mm: f64, pixel_mm: Option<f64>) -> Self {
+        Self { focal_mm, principal_point_mm: [0.0; 2], pixel_mm, radial_distortion: [0.0; 3], tangential_distortion: [0.0; 2] }
+    }
+
     /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
     ///
     /// # Errors
     /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
     pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        let camera = Self { focal_mm: exif.focal_mm, principal_point_mm: [0.0; 2], pixel_mm: exif.pixel_mm, radial_distortion: [0.0; 3] };
+        let camera = Self::without_distortion(exif.focal_mm, exif.pixel_mm);
         camera.check().map(|()| camera)
     }
 
@@ -54,22 +62,25 @@ impl CameraMm {
         if !self.radial_distortion.iter().all(|k| k.is_finite()) {
             return Err(refuse("camera.radial_distortion", format!("{:?}", self.radial_distortion), "three finite numbers"));
         }
+        if !self.tangential_distortion.iter().all(|p| p.is_finite()) {
+            return Err(refuse("camera.tangential_distortion", format!("{:?}", self.tangential_distortion), "two finite numbers"));
+        }
         Ok(())
     }
 }
 
 /// Side of a pixel where nobody knows it, mm.
 const NOMINAL_PIXEL_MM: f64 = 0.001;
-/// Radii at which the two directions of the distortion are compared.
+/// Radii at which the two directions of the distortion are compared, and positions along each side of the image.
 const RADII: usize = 128;
+const POSITIONS: usize = 16;
 
 impl Camera {
-    /// The camera as one photo has it: lengths in mm from the middle of the image, and the radial distortion as a correction of what was
-    /// measured.
+    /// The camera as one photo has it: lengths in mm from the middle of the image, and the distortion as a correction of what was measured.
     ///
-    /// The correction is the polynomial of three terms that comes nearest to the inverse of this camera's radial distortion, by least squares
-    /// over all radii of the image; for lenses of aerial cameras it is within some hundredths of a pixel of it. A photo's camera has no
-    /// tangential distortion: it is left out. A pixel is taken to be 0.001 mm where its side is not known.
+    /// The correction has the three radial terms that come nearest to the inverse of this camera's radial distortion, by least squares over
+    /// all radii of the image, and the two tangential ones that come nearest to the rest; for lenses of aerial cameras it is within some
+    /// hundredths of a pixel. A pixel is taken to be 0.001 mm where its side is not known.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where the distortion folds the image, so that it has no inverse; [`Error::InvalidOption`] where the camera is
@@ -79,22 +90,21 @@ impl Camera {
         let [cx, cy] = self.principal_point_px;
         let (width, height) = (f64::from(self.width_px), f64::from(self.height_px));
         let focal_mm = self.focal_px * pixel_mm;
+        let radial = self.radial_correction()?;
+        let ([k1, k2, k3], f2) = (radial, focal_mm * focal_mm);
         let camera = CameraMm {
-            focal_mm,
             principal_point_mm: [(cx - 0.5 * width) * pixel_mm, (0.5 * height - cy) * pixel_mm],
-            pixel_mm: Some(pixel_mm),
-            radial_distortion: self.correction()?.map_or([0.0; 3], |[k1, k2, k3]| {
-                let f2 = focal_mm * focal_mm;
-                [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)]
-            }),
+            radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
+            tangential_distortion: self.tangential_correction(radial)?.map(|p| p / focal_mm),
+            ..CameraMm::without_distortion(focal_mm, Some(pixel_mm))
         };
         camera.check().map(|()| camera)
     }
 
-    /// The terms of the correction in units of the focal length; absent where there is nothing to correct.
-    fn correction(&self) -> Result<Option<[f64; 3]>, Error> {
+    /// The radial terms of the correction in units of the focal length.
+    fn radial_correction(&self) -> Result<[f64; 3], Error> {
         if self.radial == [0.0; 3] {
-            return Ok(None);
+            return Ok([0.0; 3]);
         }
         let farthest = self.farthest_corner();
         let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
@@ -114,7 +124,28 @@ impl Camera {
         }
         let solved = normal.lu().solve(&right).filter(|terms| terms.iter().all(|term| term.is_finite()));
         let r2 = farthest * farthest;
-        Ok(solved.map(|terms| [terms.x / r2, terms.y / (r2 * r2), terms.z / (r2 * r2 * r2)]))
+        Ok(solved.map_or([0.0; 3], |terms| [terms.x / r2, terms.y / (r2 * r2), terms.z / (r2 * r2 * r2)]))
+    }
+
+    /// The tangential terms beside the radial ones, in units of the focal length.
+    fn tangential_correction(&self, radial: [f64; 3]) -> Result<[f64; 2], Error> {
+        if self.tangential == [0.0; 2] {
+            return Ok([0.0; 2]);
+        }
+        let at = |k: usize, length: u32| f64::from(length) * k as f64 / POSITIONS as f64;
+        let (mut normal, mut right) = (Matrix2::zeros(), Vector2::zeros());
+        for (column, row) in (0..=POSITIONS).flat_map(|column| (0..=POSITIONS).map(move |row| (column, row))) {
+            let measured_px = [at(column, self.width_px), at(row, self.height_px)];
+            let [x, down] = self.direction(measured_px)?;
+            let [cx, cy] = self.principal_point_px;
+            let measured = [(measured_px[0] - cx) / self.focal_px, (cy - measured_px[1]) / self.focal_px];
+            let factor = radial_factor(radial, measured[0] * measured[0] + measured[1] * measured[1]);
+            let rest = Vector2::new(x - measured[0] * factor, -down - measured[1] * factor);
+            let terms = Matrix2::from_columns(&[[1.0, 0.0], [0.0, 1.0]].map(|p| Vector2::from(tangential_shift(p, measured))));
+            normal += terms.transpose() * terms;
+            right += terms.transpose() * rest;
+        }
+        Ok(normal.lu().solve(&right).filter(|p| p.iter().all(|p| p.is_finite())).map_or([0.0; 2], Into::into))
     }
 
     /// Its distance from the principal point in units of the focal length.
@@ -142,14 +173,18 @@ mod tests {
 
     #[test]
     fn a_photo_sees_the_same_rays_as_the_block() {
-        for camera in [camera(), Camera { radial: [0.0; 3], pixel_mm: None, ..camera() }] {
+        let bent = Camera { tangential: [6e-4, -4e-4], ..camera() };
+        for camera in [camera(), Camera { radial: [0.0; 3], pixel_mm: None, ..camera() }, bent] {
             let own = camera.photo_camera().unwrap();
             let interior = Interior::from_pixel_size(&own, 4000, 3000).unwrap();
             for (x, y) in [(0.0, 0.0), (4000.0, 3000.0), (2010.0, 1490.0), (1000.0, 2500.0), (3999.0, 10.0)] {
                 let [x_mm, y_mm] = interior.photo_mm(x, y);
                 let [u, v] = camera.undistorted_px([x, y]).unwrap();
                 let [dx, dy] = [x_mm / own.focal_mm - (u - 2010.0) / 3500.0, y_mm / own.focal_mm + (v - 1490.0) / 3500.0];
-                assert!((dx * dx + dy * dy).sqrt() * 3500.0 < 0.02, "{dx} {dy} at {x}, {y}");
+                assert!((dx * dx + dy * dy).sqrt() * 3500.0 < 0.05, "{dx} {dy} at {x}, {y}");
+                let [back_x, back_y] = interior.undistorted_px(x, y);
+                let [px, py] = interior.image_px(back_x, back_y).unwrap();
+                assert!((px - x).abs() < 1e-6 && (py - y).abs() < 1e-6, "{px} {py} of {x}, {y}");
             }
         }
     }

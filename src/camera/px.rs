@@ -1,7 +1,7 @@
 //! The camera of a block: lengths in px.
 
 use super::distortion::{CAMERA_PARAMETERS, CameraValues, MOST_STEPS, distorted, undistorted};
-use crate::parameters::{FOCAL_PX, check_values};
+use crate::catalogue::{FOCAL_PX, check_values};
 use crate::{Cause, Computation, Error};
 use serde::{Deserialize, Serialize};
 

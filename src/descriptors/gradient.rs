@@ -28,7 +28,7 @@ pub struct Feature {
 /// # Errors
 /// As those two.
 pub fn features(image: GreyView<'_>, mask: Option<GreyView<'_>>, options: &FeatureOptions) -> Result<Vec<Feature>, Error> {
-    options.gradient.check()?;
+    options.gradient.check_ranges()?;
     let (points, space) = multiscale_points(image, mask, &options.multiscale)?;
     gradient_features(&space, &points, &options.gradient)
 }
@@ -47,7 +47,7 @@ pub fn features(image: GreyView<'_>, mask: Option<GreyView<'_>>, options: &Featu
 /// # Source
 /// Lowe 2004, Distinctive image features from scale-invariant keypoints, sections 5 and 6.
 pub fn gradient_features(space: &ScaleSpace, points: &[ScalePoint], options: &GradientOptions) -> Result<Vec<Feature>, Error> {
-    options.check()?;
+    options.check_ranges()?;
     let grid = Grid::new();
     let mut samples = [[0.0; ROW]; PADDED];
     let mut features = Vec::with_capacity(points.len());

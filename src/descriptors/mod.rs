@@ -30,7 +30,7 @@ pub fn describe(
     options: &WindowOptions,
     measure: Measure,
 ) -> Result<Vec<Option<Descriptor>>, Error> {
-    options.check()?;
+    options.check_ranges()?;
     let kernel = Kernel::new(options.side, options.shape);
     let descriptor = |point: &InterestPoint| {
         if !(point.x >= 0.0 && point.y >= 0.0) {

@@ -27,7 +27,7 @@ pub struct WindowMoments {
 /// # Source
 /// Zahran 2007, eqs. 4, 5.
 pub fn window_moments(image: GreyView<'_>, col: usize, row: usize, options: &WindowOptions) -> Result<WindowMoments, Error> {
-    options.check()?;
+    options.check_ranges()?;
     let kernel = Kernel::new(options.side, options.shape);
     let outside = Error::WindowOutside { side: options.side, col, row, width: image.width(), height: image.height() };
     let raw = kernel.raw_moments(image, col, row).ok_or(outside)?;

@@ -2,30 +2,28 @@
 
 use super::kernel::Kernel;
 use crate::Error;
-use crate::parameters::check;
+use crate::catalogue::{choices, options};
 use serde::{Deserialize, Serialize};
 
-/// How grey values I become the weights g of the moments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Brightness {
-    /// `(I - min) / Σ(I - min)`: neither gain nor offset matters.
-    Sum,
-    /// `(I - min) / (max - min)`.
-    Range,
-    /// `I / 255`.
-    Unit,
+choices! {
+    /// How grey values I become the weights g of the moments.
+    pub enum Brightness {
+        /// `(I - min) / Σ(I - min)`: neither gain nor offset matters.
+        Sum = "sum",
+        /// `(I - min) / (max - min)`.
+        Range = "range",
+        /// `I / 255`.
+        Unit = "unit" ("grey / 255"),
+    }
 }
 
-/// The window's outline.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum WindowShape {
-    Square,
-    /// The pixels whose centres lie within half the side of the window's centre: for images rotated against each other.
-    Circle,
+choices! {
+    /// The window's outline.
+    pub enum WindowShape {
+        Square = "square",
+        /// The pixels whose centres lie within half the side of the window's centre: for images rotated against each other.
+        Circle = "circle",
+    }
 }
 
 /// What two points are compared by.
@@ -39,20 +37,19 @@ pub enum Measure {
     Di,
 }
 
-/// Options of the window around a point.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct WindowOptions {
-    /// Side in px, odd.
-    pub side: usize,
-    pub shape: WindowShape,
-    pub brightness: Brightness,
-}
+options! {
+    /// Options of the window around a point.
+    pub struct WindowOptions in "window" {
+        section "Moments";
 
-impl Default for WindowOptions {
-    fn default() -> Self {
-        Self { side: 11, shape: WindowShape::Square, brightness: Brightness::Sum }
+        /// The side of the window whose moments describe a point (paper: 11): larger windows are more distinct and tolerate less relief.
+        side: usize = 11, "Moment window", in "px", odd 3..=63, acts "matching.strategy is moments, invariants", named "window";
+
+        /// A circular window does not change when the image is rotated; a square one does.
+        shape: WindowShape = WindowShape::Square, "Window shape", acts "matching.strategy is moments, invariants";
+
+        /// How grey values become weights: sum and range do not change with gain and offset; unit is grey / 255.
+        brightness: Brightness = Brightness::Sum, "Brightness", acts "matching.strategy is moments, invariants";
     }
 }
 
@@ -62,12 +59,7 @@ impl WindowOptions {
     /// # Errors
     /// [`Error::InvalidOption`] for the side.
     pub fn mask(&self) -> Result<Vec<bool>, Error> {
-        self.check()?;
+        self.check_ranges()?;
         Ok(Kernel::new(self.side, self.shape).mask())
-    }
-
-    /// Refuses a side outside its range.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("window.side", self.side as f64)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::sight::Sights;
 use super::text::{not_written, one_word};
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use crate::{BlockModel, Error};
 use std::fmt::Write;
 

@@ -1,5 +1,6 @@
 //! The block's own file: one line that says what it is, and one of JSON that is checked against it.
 
+use crate::catalogue::read_options;
 use crate::json::reason;
 use crate::text::shorten;
 use crate::{BlockModel, BlockOptions, Connection, Error, SelectOptions};
@@ -19,7 +20,9 @@ pub struct Project {
     pub block: BlockModel,
     /// The pairs that were chosen, with their outcomes.
     pub connections: Vec<Connection>,
+    #[serde(deserialize_with = "read_options")]
     pub joining: BlockOptions,
+    #[serde(deserialize_with = "read_options")]
     pub selection: SelectOptions,
 }
 

@@ -4,8 +4,7 @@ use super::blocks::{DESCRIPTOR_BYTES, square_distance};
 use super::index::PositionIndex;
 use super::nearest::{DescriptorMatch, Nearest, NearestOptions, descriptors};
 use crate::Error;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::options;
 
 /// Where a left point may be seen in the right image; matrices by rows, of homogeneous positions in px.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,30 +33,20 @@ pub(crate) fn square_distance_of(left: Located<'_>, i: usize, right: Located<'_>
     square_distance(&first[i], &second[j])
 }
 
-/// Options of [`guided_matches`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct GuidedOptions {
-    /// Largest distance from the line or the place in px.
-    pub radius_px: f64,
-    /// As that of [`NearestOptions`], among the candidates.
-    pub ratio: f64,
-    /// Largest distance of two descriptors; absent: any.
-    pub largest_distance: Option<f64>,
-}
+options! {
+    /// Options of [`guided_matches`].
+    pub struct GuidedOptions in "guided" {
+        section "Guided matching";
 
-impl Default for GuidedOptions {
-    fn default() -> Self {
-        Self { radius_px: 3.0, ratio: 0.85, largest_distance: None }
-    }
-}
+        /// The distance from the epipolar line, or from the place that a plane gives, within which right points are candidates: more finds
+        /// points of less exact geometries.
+        radius_px: f64 = 3.0, "Distance", in "px", 0..=1000;
 
-impl GuidedOptions {
-    fn check(&self) -> Result<(), Error> {
-        check("guided.radius_px", self.radius_px)?;
-        check("guided.ratio", self.ratio)?;
-        self.largest_distance.map_or(Ok(()), |largest| check("guided.largest_distance", largest))
+        /// The ratio to the second nearest among the candidates, of which there are few: higher keeps more, less certain matches.
+        ratio: f64 = 0.85, "Ratio", 0..=1;
+
+        /// The Euclidean distance of two descriptors beyond which they never match: more keeps more, less certain matches.
+        largest_distance: Option<f64> = None, "Maximum distance", 0..=3000, absent "any distance";
     }
 }
 
@@ -75,7 +64,7 @@ pub fn guided_matches(
     guide: &Guide,
     options: &GuidedOptions,
 ) -> Result<Vec<DescriptorMatch>, Error> {
-    options.check()?;
+    options.check_ranges()?;
     let (left_bytes, right_bytes) = (checked("left points", left)?, checked("right points", right)?);
     let (Guide::Lines(matrix) | Guide::Places(matrix)) = guide;
     if let Some(wrong) = matrix.iter().flatten().find(|v| !v.is_finite()) {

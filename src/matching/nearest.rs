@@ -2,37 +2,27 @@
 
 use super::blocks::{DESCRIPTOR_BYTES, Top, nearest_in_blocks};
 use crate::Error;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::options;
 use std::ops::Range;
 
-/// Options of [`nearest_matches`].
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct NearestOptions {
-    /// A match is ambiguous, and none, unless its distance is below this share of that of the second nearest (0 to 1; 1: no test but that
-    /// it is nearer).
-    pub ratio: f64,
-    /// Whether the left descriptor must be the nearest of the right one too.
-    pub mutual: bool,
-    /// Largest distance of two descriptors; absent: any.
-    pub largest_distance: Option<f64>,
-}
+options! {
+    /// Options of [`nearest_matches`].
+    pub struct NearestOptions in "nearest" {
+        section "Nearest descriptors";
 
-impl Default for NearestOptions {
-    fn default() -> Self {
-        Self { ratio: 0.8, mutual: true, largest_distance: None }
+        /// A match is rejected as ambiguous unless its distance is below this share of that of the second nearest descriptor: higher keeps more,
+        /// less certain matches; 1 asks only that it is nearer.
+        ratio: f64 = 0.8, "Ratio", 0..=1;
+
+        /// A match stands only where each of its two descriptors is the nearest of the other.
+        mutual: bool = true, "Mutual";
+
+        /// The Euclidean distance of two descriptors beyond which they never match: more keeps more, less certain matches.
+        largest_distance: Option<f64> = None, "Maximum distance", 0..=3000, absent "any distance";
     }
 }
 
 impl NearestOptions {
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("nearest.ratio", self.ratio)?;
-        self.largest_distance.map_or(Ok(()), |largest| check("nearest.largest_distance", largest))
-    }
-
     /// Whether a nearest neighbour is near enough and alone enough.
     pub(super) fn accept(&self, square: u32, second_square: Option<u32>) -> bool {
         let square = f64::from(square);
@@ -197,7 +187,7 @@ impl NearestTable {
     /// # Source
     /// Lowe 2004, Distinctive image features from scale-invariant keypoints, IJCV 60(2) (the ratio).
     pub fn matches(&self, options: &NearestOptions) -> Result<Vec<DescriptorMatch>, Error> {
-        options.check()?;
+        options.check_ranges()?;
         let all = self.rows.clone().zip(&self.of_left).filter_map(|(left, nearest)| nearest.map(|nearest| (left, nearest)));
         let accepted = all.filter(|(left, nearest)| {
             let mutual = !options.mutual || self.of_right[nearest.index].is_some_and(|(back, _)| back == *left);
@@ -214,7 +204,7 @@ impl NearestTable {
 /// # Errors
 /// As [`nearest`]; [`Error::InvalidOption`].
 pub fn nearest_matches(left: &[u8], right: &[u8], options: &NearestOptions) -> Result<Vec<DescriptorMatch>, Error> {
-    options.check()?;
+    options.check_ranges()?;
     nearest(left, right)?.matches(options)
 }
 

@@ -1,24 +1,22 @@
 //! What the user chooses of the matching.
 
-use crate::parameters::check;
-use crate::{Error, Measure};
-use serde::{Deserialize, Serialize};
+use crate::Measure;
+use crate::catalogue::{choices, options};
 
-/// How the right point of a left one is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Strategy {
-    /// The right interest point of the least dissimilarity of normalised moments (DM, eq. 16).
-    Moments,
-    /// The same with the seven invariants (DI, eq. 15).
-    Invariants,
-    /// The place of the highest normalised cross-correlation in the search window, to a fraction of a pixel.
-    Correlation,
-    /// Least squares matching from coarse to fine.
-    LeastSquares,
-    /// The right interest point of the nearest gradient descriptor, wherever it lies; what fits no geometry of the two views is refused.
-    Gradient,
+choices! {
+    /// How the right point of a left one is found.
+    pub enum Strategy {
+        /// The right interest point of the least dissimilarity of normalised moments (DM, eq. 16).
+        Moments = "moments" ("moments (DM)"),
+        /// The same with the seven invariants (DI, eq. 15).
+        Invariants = "invariants" ("invariants (DI)"),
+        /// The place of the highest normalised cross-correlation in the search window, to a fraction of a pixel.
+        Correlation = "correlation",
+        /// Least squares matching from coarse to fine.
+        LeastSquares = "least-squares" ("least squares"),
+        /// The right interest point of the nearest gradient descriptor, wherever it lies; what fits no geometry of the two views is rejected.
+        Gradient = "gradient" ("gradients"),
+    }
 }
 
 impl Strategy {
@@ -45,78 +43,85 @@ impl Strategy {
     }
 }
 
-/// What is done to the matches of any strategy.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Refinement {
-    None,
-    /// Each right position is moved to where least squares matching finds it.
-    LeastSquares,
+choices! {
+    /// What is done to the matches of any strategy.
+    pub enum Refinement {
+        None = "none",
+        /// Each right position is moved to where least squares matching finds it.
+        LeastSquares = "least-squares" ("least squares"),
+    }
 }
 
-/// What the difference of two moments is divided by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Denominator {
-    /// The larger magnitude of the two.
-    Maxabs,
-    /// The larger magnitude of the two, and at least the median magnitude of that moment over all points of both images.
-    Floor,
+choices! {
+    /// What the difference of two moments is divided by.
+    pub enum Denominator {
+        /// The larger magnitude of the two.
+        Maxabs = "maxabs" ("larger magnitude"),
+        /// The larger magnitude of the two, and at least the median magnitude of that moment over all points of both images.
+        Floor = "floor" ("larger magnitude, with floor"),
+    }
 }
 
-/// Options of the matching.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct MatchOptions {
-    pub strategy: Strategy,
-    pub refine: Refinement,
-    /// Once the pair is oriented, matches again along the epipolar lines, until nothing changes; gradients always do, once.
-    pub epipolar: bool,
-    pub denominator: Denominator,
-    /// Side of the search window in px, odd.
-    pub search: usize,
-    /// The best measure must be below this.
-    pub max_measure: f64,
-    /// Refused when the best measure exceeds this share of the second best, 0..1; absent: 0.9, for gradients 0.8.
-    pub ambiguity: Option<f64>,
-    /// Number of nearest matches that give the expected y-parallax; 0 switches the rule off.
-    pub parallax_neighbours: usize,
-    /// Least deviation of the y-parallax that is refused, in px.
-    pub parallax_tolerance: f64,
-    /// Side of the window whose grey values are compared by correlation and least squares matching, in px, odd.
-    pub template: usize,
-    /// Least correlation coefficient of a match by grey values, -1..1.
-    pub min_correlation: f64,
-    /// Refuses a match whose right window correlates better with another place in the left image, or whose right descriptor is nearer to
-    /// another left one.
-    pub left_right: bool,
-    /// Largest standard error of a right position found by least squares matching, in px.
-    pub max_standard_error: f64,
-    /// Gradients: leaves out what lies at the same place of both frames, as the film's border, fiducial marks and data strip.
-    pub without_frame: bool,
-}
+options! {
+    /// Options of the matching.
+    pub struct MatchOptions in "matching" {
+        section "Matching";
 
-impl Default for MatchOptions {
-    fn default() -> Self {
-        Self {
-            strategy: Strategy::Moments,
-            refine: Refinement::None,
-            epipolar: false,
-            denominator: Denominator::Maxabs,
-            search: 25,
-            max_measure: 3.0,
-            ambiguity: None,
-            parallax_neighbours: 12,
-            parallax_tolerance: 1.0,
-            template: 13,
-            min_correlation: 0.7,
-            left_right: true,
-            max_standard_error: 0.2,
-            without_frame: true,
-        }
+        /// Moments and invariants compare interest points of both images, invariants also where these are rotated; correlation and least
+        /// squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset.
+        strategy: Strategy = Strategy::Moments, "Strategy";
+
+        /// Least squares matching moves each right position to a hundredth of a pixel and rejects what does not fit.
+        refine: Refinement = Refinement::None, "Refinement", acts "matching.strategy is not least-squares";
+
+        /// Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
+        /// does so once, with a camera or without.
+        epipolar: bool = false, "Along epipolar lines", acts "matching.strategy is not gradient";
+
+        /// What a difference is divided by: the larger magnitude, or at least the median magnitude over all points, which keeps small moments
+        /// from dominating.
+        denominator: Denominator = Denominator::Maxabs, "Denominator", acts "matching.strategy is moments, invariants";
+
+        /// The side of the window around the expected position in which right points are candidates (paper: 25): a larger one admits larger
+        /// parallaxes and more wrong matches.
+        search: usize = 25, "Search window", in "px", odd 1..=1023, acts "matching.strategy is not gradient";
+
+        /// The best candidate is rejected unless its measure is below this (paper: 3): higher keeps more, less certain matches.
+        max_measure: f64 = 3.0, "Maximum measure", 0..=14, acts "matching.strategy is moments, invariants, gradient";
+
+        /// A match is rejected as ambiguous where the best measure exceeds this share of the second best: higher keeps more, less certain
+        /// matches; 1 switches the rule off.
+        ambiguity: Option<f64> = None, "Ambiguity ratio", 0..=1, absent "0.8 for gradients, 0.9 otherwise",
+            acts "matching.strategy is not least-squares";
+
+        /// The nearest matches that give the expected y-parallax: more follow its changes less closely; 0 switches the rule off.
+        parallax_neighbours: usize = 12, "Parallax neighbours", 0..=100, acts "matching.strategy is not gradient";
+
+        /// A y-parallax that deviates from the neighbours' median by more than this, and by more than 3 times their scatter, is rejected:
+        /// higher keeps more matches.
+        parallax_tolerance: f64 = 1.0, "Parallax tolerance", in "px", 0..=1000,
+            acts "matching.strategy is not gradient and matching.parallax_neighbours is not 0";
+
+        /// The side of the window whose grey values correlation and least squares matching compare: larger ones are more distinct and
+        /// tolerate less relief.
+        template: usize = 13, "Correlation window", in "px", odd 5..=63,
+            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares";
+
+        /// A match by grey values with a lower correlation coefficient is rejected: higher keeps fewer, more certain matches.
+        min_correlation: f64 = 0.7, "Minimum correlation", -1..=1,
+            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares";
+
+        /// Correlation: the window that is found must correlate best with the left point it came from. Gradient: the descriptor that is found
+        /// must be nearest to that of the left point.
+        left_right: bool = true, "Left-right check", acts "matching.strategy is correlation, gradient";
+
+        /// A least squares match whose right position has a larger standard error is rejected, as on an edge along which it can slide: higher
+        /// keeps more, less precise matches.
+        max_standard_error: f64 = 0.2, "Maximum standard error", in "px", 0.001..=10,
+            acts "matching.strategy is least-squares or matching.refine is least-squares";
+
+        /// Ignores what lies at the same place of both frames and matches by itself, as film borders, fiducial marks and data strips.
+        without_frame: bool = true, "Frame ignored", acts "matching.strategy is gradient", named "keep-frame";
     }
 }
 
@@ -131,17 +136,5 @@ impl MatchOptions {
     /// The share of the second best measure that the best may have: as chosen, or the strategy's own.
     pub fn ambiguity(&self) -> f64 {
         self.ambiguity.unwrap_or(self.strategy.default_ambiguity())
-    }
-
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("matching.search", self.search as f64)?;
-        check("matching.max_measure", self.max_measure)?;
-        check("matching.ambiguity", self.ambiguity())?;
-        check("matching.parallax_neighbours", self.parallax_neighbours as f64)?;
-        check("matching.parallax_tolerance", self.parallax_tolerance)?;
-        check("matching.template", self.template as f64)?;
-        check("matching.min_correlation", self.min_correlation)?;
-        check("matching.max_standard_error", self.max_standard_error)
     }
 }

@@ -109,8 +109,11 @@ mod tests {
     use crate::camera::CameraMm;
 
     fn interior() -> Interior {
-        let camera =
-            CameraMm { focal_mm: 150.0, principal_point_mm: [0.02, -0.05], pixel_mm: Some(0.1), radial_distortion: [1e-8, 0.0, 0.0] };
+        let camera = CameraMm {
+            principal_point_mm: [0.02, -0.05],
+            radial_distortion: [1e-8, 0.0, 0.0],
+            ..CameraMm::without_distortion(150.0, Some(0.1))
+        };
         Interior::from_pixel_size(&camera, 800, 600).unwrap()
     }
 

@@ -83,7 +83,7 @@ struct Search<'a> {
 
 impl<'a> Search<'a> {
     fn new(left: Described<'a>, right: Described<'a>, expected: Expectation<'a>, options: &'a MatchOptions) -> Result<Self, Error> {
-        options.check()?;
+        options.check_ranges()?;
         check_described("left points", left)?;
         check_described("right points", right)?;
         let floor = match options.denominator {

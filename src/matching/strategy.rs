@@ -19,7 +19,7 @@ pub fn match_images<'a>(
     expected: impl Into<Expectation<'a>>,
     options: &MatchOptions,
 ) -> Result<MatchSet, Error> {
-    options.check()?;
+    options.check_ranges()?;
     let expected = expected.into();
     let set = match options.strategy {
         Strategy::Moments | Strategy::Invariants => {

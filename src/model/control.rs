@@ -2,7 +2,7 @@
 
 use super::ImageObservation;
 use crate::Error;
-use crate::parameters::check_values;
+use crate::catalogue::check_values;
 use serde::{Deserialize, Serialize};
 
 /// A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three ground control

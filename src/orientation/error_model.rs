@@ -2,7 +2,7 @@
 
 use super::shared::SharedErrors;
 use crate::Error;
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 
 /// How the errors of observations depend on each other, and how small they can be.
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -1,83 +1,70 @@
 //! What the user chooses of the relative orientation.
 
 use crate::Error;
+use crate::catalogue::{choices, options, refuse};
 use crate::math::normal_quantile;
-use crate::parameters::{check, refuse};
-use serde::{Deserialize, Serialize};
 
-/// What is minimised.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum OrientationMethod {
-    /// The corrections of all four photo coordinates (Gauss-Helmert).
-    Rigorous,
-    /// The coplanarity determinants, unweighted (the short textbook form).
-    Determinant,
+choices! {
+    /// What is minimised.
+    pub enum OrientationMethod {
+        /// The corrections of all four photo coordinates (Gauss-Helmert).
+        Rigorous = "rigorous",
+        /// The coplanarity determinants, unweighted (the short textbook form).
+        Determinant = "determinant",
+    }
 }
 
-/// How observations that survived the rejection are weighted down for their residuals.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Weighting {
-    /// By nothing: least squares.
-    None,
-    /// By 1.5 / |w| where the standardised residual |w| exceeds 1.5 (Huber 1964).
-    Huber,
-    /// By exp(0.05 (2³ - |w|³)) where |w| exceeds 2 (Krarup, Juhl & Kubik 1980, made continuous).
-    Danish,
+choices! {
+    /// How observations that survived the rejection are weighted down for their residuals.
+    pub enum Weighting {
+        /// By nothing: least squares.
+        None = "none",
+        /// By 1.5 / |w| where the standardised residual |w| exceeds 1.5 (Huber 1964).
+        Huber = "huber" ("Huber"),
+        /// By exp(0.05 (2³ - |w|³)) where |w| exceeds 2 (Krarup, Juhl & Kubik 1980, made continuous).
+        Danish = "danish" ("Danish"),
+    }
 }
 
-/// Options of [`orient_relative`](crate::orient_relative).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct OrientationOptions {
-    pub method: OrientationMethod,
-    /// Start from the consensus of minimal samples and reject gross errors.
-    pub robust: bool,
-    /// Probability α₀ with which data snooping rejects a good observation: 0.001 rejects beyond 3.29 standard errors (Baarda 1968).
-    pub alpha0: f64,
-    /// Probability β₀ with which a blunder of the minimal detectable size is found.
-    pub beta0: f64,
-    pub weighting: Weighting,
-    /// Standard error of a photo coordinate of weight 1 in mm that was known before; absent: estimated from the residuals. Observations are
-    /// rejected by it, or by the estimated one where that is larger.
-    pub sigma0_mm: Option<f64>,
-    /// Start of the random numbers.
-    pub seed: u32,
-    /// Photo base b in mm; absent: the median x-parallax of the accepted observations.
-    pub base_mm: Option<f64>,
-}
+options! {
+    /// Options of [`orient_relative`](crate::orient_relative).
+    pub struct OrientationOptions in "orientation" {
+        section "Relative orientation";
 
-impl Default for OrientationOptions {
-    fn default() -> Self {
-        Self {
-            method: OrientationMethod::Rigorous,
-            robust: true,
-            alpha0: 0.001,
-            beta0: 0.8,
-            weighting: Weighting::None,
-            sigma0_mm: None,
-            seed: 1,
-            base_mm: None,
-        }
+        /// Rigorous: all four photo coordinates are observed. Determinant: the textbook form with unweighted determinants.
+        method: OrientationMethod = OrientationMethod::Rigorous, "Method";
+
+        /// Starts from the consensus of minimal samples and rejects gross errors; without it one blunder can carry the solution away.
+        robust: bool = true, "Robust";
+
+        /// The share of good matches that data snooping rejects by mistake: higher rejects more; 0.001 rejects beyond 3.29 standard errors
+        /// (Baarda 1968).
+        alpha0: f64 = 0.001, "Significance α₀", 0.000001..=0.2;
+
+        /// The probability with which a blunder of the minimal detectable size is found: higher makes that size larger.
+        beta0: f64 = 0.8, "Power β₀", 0.5..=0.999;
+
+        /// Weighs matches with large residuals down, in addition to their rejection.
+        weighting: Weighting = Weighting::None, "Robust weights";
+
+        /// The standard error of a photo coordinate that is known before: standard errors and tests use it, a global test compares it with the
+        /// residuals, and a larger one rejects fewer matches.
+        sigma0_mm: Option<f64> = None, "σ₀ a priori", in "mm", 0.0000001..=100, absent "estimated from the residuals";
+
+        /// The start of the random numbers of the consensus: the same seed gives the same result.
+        seed: u32 = 1, "Seed", 0..=4294967295.0, acts "orientation.robust is true";
+
+        /// The length b of the base at photo scale, by which by and bz grow in proportion.
+        base_mm: Option<f64> = None, "Photo base", in "mm", -1e6..=1e6, absent "the median x-parallax of the matches";
     }
 }
 
 impl OrientationOptions {
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        check("orientation.alpha0", self.alpha0)?;
-        check("orientation.beta0", self.beta0)?;
-        if let Some(sigma0_mm) = self.sigma0_mm {
-            check("orientation.sigma0_mm", sigma0_mm)?;
-        }
         match self.base_mm {
             Some(base_mm) if base_mm == 0.0 => Err(refuse("orientation.base_mm", base_mm, "-1000000 to 1000000, but not 0")),
-            Some(base_mm) => check("orientation.base_mm", base_mm),
-            None => Ok(()),
+            _ => self.check_ranges(),
         }
     }
 

@@ -5,8 +5,8 @@ use super::coplanarity::{Ray, RelativePose};
 use super::normals::{Matrix5, correlations};
 use super::result::Observation;
 use super::warning::{LARGEST_CONDITION, condition};
+use crate::catalogue::refuse;
 use crate::math::median;
-use crate::parameters::refuse;
 use crate::{Cause, Computation, Error, Side};
 
 /// Largest photo coordinate in focal lengths: 89.4° off the axis. Coordinates beyond it are pixels taken for mm, or worse.

@@ -38,6 +38,7 @@ impl DescribedImage {
 /// # Errors
 /// As [`detect`], [`describe`], [`multiscale_points`] and [`gradient_features`]; [`Error::InvalidInput`] for a mask of another size.
 pub fn describe_image(image: GreyView<'_>, mask: Option<GreyView<'_>>, settings: &PairSettings) -> Result<DescribedImage, Error> {
+    let settings = &settings.resolved();
     let strategy = settings.matching.strategy;
     if strategy == Strategy::Gradient {
         return gradients_of(image, mask, settings);
@@ -53,7 +54,7 @@ pub fn describe_image(image: GreyView<'_>, mask: Option<GreyView<'_>>, settings:
 fn gradients_of(image: GreyView<'_>, mask: Option<GreyView<'_>>, settings: &PairSettings) -> Result<DescribedImage, Error> {
     let (mut points, space) = multiscale_points(image, mask, &settings.multiscale)?;
     let mut found = None;
-    if settings.points.operator != Operator::Multiscale {
+    if settings.points.operator() != Operator::Multiscale {
         let set = detect(image, mask, &settings.points, &settings.multiscale)?;
         let framed = |p: &InterestPoint| ScalePoint { x: p.x, y: p.y, scale_px: SCALE_OF_POINTS_PX, weight: p.value };
         points = set.points.iter().map(framed).collect();

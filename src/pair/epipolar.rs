@@ -74,8 +74,11 @@ mod tests {
 
     /// A pair of distorted cameras whose base is the photos' x axis.
     fn interior() -> PairInterior {
-        let camera =
-            CameraMm { focal_mm: 20.0, principal_point_mm: [0.1, -0.2], pixel_mm: Some(0.02), radial_distortion: [2e-4, -1e-7, 0.0] };
+        let camera = CameraMm {
+            principal_point_mm: [0.1, -0.2],
+            radial_distortion: [2e-4, -1e-7, 0.0],
+            ..CameraMm::without_distortion(20.0, Some(0.02))
+        };
         let side = Interior::from_pixel_size(&camera, 1000, 800).unwrap();
         PairInterior { left: side, right: side, focal_mm: 20.0 }
     }

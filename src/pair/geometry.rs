@@ -32,7 +32,7 @@ impl PairInterior {
             return None;
         }
         let focal_mm = focal.focal_px * NOMINAL_PIXEL_MM;
-        let camera = CameraMm { focal_mm, principal_point_mm: [0.0; 2], pixel_mm: Some(NOMINAL_PIXEL_MM), radial_distortion: [0.0; 3] };
+        let camera = CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM));
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
         Some(Self { left: of(left)?, right: of(right)?, focal_mm })
     }

@@ -18,8 +18,8 @@ pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
 use crate::message::messages;
 use crate::{
     CameraMm, Degeneracy, Error, ExifCamera, Expectation, Fiducial, FiducialModel, GradientOptions, GreyView, MatchOptions, MatchSet,
-    MultiscaleOptions, NearestTable, NoGeometry, OffsetField, OrientationOptions, PointOptions, PointSet, RelativeOrientation, Side,
-    TwoView, TwoViewOptions, WindowOptions, estimate_offset,
+    MultiscaleOptions, NearestTable, NoGeometry, OffsetField, Operator, OrientationOptions, Parameter, PointOptions, PointSet,
+    RelativeOrientation, Side, Strategy, TwoView, TwoViewOptions, WindowOptions, estimate_offset,
 };
 use serde::{Deserialize, Serialize};
 
@@ -39,6 +39,32 @@ pub struct PairSettings {
     /// those named here.
     pub geometry: TwoViewOptions,
     pub orientation: OrientationOptions,
+}
+
+impl PairSettings {
+    /// All parameters, in the order of the pipeline.
+    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+        [
+            PointOptions::PARAMETERS,
+            MultiscaleOptions::PARAMETERS,
+            WindowOptions::PARAMETERS,
+            GradientOptions::PARAMETERS,
+            MatchOptions::PARAMETERS,
+            TwoViewOptions::PARAMETERS,
+            OrientationOptions::PARAMETERS,
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// The settings with every absent option that follows from the others: the operator of the strategy, its roundness and window, the
+    /// ambiguity ratio. What follows from the images stays absent. Everything that takes settings resolves them so.
+    pub fn resolved(&self) -> Self {
+        let gradients = self.matching.strategy == Strategy::Gradient;
+        let points = self.points.resolved(if gradients { Operator::Multiscale } else { Operator::Ground2 });
+        let matching = MatchOptions { ambiguity: Some(self.matching.ambiguity()), ..self.matching.clone() };
+        Self { points, matching, ..self.clone() }
+    }
 }
 
 /// What is known of one image of a pair.

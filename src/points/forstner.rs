@@ -2,8 +2,8 @@
 
 use super::box_sums::ColumnSums;
 use super::threshold::threshold_of_values;
-use super::{Candidates, InterestPoint, Selection};
-use crate::parameters::check;
+use super::{Candidates, InterestPoint, PointOptions, Selection};
+use crate::catalogue::check;
 use crate::{Error, GreyView};
 
 /// Finds distinct points: corners and circle centres.
@@ -20,10 +20,10 @@ use crate::{Error, GreyView};
 /// Förstner & Gülch 1987, in Zahran 2007, section 2 and eqs. 1 to 3.
 pub fn forstner(image: GreyView<'_>, selection: Selection, side: usize, roundness: f64) -> Result<Candidates, Error> {
     selection.check()?;
-    check("points.operator_window", side as f64)?;
-    check("points.roundness", roundness)?;
+    check(PointOptions::PARAMETERS, "points.operator_window", side as f64)?;
+    check(PointOptions::PARAMETERS, "points.roundness", roundness)?;
     if side.is_multiple_of(2) {
-        return Err(crate::parameters::refuse("points.operator_window", side, "odd sides for the Förstner operator"));
+        return Err(crate::catalogue::refuse("points.operator_window", side, "odd sides for the Förstner operator"));
     }
     let (width, height) = (image.width(), image.height());
     if width.min(height) < side {

@@ -1,8 +1,8 @@
 //! The ground operator, in both versions: contrast to the four neighbours makes a candidate.
 
 use super::threshold::threshold_of_histogram;
-use super::{Candidates, InterestPoint, Selection};
-use crate::parameters::check;
+use super::{Candidates, InterestPoint, PointOptions, Selection};
+use crate::catalogue::check;
 use crate::{Error, GreyView};
 
 /// Version 1: of the pixels that differ from at least two of their four neighbours by more than the threshold, the interest is the
@@ -28,7 +28,7 @@ pub fn ground1(image: GreyView<'_>, selection: Selection) -> Result<Candidates, 
 /// # Source
 /// Yan 1988, in Zahran 2007, section 2 and eqs. 1, 2.
 pub fn ground2(image: GreyView<'_>, selection: Selection, roundness: f64) -> Result<Candidates, Error> {
-    check("points.roundness", roundness)?;
+    check(PointOptions::PARAMETERS, "points.roundness", roundness)?;
     ground(image, selection, |above, row, below| Some(roundness_of(above, row, below)).filter(|q| *q > roundness))
 }
 

@@ -38,10 +38,11 @@ pub fn detect(
     options: &PointOptions,
     multiscale: &MultiscaleOptions,
 ) -> Result<PointSet, Error> {
+    options.check_ranges()?;
     let selection = options.selection()?;
     let window = options.operator_window();
     let allowed = Mask::new(mask, image)?;
-    let mut found = match options.operator {
+    let mut found = match options.operator() {
         Operator::Moravec => moravec(image, selection, window, options.tiled)?,
         Operator::Forstner => forstner(image, selection, window, options.roundness())?,
         Operator::Ground1 => ground1(image, selection)?,

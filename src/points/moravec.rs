@@ -2,8 +2,8 @@
 
 use super::box_sums::ColumnSums;
 use super::threshold::threshold_of_values;
-use super::{Candidates, InterestPoint, Selection};
-use crate::parameters::check;
+use super::{Candidates, InterestPoint, PointOptions, Selection};
+use crate::catalogue::check;
 use crate::{Error, GreyView};
 
 /// Finds windows whose grey values vary in every direction.
@@ -19,7 +19,7 @@ use crate::{Error, GreyView};
 /// Moravec 1981, in Zahran 2007, section 2.
 pub fn moravec(image: GreyView<'_>, selection: Selection, side: usize, tiled: bool) -> Result<Candidates, Error> {
     selection.check()?;
-    check("points.operator_window", side as f64)?;
+    check(PointOptions::PARAMETERS, "points.operator_window", side as f64)?;
     let (width, height) = (image.width(), image.height());
     if width.min(height) < side {
         return Err(Error::ImageTooSmall { width, height, operation: "the Moravec operator's window", min_side: side });

@@ -98,7 +98,7 @@ pub fn multiscale_points(
     mask: Option<GreyView<'_>>,
     options: &MultiscaleOptions,
 ) -> Result<(Vec<ScalePoint>, ScaleSpace), Error> {
-    options.check()?;
+    options.check_ranges()?;
     let (width, height) = (image.width(), image.height());
     if width.min(height) < LEAST_SIDE {
         return Err(Error::ImageTooSmall { width, height, operation: "the pyramid of scales", min_side: LEAST_SIDE });

@@ -2,67 +2,81 @@
 
 use super::Selection;
 use crate::Error;
-use crate::parameters::refuse;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::{check, choices, options, refuse};
 
-/// The published interest operators, and points of many scales.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Operator {
-    Moravec,
-    Forstner,
-    Ground1,
-    Ground2,
-    /// Points distinct in position and scale: [`multiscale_points`](crate::multiscale_points), which has options of its own.
-    Multiscale,
+choices! {
+    /// The published interest operators, and points of many scales.
+    pub enum Operator {
+        /// The contrast to the neighbours, then the roundness of four gradients: the paper's choice.
+        Ground2 = "ground2" ("Ground 2"),
+        /// The contrast to the neighbours alone.
+        Ground1 = "ground1" ("Ground 1"),
+        /// The weight and roundness of the error ellipse of a corner.
+        Forstner = "forstner" ("Förstner"),
+        /// The least of four directional variations.
+        Moravec = "moravec" ("Moravec"),
+        /// Points distinct in position and scale: [`multiscale_points`](crate::multiscale_points), which has options of its own.
+        Multiscale = "multiscale" ("many scales"),
+    }
 }
 
-/// Which of equal neighbouring values survive the suppression of non-maxima.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Ties {
-    /// All of them.
-    Keep,
-    /// The first in raster order.
-    First,
+choices! {
+    /// Which of equal neighbouring values survive the suppression of non-maxima.
+    pub enum Ties {
+        /// All of them.
+        Keep = "keep" ("keep all"),
+        /// The first in raster order.
+        First = "first" ("keep the first"),
+    }
 }
 
-/// Options of [`detect`](crate::detect). What is absent takes the operator's own default; all but the operator is of those that look at one
-/// scale.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct PointOptions {
-    pub operator: Operator,
-    /// Moravec: sum of squared grey differences. Förstner: factor of the mean weight. Ground: grey difference. Absent, as is
-    /// `fraction`: the operator's default, lowered where it leaves less than 5 % of the pixels as candidates.
-    pub threshold: Option<f64>,
-    /// Instead of a threshold: the share of all pixels that are to be candidates, 0..1.
-    pub fraction: Option<f64>,
-    /// Least roundness q (Förstner, ground 2), 0..1.
-    pub roundness: Option<f64>,
-    /// Side of the operator's window in px (Moravec 4 or 8, Förstner 5 or 7; any from 2 or 3 up is taken).
-    pub operator_window: Option<usize>,
-    /// Moravec: windows side by side in place of one at each pixel.
-    pub tiled: bool,
-    /// Side of the suppression window in px, odd; 1 suppresses nothing.
-    pub suppression_window: usize,
-    pub ties: Ties,
+options! {
+    /// Options of [`detect`](crate::detect). All but the operator are of those that look at one scale.
+    pub struct PointOptions in "points" {
+        section "Points";
+
+        /// The interest operator: ground 2 is the paper's choice, multiscale finds points of many sizes for images of different scales.
+        operator: Option<Operator> = None, "Operator", absent "multiscale for gradients, ground2 otherwise";
+
+        /// A higher threshold finds fewer points. Ground: grey difference (paper: 40). Förstner: factor of the mean weight (0.5 to 1.5).
+        /// Moravec: sum of squared grey differences.
+        threshold: Option<f64> = None, "Threshold", 0..=1e9,
+            absent "the operator's own, lowered where it leaves less than 5 % of the pixels as candidates",
+            acts "points.operator is not multiscale";
+
+        /// The share of all pixels that become candidates, in place of a threshold (paper: 0.148): more give more points. It is independent of
+        /// contrast.
+        fraction: Option<f64> = None, "Fraction of candidates", 0.000001..=1, absent "the threshold decides",
+            acts "points.operator is not multiscale";
+
+        /// A higher minimum keeps fewer, rounder points: 1 is a corner or spot, 0 an edge (ground 2: 0.32 to 0.5, Förstner: 0.5 to 0.75).
+        roundness: Option<f64> = None, "Minimum roundness q", 0..=1, absent "the operator's own",
+            acts "points.operator is forstner, ground2";
+
+        /// A larger window finds larger structures: Moravec 4 or 8, Förstner 5 or 7; the ground operators always use 3.
+        operator_window: Option<usize> = None, "Operator window", in "px", 2..=31, absent "the operator's own",
+            acts "points.operator is moravec, forstner";
+
+        /// Moravec: windows side by side, as first published, in place of one at each pixel.
+        tiled: bool = false, "Windows side by side", acts "points.operator is moravec";
+
+        /// A point is suppressed where this window around it holds a greater value (paper: 3): larger windows leave fewer, better spread points;
+        /// 1 suppresses none.
+        suppression_window: usize = 3, "Suppression window", in "px", odd 1..=255, acts "points.operator is not multiscale", named "suppress";
+
+        /// Whether all of several equal values in the suppression window survive, or the first in raster order.
+        ties: Ties = Ties::Keep, "Equal values", acts "points.operator is not multiscale";
+    }
 }
 
-impl Default for PointOptions {
-    fn default() -> Self {
-        Self {
-            operator: Operator::Ground2,
-            threshold: None,
-            fraction: None,
-            roundness: None,
-            operator_window: None,
-            tiled: false,
-            suppression_window: 3,
-            ties: Ties::Keep,
+impl Selection {
+    /// Refuses values outside their ranges.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        match self {
+            Selection::Threshold(threshold) | Selection::Adaptive(threshold) => {
+                check(PointOptions::PARAMETERS, "points.threshold", threshold)
+            }
+            Selection::Fraction(fraction) => check(PointOptions::PARAMETERS, "points.fraction", fraction),
         }
     }
 }
@@ -74,16 +88,30 @@ impl PointOptions {
             (Some(_), Some(_)) => Err(refuse("points.fraction", "given beside points.threshold", "one of the two")),
             (None, Some(fraction)) => Ok(Selection::Fraction(fraction)),
             (Some(threshold), None) => Ok(Selection::Threshold(threshold)),
-            (None, None) => Ok(Selection::Adaptive(self.operator.default_threshold())),
+            (None, None) => Ok(Selection::Adaptive(self.operator().default_threshold())),
         }
     }
 
+    /// The operator; ground 2 where none is chosen.
+    pub fn operator(&self) -> Operator {
+        self.operator.unwrap_or(Operator::Ground2)
+    }
+
     pub(super) fn roundness(&self) -> f64 {
-        self.roundness.unwrap_or(self.operator.default_roundness())
+        self.roundness.unwrap_or(self.operator().default_roundness())
     }
 
     pub(super) fn operator_window(&self) -> usize {
-        self.operator_window.unwrap_or(self.operator.default_window())
+        self.operator_window.unwrap_or(self.operator().default_window())
+    }
+
+    /// The options with this operator where none is chosen, and the roundness and window of the operator where it has them.
+    pub(crate) fn resolved(&self, usual: Operator) -> Self {
+        let operator = self.operator.unwrap_or(usual);
+        let chosen = Self { operator: Some(operator), ..self.clone() };
+        let roundness = Some(chosen.roundness()).filter(|q| *q > 0.0);
+        let operator_window = Some(chosen.operator_window()).filter(|side| *side > 0);
+        Self { roundness, operator_window, ..chosen }
     }
 }
 

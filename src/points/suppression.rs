@@ -1,8 +1,8 @@
 //! Suppression of local non-maxima.
 
-use super::{InterestPoint, Ties};
+use super::{InterestPoint, PointOptions, Ties};
 use crate::Error;
-use crate::parameters::check;
+use crate::catalogue::check;
 
 /// Keeps the points that are maxima of a square window around them.
 ///
@@ -16,7 +16,7 @@ use crate::parameters::check;
 /// # Source
 /// Zahran 2007, section 2.
 pub fn suppress_non_maxima(points: &[InterestPoint], side: usize, ties: Ties) -> Result<Vec<InterestPoint>, Error> {
-    check("points.suppression_window", side as f64)?;
+    check(PointOptions::PARAMETERS, "points.suppression_window", side as f64)?;
     if !points.is_sorted_by(|a, b| pixel(a) < pixel(b)) {
         return Err(Error::InvalidInput {
             what: "points for suppression",

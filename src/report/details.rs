@@ -2,7 +2,7 @@
 
 use super::text::{count, fixed};
 use super::{Report, figures, picture};
-use crate::{Error, FiducialModel, PARAMETERS, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
+use crate::{Error, FiducialModel, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
 use serde_json::Value;
 
@@ -172,7 +172,7 @@ pub fn settings(settings: &PairSettings) -> Markup {
         table.settings {
             caption { "Parameters" }
             tbody {
-                @for p in PARAMETERS {
+                @for p in PairSettings::parameters() {
                     @let (own, usual) = (value(&given, p.key), value(&standard, p.key));
                     tr.changed[own != usual] {
                         th { (p.label) @if !p.unit.is_empty() { " " small { (p.unit) } } }

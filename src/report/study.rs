@@ -18,8 +18,10 @@ pub struct Study {
     pub errors: Option<[f64; 5]>,
 }
 
-/// The settings of each study: those of the user first, then each strategy by itself with all else as the user has it.
+/// The settings of each study: those of the user first, then each strategy on the same points, with all else as the user has it.
 pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
+    // An operator that follows from the strategy would give each strategy its own points.
+    let settings = &PairSettings { points: settings.resolved().points, ..settings.clone() };
     let by = |strategy: Strategy| {
         let mut settings = settings.clone();
         settings.matching.strategy = strategy;

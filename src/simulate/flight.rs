@@ -1,89 +1,123 @@
 //! What is flown, over what, with which camera: the parameters of a simulated pair.
 
+use super::SAMPLE_SEED;
 use crate::Error;
+use crate::catalogue::{options, refuse};
 use crate::orientation::FiveParameters;
-use crate::parameters::{FLIGHT_PARAMETERS, check_by, refuse};
 use serde::{Deserialize, Serialize};
 
-/// Parameters of a simulated pair; [`FLIGHT_PARAMETERS`] tells their units and ranges. The default is the paper's geometry over a town.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct Flight {
-    pub focal_mm: f64,
-    pub principal_x_mm: f64,
-    pub principal_y_mm: f64,
-    pub distortion: f64,
-    pub pixel_mm: f64,
-    pub flying_height_m: f64,
-    pub base_mm: f64,
-    pub width_px: usize,
-    pub height_px: usize,
-    pub omega_deg: f64,
-    pub phi_deg: f64,
-    pub kappa_deg: f64,
-    pub by_mm: f64,
-    pub bz_mm: f64,
-    pub left_omega_deg: f64,
-    pub left_phi_deg: f64,
-    pub left_kappa_deg: f64,
-    pub relief_m: f64,
-    pub buildings: usize,
-    pub lowest_building_m: f64,
-    pub highest_building_m: f64,
-    pub trees: usize,
-    pub river_m: f64,
-    pub driven_m: f64,
-    pub psf_px: f64,
-    pub right_blur_px: f64,
-    pub noise_grey: f64,
-    pub grain_grey: f64,
-    pub grain_px: f64,
-    pub gain: f64,
-    pub offset_grey: f64,
-    pub haze: f64,
-    pub fiducial_noise_px: f64,
-    pub seed: u32,
-}
+options! {
+    /// Parameters of a simulated pair. The default is the paper's geometry over a synthetic town.
+    pub struct Flight in "flight" {
+        section "Flight";
 
-impl Default for Flight {
-    fn default() -> Self {
-        Self {
-            focal_mm: 153.38,
-            principal_x_mm: 0.004,
-            principal_y_mm: -0.007,
-            distortion: 0.0,
-            pixel_mm: 0.254,
-            flying_height_m: 830.0,
-            base_mm: 92.0,
-            width_px: 450,
-            height_px: 700,
-            omega_deg: 0.3,
-            phi_deg: -0.2,
-            kappa_deg: 0.15,
-            by_mm: 1.2,
-            bz_mm: -0.4,
-            left_omega_deg: 0.2,
-            left_phi_deg: -0.15,
-            left_kappa_deg: 0.4,
-            relief_m: 8.0,
-            buildings: 1300,
-            lowest_building_m: 3.5,
-            highest_building_m: 15.0,
-            trees: 1400,
-            river_m: 0.0,
-            driven_m: 0.0,
-            psf_px: 0.45,
-            right_blur_px: 0.0,
-            noise_grey: 1.5,
-            grain_grey: 0.0,
-            grain_px: 1.0,
-            gain: 1.03,
-            offset_grey: 2.0,
-            haze: 0.0,
-            fiducial_noise_px: 0.12,
-            seed: super::SAMPLE_SEED,
-        }
+        /// Everything random follows from it: the same seed gives the same pair.
+        seed: u32 = SAMPLE_SEED, "Seed", 0..=4294967295.0;
+
+        /// The height of the left photo above the mean ground: a larger one makes the scale smaller.
+        flying_height_m: f64 = 830.0, "Flying height", in "m", 50..=5000;
+
+        /// The base component b at photo scale, of a frame of 230 mm: a longer base leaves less overlap.
+        base_mm: f64 = 92.0, "Photo base", in "mm", 0..=200;
+
+        /// The rotation of the right photo about x against the left one.
+        omega_deg: f64 = 0.3, "ω", in "°", -10..=10;
+
+        /// The rotation of the right photo about y against the left one.
+        phi_deg: f64 = -0.2, "φ", in "°", -10..=10;
+
+        /// The rotation of the right photo about z against the left one.
+        kappa_deg: f64 = 0.15, "κ", in "°", -10..=10;
+
+        /// The base component across the flight, at photo scale.
+        by_mm: f64 = 1.2, "by", in "mm", -20..=20;
+
+        /// The base component upwards, at photo scale.
+        bz_mm: f64 = -0.4, "bz", in "mm", -20..=20;
+
+        /// The tilt of the left photo about x against the ground.
+        left_omega_deg: f64 = 0.2, "Left ω", in "°", -10..=10;
+
+        /// The tilt of the left photo about y against the ground.
+        left_phi_deg: f64 = -0.15, "Left φ", in "°", -10..=10;
+
+        /// The rotation of the left photo against the flight line.
+        left_kappa_deg: f64 = 0.4, "Left κ", in "°", -10..=10;
+
+        section "Camera and scan";
+
+        /// The principal distance of the camera: a longer one makes the scale larger.
+        focal_mm: f64 = 153.38, "Principal distance", in "mm", 10..=1000;
+
+        /// The principal point in the system of the fiducial marks.
+        principal_x_mm: f64 = 0.004, "Principal point x", in "mm", -1..=1;
+
+        /// The principal point in the system of the fiducial marks.
+        principal_y_mm: f64 = -0.007, "Principal point y", in "mm", -1..=1;
+
+        /// Corrected coordinates are measured ones times 1 + k₁ r²: 0.0000001 moves a corner of the frame by some 0.3 mm.
+        distortion: f64 = 0.0, "Radial distortion k₁", in "mm⁻²", -0.000001..=0.000001;
+
+        /// The side of a pixel of the scan: larger pixels show less detail.
+        pixel_mm: f64 = 0.254, "Pixel", in "mm", 0.005..=1;
+
+        /// The columns of the patches that are cut from the scans; the overlap limits them.
+        width_px: usize = 450, "Columns", in "px", 16..=4000;
+
+        /// The rows of the patches that are cut from the scans; the frame limits them.
+        height_px: usize = 700, "Rows", in "px", 16..=4000;
+
+        /// The standard deviation of a measured fiducial coordinate.
+        fiducial_noise_px: f64 = 0.12, "Fiducial noise", in "px", 0..=10;
+
+        section "Ground";
+
+        /// The range of the terrain's heights, up to a tenth of the flying height.
+        relief_m: f64 = 8.0, "Relief", in "m", 0..=500;
+
+        /// The number of buildings; fewer stand where there are fewer lots.
+        buildings: usize = 1300, "Buildings", 0..=50000;
+
+        /// The height of the lowest eaves above ground.
+        lowest_building_m: f64 = 3.5, "Lowest building", in "m", 2..=500;
+
+        /// The height of the highest eaves above ground, up to a tenth of the flying height.
+        highest_building_m: f64 = 15.0, "Highest building", in "m", 2..=500;
+
+        /// The number of trees; a few less stand, since none grows in a house, a street or the river.
+        trees: usize = 1400, "Trees", 0..=50000;
+
+        /// The width of a river through the town, whose surface looks different in each exposure; 0: none.
+        river_m: f64 = 0.0, "River", in "m", 0..=200;
+
+        /// The distance that cars in the lanes drive between the exposures; 0: they stand.
+        driven_m: f64 = 0.0, "Drive of cars", in "m", 0..=100;
+
+        section "Picture";
+
+        /// The standard deviation of the lens's point spread, to which the pixel's own square adds: a larger one blurs more.
+        psf_px: f64 = 0.45, "Point spread", in "px", 0..=1;
+
+        /// The standard deviation of a blur of the right image in addition to the point spread.
+        right_blur_px: f64 = 0.0, "Blur of the right image", in "px", 0..=1;
+
+        /// The standard deviation of independent noise in both images.
+        noise_grey: f64 = 1.5, "Noise", in "grey values", 0..=50;
+
+        /// The standard deviation of noise that neighbouring pixels share.
+        grain_grey: f64 = 0.0, "Film grain", in "grey values", 0..=50;
+
+        /// The standard deviation of the grain's spread: larger grains share their noise over more pixels.
+        grain_px: f64 = 1.0, "Grain size", in "px", 0.3..=5;
+
+        /// The grey values of the right image are those of the scene times the gain, plus the offset.
+        gain: f64 = 1.03, "Gain", 0.1..=10;
+
+        /// The grey values of the right image are those of the scene times the gain, plus the offset.
+        offset_grey: f64 = 2.0, "Offset", in "grey values", -200..=200;
+
+        /// The share of the light that is haze of a uniform grey of 190 in both images: more leaves less contrast.
+        haze: f64 = 0.0, "Haze", 0..=0.9;
     }
 }
 
@@ -168,14 +202,9 @@ impl Flight {
         (self.psf_px * self.psf_px + self.right_blur_px * self.right_blur_px).sqrt()
     }
 
-    /// Refuses values outside their ranges, and flights that cannot be flown.
+    /// Rejects values outside their ranges, and flights that cannot be flown.
     pub(super) fn check(&self) -> Result<(), Error> {
-        let values = serde_json::to_value(self).unwrap_or_default();
-        for parameter in FLIGHT_PARAMETERS {
-            let field = parameter.key.trim_start_matches("flight.");
-            // A number that is none has no JSON form.
-            check_by(parameter, values[field].as_f64().unwrap_or(f64::NAN))?;
-        }
+        self.check_ranges()?;
         let tenth = 0.1 * self.flying_height_m;
         within("flight.relief_m", self.relief_m, 0.0, tenth)?;
         within("flight.lowest_building_m", self.lowest_building_m, 2.0, tenth)?;
@@ -215,13 +244,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_field_is_described_once_and_the_presets_can_be_flown() {
-        let values = serde_json::to_value(Flight::default()).unwrap();
-        let mut described: Vec<&str> = FLIGHT_PARAMETERS.iter().map(|p| p.key.trim_start_matches("flight.")).collect();
-        described.sort_unstable();
-        let mut fields: Vec<&str> = values.as_object().unwrap().keys().map(String::as_str).collect();
-        fields.sort_unstable();
-        assert_eq!(described, fields);
+    fn the_presets_can_be_flown() {
         for preset in Preset::ALL {
             preset.flight().check().unwrap();
         }

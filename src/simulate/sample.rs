@@ -10,8 +10,8 @@ use super::sensor::Sensor;
 use super::truth::right_positions;
 use super::view::View;
 use crate::camera::{CameraMm, Fiducial};
+use crate::catalogue::refuse;
 use crate::orientation::FiveParameters;
-use crate::parameters::refuse;
 use crate::{Error, GreyImage};
 
 /// A simulated pair and its truth.
@@ -129,10 +129,9 @@ fn cut_px(random: &mut Random) -> [f64; 2] {
 /// Pixels come from the fiducial marks, so that the camera names none.
 fn camera(flight: &Flight) -> CameraMm {
     CameraMm {
-        focal_mm: flight.focal_mm,
         principal_point_mm: [flight.principal_x_mm, flight.principal_y_mm],
-        pixel_mm: None,
         radial_distortion: [flight.distortion, 0.0, 0.0],
+        ..CameraMm::without_distortion(flight.focal_mm, None)
     }
 }
 

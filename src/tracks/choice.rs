@@ -1,6 +1,7 @@
 //! Which pairs of images are worth matching: all, those near each other, those that follow each other, those that look alike.
 
 use crate::Error;
+use crate::catalogue::{Form, OptionValue};
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +21,13 @@ messages! {
         Alike,
     }
 }
+
+impl OptionValue for PairRule {
+    const FORM: Form = Form::Choice { values: RULES, labels: RULES };
+}
+
+/// The rules as they are written.
+const RULES: &[&str] = &["all", "near", "sequence", "alike"];
 
 /// A pair to be matched; its images are in ascending order.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

@@ -46,7 +46,7 @@ const ROUNDS: usize = 2;
 /// # Source
 /// The joining is Kruskal's 1956 algorithm with a side condition.
 pub fn tie_points(matches: &BlockMatches, options: &BlockOptions) -> Result<(TiePoints, JoinCounts), Error> {
-    options.check()?;
+    options.check_ranges()?;
     let (probability, reliability) = judge(matches, options.expected_right);
     let order = by_probability(matches, &probability);
     let mut counts = JoinCounts {

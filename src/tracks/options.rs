@@ -1,94 +1,46 @@
 //! What the user chooses of a block: how points are joined, and how many are kept.
 
-use crate::Error;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::{choices, options};
 
-/// What is done with matches that would give a point two rays in one image.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum Conflicts {
-    /// The least probable matches between the two rays are cut: one point becomes two or more.
-    Resolve,
-    /// The point is left out whole.
-    Drop,
-}
-
-/// How matches are joined to multi-ray points.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BlockOptions {
-    pub conflicts: Conflicts,
-    /// Expected share of points with a ray that does not belong to them, 0..0.5: matches join until it is reached.
-    pub impure: f64,
-    /// Points with fewer rays are left out, 2 or more.
-    pub min_rays: usize,
-    /// Share of right matches that is expected where no third image tells, above 0 and below 1.
-    pub expected_right: f64,
-}
-
-impl Default for BlockOptions {
-    fn default() -> Self {
-        Self { conflicts: Conflicts::Resolve, impure: 0.002, min_rays: 2, expected_right: 0.998 }
+choices! {
+    /// What is done with matches that would give a point two observations in one image.
+    pub enum Conflicts {
+        /// The least probable matches between the two observations are cut: one point becomes two or more.
+        Resolve = "resolve",
+        /// The whole point is dropped.
+        Drop = "drop",
     }
 }
 
-impl BlockOptions {
-    /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        check("block.impure", self.impure)?;
-        check("block.min_rays", self.min_rays as f64)?;
-        check("block.expected_right", self.expected_right)
+options! {
+    /// How matches are joined to tie points.
+    pub struct BlockOptions in "block" {
+        section "Tie points";
+
+        /// What is done where matches give a point two observations in one image: the least probable matches are cut, or the point is dropped.
+        conflicts: Conflicts = Conflicts::Resolve, "Conflicts";
+
+        /// The expected share of points with an observation that does not belong to them: matches that third images confirm too little are
+        /// ignored, and more gives more points of two images where the overlap is small.
+        impure: f64 = 0.002, "Impure points", 0..=0.5;
+
+        /// The minimum number of images that show a point: more leave fewer, more certain points.
+        min_rays: usize = 2, "Minimum rays", 2..=100;
+
+        /// The expected share of right matches where no third image decides, as in a block of two images: higher keeps more points.
+        expected_right: f64 = 0.998, "Expected right matches", 0.01..=0.9999;
     }
 }
 
-/// How many points are kept, and where.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct SelectOptions {
-    /// Rays an image should have.
-    pub per_image: usize,
-    /// Points that a pair of images keeps in common, or as many as it has.
-    pub per_connection: usize,
-}
+options! {
+    /// How many points are kept, and where.
+    pub struct SelectOptions in "selection" {
+        section "Selection of points";
 
-impl Default for SelectOptions {
-    fn default() -> Self {
-        Self { per_image: 40, per_connection: 3 }
-    }
-}
+        /// The number of its points that an image keeps, spread evenly; its connections may need more.
+        per_image: usize = 40, "Points per image", 1..=10000;
 
-impl SelectOptions {
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("selection.per_image", self.per_image as f64)?;
-        check("selection.per_connection", self.per_connection as f64)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{BLOCK_PARAMETERS, GeoreferencingOptions, RefinementOptions};
-
-    #[test]
-    fn every_option_is_described_once() {
-        let keys = |group: &str, options: serde_json::Value| {
-            options.as_object().unwrap().keys().map(|field| format!("{group}.{field}")).collect::<Vec<_>>()
-        };
-        let mut fields = keys("block", serde_json::to_value(BlockOptions::default()).unwrap());
-        fields.extend(keys("selection", serde_json::to_value(SelectOptions::default()).unwrap()));
-        fields.extend(keys("placing", serde_json::to_value(GeoreferencingOptions::default()).unwrap()));
-        fields.extend(keys("refinement", serde_json::to_value(RefinementOptions::default()).unwrap()));
-        fields.sort_unstable();
-        let mut described: Vec<String> =
-            BLOCK_PARAMETERS.iter().filter(|p| !p.key.starts_with("pairs.")).map(|p| p.key.to_string()).collect();
-        described.sort_unstable();
-        assert_eq!(described, fields);
-        BlockOptions::default().check().unwrap();
-        SelectOptions::default().check().unwrap();
+        /// The number of common points that two overlapping images keep, or all where they have fewer.
+        per_connection: usize = 3, "Points per connection", 0..=1000;
     }
 }

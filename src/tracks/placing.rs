@@ -1,54 +1,38 @@
 //! How exact what places a block is, where it does not say so itself.
 
-use crate::Error;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::options;
 
-/// Standard errors in m of recorded positions and surveyed points that state none.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct GeoreferencingOptions {
-    /// Of east and of north of a recorded position.
-    pub receiver_across_m: f64,
-    /// Of its height.
-    pub receiver_up_m: f64,
-    /// Of x and of y of a surveyed point.
-    pub surveyed_across_m: f64,
-    /// Of its height.
-    pub surveyed_up_m: f64,
-}
+options! {
+    /// Standard errors of GNSS positions and control points that state none.
+    pub struct GeoreferencingOptions in "placing" {
+        section "Standard errors of positions";
 
-impl Default for GeoreferencingOptions {
-    fn default() -> Self {
-        Self { receiver_across_m: 3.0, receiver_up_m: 6.0, surveyed_across_m: 0.02, surveyed_up_m: 0.03 }
-    }
-}
+        /// The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
+        /// higher gives them less weight.
+        receiver_across_m: f64 = 3.0, "GNSS positions, horizontal", in "m", 0.001..=1000;
 
-impl GeoreferencingOptions {
-    /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        check("placing.receiver_across_m", self.receiver_across_m)?;
-        check("placing.receiver_up_m", self.receiver_up_m)?;
-        check("placing.surveyed_across_m", self.surveyed_across_m)?;
-        check("placing.surveyed_up_m", self.surveyed_up_m)
+        /// The standard error of the height of GNSS positions that state none: higher gives it less weight.
+        receiver_up_m: f64 = 6.0, "GNSS positions, vertical", in "m", 0.001..=1000;
+
+        /// The standard error of x and of y of control points that state none: higher gives them less weight.
+        surveyed_across_m: f64 = 0.02, "Control points, horizontal", in "m", 0.0001..=100;
+
+        /// The standard error of the height of control points that state none: higher gives it less weight.
+        surveyed_up_m: f64 = 0.03, "Control points, vertical", in "m", 0.0001..=100;
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Error;
 
     #[test]
-    fn every_option_of_placing_is_described_and_checked() {
-        let fields = serde_json::to_value(GeoreferencingOptions::default()).unwrap();
-        for field in fields.as_object().unwrap().keys() {
-            assert!(crate::BLOCK_PARAMETERS.iter().any(|p| p.key == format!("placing.{field}")), "{field}");
-        }
-        GeoreferencingOptions::default().check().unwrap();
+    fn a_standard_error_is_a_number_above_zero() {
+        GeoreferencingOptions::default().check_ranges().unwrap();
         for wrong in [0.0, -1.0, f64::NAN] {
             let options = GeoreferencingOptions { receiver_up_m: wrong, ..GeoreferencingOptions::default() };
-            assert!(matches!(options.check(), Err(Error::InvalidOption { field: "placing.receiver_up_m", .. })), "{wrong}");
+            assert!(matches!(options.check_ranges(), Err(Error::InvalidOption { field: "placing.receiver_up_m", .. })), "{wrong}");
         }
     }
 }

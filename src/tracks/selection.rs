@@ -36,7 +36,7 @@ const MOST_CROWDED: u32 = 2;
 /// # Source
 /// That the points of a model belong to six places, nine an image: von Gruber 1924, Einfache und Doppelpunkteinschaltung im Raume.
 pub fn select_points(points: &TiePoints, images: &[ImageFeatures<'_>], options: &SelectOptions) -> Result<SelectedPoints, Error> {
-    options.check()?;
+    options.check_ranges()?;
     check(points, images)?;
     let mut choice = Choice::new(points, images, options);
     let mut line = in_line(points);

@@ -4,30 +4,32 @@ use super::{
     BlockOptions, ChosenPair, GeoreferencingOptions, PairRule, RefinementOptions, SelectOptions, alike_pairs, all_pairs, merge_pairs,
     near_pairs, sequence_pairs,
 };
-use crate::parameters::check;
-use crate::{Error, FeatureOptions, MultiscaleOptions, NearestOptions, TwoViewOptions};
+use crate::catalogue::options;
+use crate::{Error, FeatureOptions, GradientOptions, MultiscaleOptions, NearestOptions, Parameter, TwoViewOptions};
 use serde::{Deserialize, Serialize};
 
-/// Which pairs of a block are tried, and what connects them.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct PairChoice {
-    /// Absent: all pairs of few images; of more, near ones where each image has a position, else those alike.
-    pub rule: Option<PairRule>,
-    /// The so many nearest ones of each image.
-    pub near: usize,
-    /// The so many that follow each image.
-    pub sequence: u32,
-    /// The so many most similar ones of each image.
-    pub alike: usize,
-    /// A pair is connected by so many verified matches.
-    pub least_matches: u32,
-}
+options! {
+    /// Which pairs of a block are tried, and what connects them.
+    pub struct PairChoice in "pairs" {
+        section "Pairs";
 
-impl Default for PairChoice {
-    fn default() -> Self {
-        Self { rule: None, near: 16, sequence: 4, alike: 12, least_matches: 16 }
+        /// Which pairs are tried: all; images near each other by their positions; images that follow each other by name; images that look
+        /// alike.
+        rule: Option<PairRule> = None, "Pairs",
+            absent "all of up to 30 images; of more the near ones where every image has a position, the similar ones otherwise",
+            named "pairs";
+
+        /// The number of nearest images with which each image is tried: more connect more and take longer.
+        near: usize = 16, "Near images", 1..=1000, acts "pairs.rule is near, absent";
+
+        /// The number of following images with which each image is tried: more connect more and take longer.
+        sequence: u32 = 4, "Following images", 1..=1000, acts "pairs.rule is sequence, near, absent";
+
+        /// The number of most similar images with which each image is tried: more connect more and take longer.
+        alike: usize = 12, "Similar images", 1..=1000, acts "pairs.rule is alike, absent";
+
+        /// The minimum number of matches of one geometry that connect a pair: more leave fewer, more certain connections.
+        least_matches: u32 = 16, "Minimum matches", 8..=10000;
     }
 }
 
@@ -35,14 +37,6 @@ impl Default for PairChoice {
 const FEW_IMAGES: usize = 30;
 
 impl PairChoice {
-    /// Refuses values outside their ranges.
-    pub(super) fn check(&self) -> Result<(), Error> {
-        check("pairs.near", self.near as f64)?;
-        check("pairs.sequence", f64::from(self.sequence))?;
-        check("pairs.alike", self.alike as f64)?;
-        check("pairs.least_matches", f64::from(self.least_matches))
-    }
-
     /// Whether the rule that holds for so many images may be that of likeness, whatever is found in them.
     pub(crate) fn may_ask_for_likeness(&self, images: usize) -> bool {
         self.rule.map_or(images > FEW_IMAGES, |rule| rule == PairRule::Alike)
@@ -67,7 +61,7 @@ impl PairChoice {
 /// # Errors
 /// [`Error::InvalidOption`]; those of [`near_pairs`] and [`alike_pairs`].
 pub fn choose_pairs(positions: &[Option<[f64; 3]>], similar: &[Vec<(u32, f32)>], choice: &PairChoice) -> Result<Vec<ChosenPair>, Error> {
-    choice.check()?;
+    choice.check_ranges()?;
     let images = positions.len() as u32;
     match choice.rule_of(positions) {
         PairRule::All => Ok(all_pairs(images)),
@@ -116,20 +110,37 @@ impl Default for BlockSettings {
 }
 
 impl BlockSettings {
-    /// Refuses values outside their ranges.
+    /// All parameters, in the order of the pipeline.
+    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+        [
+            PairChoice::PARAMETERS,
+            MultiscaleOptions::PARAMETERS,
+            GradientOptions::PARAMETERS,
+            NearestOptions::PARAMETERS,
+            TwoViewOptions::PARAMETERS,
+            BlockOptions::PARAMETERS,
+            SelectOptions::PARAMETERS,
+            RefinementOptions::PARAMETERS,
+            GeoreferencingOptions::PARAMETERS,
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// Rejects values outside their ranges.
     ///
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn check(&self) -> Result<(), Error> {
-        self.features.multiscale.check()?;
-        self.features.gradient.check()?;
-        self.nearest.check()?;
+        self.features.multiscale.check_ranges()?;
+        self.features.gradient.check_ranges()?;
+        self.nearest.check_ranges()?;
         self.geometry.check()?;
-        self.pairs.check()?;
-        self.placing.check()?;
-        self.block.check()?;
-        self.selection.check()?;
-        self.refinement.check()
+        self.pairs.check_ranges()?;
+        self.placing.check_ranges()?;
+        self.block.check_ranges()?;
+        self.selection.check_ranges()?;
+        self.refinement.check_ranges()
     }
 }
 
@@ -160,11 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn every_option_of_pairs_is_described_and_checked() {
-        let fields = serde_json::to_value(PairChoice::default()).unwrap();
-        for field in fields.as_object().unwrap().keys() {
-            assert!(crate::BLOCK_PARAMETERS.iter().any(|p| p.key == format!("pairs.{field}")), "{field}");
-        }
+    fn settings_outside_their_ranges_are_rejected() {
         BlockSettings::default().check().unwrap();
         let wrong = BlockSettings { pairs: PairChoice { least_matches: 0, ..PairChoice::default() }, ..BlockSettings::default() };
         assert!(matches!(wrong.check(), Err(Error::InvalidOption { field: "pairs.least_matches", .. })));

@@ -2,7 +2,7 @@
 
 use super::scale::NoiseLimits;
 use crate::Error;
-use crate::parameters::check;
+use crate::catalogue::{FOCAL_PX, check_values, options};
 use serde::{Deserialize, Serialize};
 
 /// A camera without distortion.
@@ -17,29 +17,33 @@ pub struct Pinhole {
     pub principal_px: [f64; 2],
 }
 
-/// Options of [`two_view`](crate::two_view).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct TwoViewOptions {
-    /// The cameras; absent: nothing is known of them. Both or neither.
-    pub left: Option<Pinhole>,
-    pub right: Option<Pinhole>,
-    /// Largest distance of a good match from the geometry in px; absent: it follows from the precision of the matches.
-    pub threshold_px: Option<f64>,
-    /// Bound of the threshold that follows from the matches, in px.
-    pub largest_threshold_px: f64,
-    /// Probability of drawing at least one sample of good matches only.
-    pub confidence: f64,
-    /// Most samples that are drawn.
-    pub max_samples: u32,
-    /// Start of the random numbers.
-    pub seed: u32,
-}
+options! {
+    /// Options of [`two_view`](crate::two_view).
+    pub struct TwoViewOptions in "geometry" {
+        section "Geometry of the two views";
 
-impl Default for TwoViewOptions {
-    fn default() -> Self {
-        Self { left: None, right: None, threshold_px: None, largest_threshold_px: 4.0, confidence: 0.999, max_samples: 10_000, seed: 1 }
+        /// The maximum distance of a good match from the geometry: higher keeps more, less exact matches.
+        threshold_px: Option<f64> = None, "Threshold", in "px", 0.001..=100, absent "from the precision of the matches",
+            acts "matching.strategy is gradient";
+
+        /// The upper limit of the threshold that follows from the matches: raise it for coarse matches.
+        largest_threshold_px: f64 = 4.0, "Maximum threshold", in "px", 0.01..=100,
+            acts "matching.strategy is gradient and geometry.threshold_px is absent";
+
+        /// The probability of drawing at least one sample of good matches only: higher draws more samples.
+        confidence: f64 = 0.999, "Confidence", 0.5..=0.999999, acts "matching.strategy is gradient";
+
+        /// The maximum number of samples: more take longer where few matches are good.
+        max_samples: u32 = 10_000, "Maximum samples", 1..=1000000, acts "matching.strategy is gradient";
+
+        /// The start of the random numbers: the same seed gives the same result.
+        seed: u32 = 1, "Seed", 0..=4294967295.0, acts "matching.strategy is gradient", named "geometry-seed";
+
+        beside;
+
+        /// The cameras; absent: nothing is known of them. Both or neither.
+        left: Option<Pinhole> = None;
+        right: Option<Pinhole> = None;
     }
 }
 
@@ -63,15 +67,12 @@ impl Cameras {
 impl TwoViewOptions {
     /// Refuses values outside their ranges.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        if let Some(threshold) = self.threshold_px {
-            check("geometry.threshold_px", threshold)?;
-        }
-        check("geometry.largest_threshold_px", self.largest_threshold_px)?;
-        check("geometry.confidence", self.confidence)?;
-        check("geometry.max_samples", f64::from(self.max_samples))?;
-        for camera in [self.left, self.right].into_iter().flatten() {
-            camera.focal_px.map_or(Ok(()), |focal| check("geometry.focal_px", focal))?;
-            camera.principal_px.iter().try_for_each(|v| check("geometry.principal_px", *v))?;
+        self.check_ranges()?;
+        for (camera, side) in [(self.left, "left"), (self.right, "right")] {
+            let Some(Pinhole { focal_px, principal_px }) = camera else { continue };
+            let place = || format!("geometry.{side}");
+            check_values("focal length of a camera", focal_px.as_slice(), FOCAL_PX, place)?;
+            check_values("principal point of a camera", &principal_px, -1e6..=1e6, place)?;
         }
         self.cameras().map(|_| ())
     }

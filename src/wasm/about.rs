@@ -1,23 +1,30 @@
 //! What the module says of itself: version, defaults, parameters.
 
-use super::convert::{object, pack};
-use crate::{FEATURE_PARAMETERS, GEOMETRY_PARAMETERS, Operator, PARAMETERS, PairSettings, SAMPLE_SEED, Strategy};
+use super::convert::{JsResult, pack, read_options};
+use crate::{PairSettings, SAMPLE_SEED, acting};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
-
-/// What `geometry` holds of the cameras.
-const CAMERA: [&str; 2] = ["geometry.focal_px", "geometry.principal_px"];
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
-/** One tunable: `key` is its place in PairSettings, as "points.threshold". */
-export type Parameter = { key: string; label: string; unit: string; help: string } & ParameterKind;
-
-/** What an operator does where an option is absent. */
-export interface OperatorDefaults { threshold: number; roundness: number; operator_window: number }
+/** One option: `key` is its place in the settings, as "points.threshold". */
+export type Parameter = {
+    key: string;
+    /** The heading under which it stands. */
+    section: string;
+    label: string;
+    unit: string;
+    help: string;
+    /** What holds where it is absent, in words; empty where it is never absent. */
+    absent: string;
+    /** When it has an effect, as "matching.strategy is gradient"; empty: always. */
+    acts: string;
+    /** Its name in the command where that is not the field's; empty otherwise. */
+    named: string;
+} & ParameterKind;
 
 /** What every refused call throws. */
 export interface TiepointError extends Error {
@@ -41,44 +48,23 @@ pub fn defaults() -> JsValue {
     pack(&PairSettings::default())
 }
 
-/// The defaults of each operator for the options that are absent by default.
-#[wasm_bindgen(unchecked_return_type = "Record<Operator, OperatorDefaults>")]
-pub fn operator_defaults() -> JsValue {
-    let of = |operator: Operator| {
-        object([
-            ("threshold", operator.default_threshold().into()),
-            ("roundness", operator.default_roundness().into()),
-            ("operator_window", (operator.default_window() as f64).into()),
-        ])
-    };
-    object([
-        ("moravec", of(Operator::Moravec)),
-        ("forstner", of(Operator::Forstner)),
-        ("ground1", of(Operator::Ground1)),
-        ("ground2", of(Operator::Ground2)),
-        ("multiscale", of(Operator::Multiscale)),
-    ])
+/// Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
+#[wasm_bindgen(unchecked_return_type = "PairSettings")]
+pub fn resolved(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&read_options::<PairSettings>("settings", settings)?.resolved()))
 }
 
-/// The ambiguity ratio of each strategy where none is chosen.
-#[wasm_bindgen(unchecked_return_type = "Record<Strategy, number>")]
-pub fn ambiguity_defaults() -> JsValue {
-    let of = |strategy: Strategy| strategy.default_ambiguity().into();
-    object([
-        ("moments", of(Strategy::Moments)),
-        ("invariants", of(Strategy::Invariants)),
-        ("correlation", of(Strategy::Correlation)),
-        ("least-squares", of(Strategy::LeastSquares)),
-        ("gradient", of(Strategy::Gradient)),
-    ])
-}
-
-/// Every tunable with label, unit, range and help, in the order of the pipeline.
+/// Every option of a pair, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> JsValue {
-    // Cameras are no settings: they belong to the photos.
-    let geometry = GEOMETRY_PARAMETERS.iter().filter(|p| p.key.starts_with("geometry.") && !CAMERA.contains(&p.key));
-    pack(&PARAMETERS.iter().chain(FEATURE_PARAMETERS).chain(geometry).collect::<Vec<_>>())
+    pack(&PairSettings::parameters().collect::<Vec<_>>())
+}
+
+/// The keys of the options of a pair that have an effect with these settings.
+#[wasm_bindgen(unchecked_return_type = "string[]")]
+pub fn acting_parameters(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue) -> JsResult<JsValue> {
+    let settings = read_options::<PairSettings>("settings", settings)?.resolved();
+    Ok(pack(&acting(PairSettings::parameters(), &settings)))
 }
 
 /// The seed of the built-in sample pair.

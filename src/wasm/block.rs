@@ -3,7 +3,7 @@
 use super::convert::{JsResult, object, pack, read_options, rows, thrown};
 use crate::tracks::check_features;
 use crate::{
-    BLOCK_PARAMETERS, BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, PairChoice, SelectOptions, TiePoints,
+    BlockMatches, BlockOptions, BlockSettings, Error, FeatureMatch, ImageFeatures, PairChoice, SelectOptions, TiePoints, acting,
     choose_pairs as choose, local_from_geographic, select_points, shared_points, tie_points,
 };
 use js_sys::{Float32Array, Float64Array, Uint32Array};
@@ -214,10 +214,16 @@ impl BlockPoints {
     }
 }
 
-/// Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+/// Every option of a block, in the order of the pipeline.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_parameters() -> JsValue {
-    pack(&BLOCK_PARAMETERS)
+    pack(&BlockSettings::parameters().collect::<Vec<_>>())
+}
+
+/// The keys of the options of a block that have an effect with these settings.
+#[wasm_bindgen(unchecked_return_type = "string[]")]
+pub fn acting_block_parameters(#[wasm_bindgen(unchecked_param_type = "Given<BlockSettings>")] settings: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&acting(BlockSettings::parameters(), &read_options::<BlockSettings>("block", settings)?)))
 }
 
 /// All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.

@@ -1,7 +1,7 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{BLOCK_FLIGHT_PARAMETERS, BlockFlight, BlockModel, BlockScene as Scene, score_block as score_by_truth};
+use crate::{BlockFlight, BlockModel, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -71,10 +71,10 @@ pub fn score_block(
     score_by_truth(&model, &truth).map(|score| pack(&score)).map_err(thrown)
 }
 
-/// Every parameter of a block's flight with label, unit, range and help.
+/// Every parameter of a block's flight on which photos depend.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn block_flight_parameters() -> JsValue {
-    pack(&BLOCK_FLIGHT_PARAMETERS)
+    pack(&BlockFlight::photo_parameters().collect::<Vec<_>>())
 }
 
 /// The default flight of a block.

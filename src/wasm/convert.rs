@@ -1,7 +1,7 @@
 //! Between JavaScript values and plain data.
 
 use crate::json::reason;
-use crate::{Error, InterestPoint};
+use crate::{Error, InterestPoint, with_defaults};
 use js_sys::{Float64Array, JSON, Object, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -27,12 +27,7 @@ pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResul
 
 /// Reads options: the fields that are given, the others from the defaults.
 pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    let merged = parsed(value).and_then(|given| {
-        let mut options = serde_json::to_value(T::default())?;
-        overlay(&mut options, given);
-        serde_json::from_value(options)
-    });
-    merged.map_err(|e| refused(what, &e))
+    parsed(value).and_then(with_defaults).map_err(|e| refused(what, &e))
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
@@ -44,20 +39,6 @@ fn parsed(value: &JsValue) -> serde_json::Result<Value> {
     });
     let text = JSON::stringify_with_replacer(value, named.as_ref()).ok().and_then(|text| text.as_string());
     serde_json::from_str(text.as_deref().unwrap_or("null"))
-}
-
-/// Puts the fields that are given in place of the defaults, object by object.
-fn overlay(options: &mut Value, given: Value) {
-    match (options, given) {
-        (Value::Object(options), Value::Object(given)) => {
-            for (name, value) in given {
-                overlay(options.entry(name).or_insert(Value::Null), value);
-            }
-        }
-        // Options as a whole may be absent.
-        (Value::Object(_), Value::Null) => {}
-        (options, given) => *options = given,
-    }
 }
 
 /// The reason has no place, which would be that in a text that nobody wrote.

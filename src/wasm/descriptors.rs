@@ -1,7 +1,7 @@
 //! Matches of byte descriptors.
 
-use super::convert::{JsResult, object, pack, read_options, thrown};
-use crate::{DescriptorMatch, Error, GEOMETRY_PARAMETERS, NearestOptions, NearestTable, nearest_matches, nearest_of};
+use super::convert::{JsResult, object, read_options, thrown};
+use crate::{DescriptorMatch, Error, NearestOptions, NearestTable, nearest_matches, nearest_of};
 use js_sys::{Array, Reflect, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
 use wasm_bindgen::{JsCast, JsValue};
@@ -81,12 +81,6 @@ fn read_piece(piece: &JsValue) -> JsResult<NearestTable> {
         thrown(Error::InvalidInput { what: "a piece of nearest neighbours", got: "no whole number as first".into(), allowed: "one".into() })
     })?;
     NearestTable::from_numbers(first as usize, &numbers("left"), &numbers("right")).map_err(thrown)
-}
-
-/// Every tunable of matching by descriptors and of two-view geometry.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn geometry_parameters() -> JsValue {
-    pack(&GEOMETRY_PARAMETERS)
 }
 
 fn array(values: &[u32]) -> JsValue {

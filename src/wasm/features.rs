@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, numbers, object, pack, read_options, thrown};
 use super::photo::Photo;
-use crate::{FEATURE_PARAMETERS, FeatureOptions, features};
+use crate::{FeatureOptions, features};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -40,10 +40,4 @@ impl Photo {
 #[wasm_bindgen(unchecked_return_type = "FeatureOptions")]
 pub fn feature_defaults() -> JsValue {
     pack(&FeatureOptions::default())
-}
-
-/// Every tunable of features with label, unit, range and help.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn feature_parameters() -> JsValue {
-    pack(&FEATURE_PARAMETERS)
 }

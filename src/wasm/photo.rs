@@ -112,7 +112,7 @@ impl Photo {
         #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
         mask: Option<Vec<u8>>,
     ) -> JsResult<JsValue> {
-        let settings: PairSettings = read_options("settings", settings)?;
+        let settings = read_options::<PairSettings>("settings", settings)?.resolved();
         let set = detect(self.view(), self.masked(&mask)?, &settings.points, &settings.multiscale).map_err(thrown)?;
         Ok(pack_points(&set))
     }

@@ -2,7 +2,7 @@
 
 use super::block::BlockPoints;
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{ADJUSTMENT_PARAMETERS, BlockDescription, Camera, RECONSTRUCTION_PARAMETERS, ReconstructionOptions, reconstruct_block};
+use crate::{BlockDescription, Camera, ReconstructionOptions, reconstruct_block};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -49,12 +49,6 @@ pub fn check_block_description(#[wasm_bindgen(unchecked_param_type = "BlockDescr
 #[wasm_bindgen(unchecked_return_type = "ReconstructionOptions")]
 pub fn reconstruction_defaults() -> JsValue {
     pack(&ReconstructionOptions::default())
-}
-
-/// Every tunable of the reconstruction and of the bundle adjustment.
-#[wasm_bindgen(unchecked_return_type = "Parameter[]")]
-pub fn reconstruction_parameters() -> JsValue {
-    pack(&[RECONSTRUCTION_PARAMETERS, ADJUSTMENT_PARAMETERS].concat())
 }
 
 /// Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.

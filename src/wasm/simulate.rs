@@ -2,8 +2,7 @@
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
 use crate::{
-    DenseTruth, FLIGHT_PARAMETERS, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth,
-    simulate as fly, write_png,
+    DenseTruth, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly, write_png,
 };
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::JsValue;
@@ -44,10 +43,10 @@ export interface MatchScore {
 }
 "#;
 
-/// Every parameter of a flight with label, unit, range and help.
+/// Every parameter of a flight.
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn flight_parameters() -> JsValue {
-    pack(&FLIGHT_PARAMETERS)
+    pack(&Flight::PARAMETERS)
 }
 
 /// The names of the ready-made flights.

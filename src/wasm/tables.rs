@@ -21,7 +21,7 @@ pub fn parse_observations(csv: &str) -> JsResult<Vec<f64>> {
     Ok(observations.iter().flat_map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]]).collect())
 }
 
-/// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+/// Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
 #[wasm_bindgen(unchecked_return_type = "CameraMm")]
 pub fn parse_camera(json: &str) -> JsResult<JsValue> {
     read_camera(json).map(|c| pack(&c)).map_err(thrown)

@@ -58,11 +58,6 @@ test('matching along epipolar lines needs a camera and finds more that is right'
   assert.equal(stderr, 'tiepoint: without effect, since the camera is not known: --epipolar, --base-mm\n');
 });
 
-test('the old names of the measures are the strategies', () => {
-  assert.deepEqual(run('--measure', 'di').matches, run('--strategy', 'invariants').matches);
-  assert.deepEqual(run('--measure', 'dm').matches, moments.matches);
-});
-
 test('the statistics follow the options', () => {
   const { orientation } = moments;
   assert.equal(orientation.points.length, moments.counts.matches);
@@ -84,7 +79,6 @@ test('the statistics follow the options', () => {
 test('bad values are usage errors that name what is allowed', () => {
   const pair = call.slice(0, 3);
   for (const [options, pattern] of /** @type {const} */ ([
-    [['--strategy', 'correlation', '--measure', 'dm'], /--strategy and --measure set the same; give one of them/],
     [['--strategy', 'sift'], /--strategy is sift; allowed: moments, invariants, correlation, least-squares, gradient/],
     [['--refine', 'yes'], /--refine is yes; allowed: none, least-squares/],
     [['--template', '12'], /--template is 12; allowed: odd whole numbers from 5 to 63/],

@@ -18,7 +18,7 @@ fn interior(dice: &mut Dice, sigma_px: f64) -> Interior {
         Fiducial { col: col - 300.0 + sigma_px * dice.normal(), row: row - 100.0 + sigma_px * dice.normal(), x_mm, y_mm }
     };
     let marks = places.map(mark);
-    let camera = CameraMm { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: None, radial_distortion: [0.0; 3] };
+    let camera = CameraMm::without_distortion(FOCAL_MM, None);
     // The origin takes the covariance from the scan to the patch.
     Interior::from_fiducials(&camera, &orient_fiducials(&marks, FiducialModel::Affine).unwrap(), [-300.0, -100.0]).unwrap()
 }
@@ -59,7 +59,7 @@ fn total_standard_errors_hold_those_of_the_marks() {
 
 #[test]
 fn without_redundancy_of_the_marks_nothing_is_claimed_of_them() {
-    let camera = CameraMm { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: Some(PIXEL_MM), radial_distortion: [0.0; 3] };
+    let camera = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
     let side = Interior::from_pixel_size(&camera, 910, 910).unwrap();
     let interior = PairInterior { left: side, right: side, focal_mm: FOCAL_MM };
     let px = |[x, y]: [f64; 2]| [CENTRE_PX + x / PIXEL_MM, CENTRE_PX - y / PIXEL_MM];

@@ -36,7 +36,7 @@ fn interior(photo: &serde_json::Value) -> Interior {
         }
     }
     let origin = numbers(&photo["patch_origin_col_row"]);
-    let camera = CameraMm { focal_mm: FOCAL_MM, principal_point_mm: [0.0; 2], pixel_mm: None, radial_distortion: [0.0; 3] };
+    let camera = CameraMm::without_distortion(FOCAL_MM, None);
     Interior::from_fiducials(&camera, &found, [origin[0], origin[1]]).unwrap()
 }
 

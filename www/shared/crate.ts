@@ -1,8 +1,8 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
 import {
-  ambiguity_defaults, defaults, flight_parameters, flight_preset, flight_presets, operator_defaults, parameters, rule_names, version,
+  defaults, flight_parameters, flight_preset, flight_presets, parameters, rule_names, version,
 } from '../../pkg/wasm/tiepoint.js';
-import type { Flight, Operator, OperatorDefaults, PairSettings as Settings, Parameter, Preset, Strategy } from '../../pkg/wasm/tiepoint.js';
+import type { Flight, PairSettings as Settings, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
   CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
@@ -10,7 +10,7 @@ export type {
   PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Warning,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
-export { draw_match_lines, draw_points, draw_vectors, message } from '../../pkg/wasm/tiepoint.js';
+export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, message, resolved } from '../../pkg/wasm/tiepoint.js';
 
 export type { Flight, Parameter, Preset, Settings };
 
@@ -19,10 +19,6 @@ export interface Catalogue {
   version: string;
   parameters: Parameter[];
   defaults: Settings;
-  /** What an operator does where an option is empty. */
-  operatorDefaults: Record<Operator, OperatorDefaults>;
-  /** The ambiguity ratio of each strategy where none is chosen. */
-  ambiguityDefaults: Record<Strategy, number>;
   rules: string[];
   flightParameters: Parameter[];
   flights: { name: Preset; flight: Flight }[];
@@ -33,8 +29,6 @@ export function readCatalogue(): Catalogue {
     version: version(),
     parameters: parameters(),
     defaults: defaults(),
-    operatorDefaults: operator_defaults(),
-    ambiguityDefaults: ambiguity_defaults(),
     rules: rule_names(),
     flightParameters: flight_parameters(),
     flights: flight_presets().map((name) => ({ name, flight: flight_preset(name) })),

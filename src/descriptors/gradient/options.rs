@@ -1,34 +1,25 @@
 //! What the user chooses of gradient descriptors.
 
-use crate::parameters::check;
-use crate::{Error, MultiscaleOptions};
+use crate::MultiscaleOptions;
+use crate::catalogue::options;
 use serde::{Deserialize, Serialize};
 
-/// Options of [`gradient_features`](crate::gradient_features).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct GradientOptions {
-    /// The grid's rows lie along the image's: for images that are not rotated against each other.
-    pub upright: bool,
-    /// Most dominant directions of a point, each of which gets its own descriptor.
-    pub orientations: usize,
-    /// Side of one of the 4 x 4 cells, in scales of the point.
-    pub cell: f64,
-    /// Square roots of the histogram are compared.
-    pub roots: bool,
-}
+options! {
+    /// Options of [`gradient_features`](crate::gradient_features).
+    pub struct GradientOptions in "gradient" {
+        section "Gradient descriptors";
 
-impl Default for GradientOptions {
-    fn default() -> Self {
-        Self { upright: false, orientations: 1, cell: 5.0, roots: true }
-    }
-}
+        /// No dominant direction is sought: better and faster where the images are not rotated against each other.
+        upright: bool = false, "Upright", acts "matching.strategy is gradient";
 
-impl GradientOptions {
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("gradient.orientations", self.orientations as f64)?;
-        check("gradient.cell", self.cell)
+        /// A point with several dominant directions gets a descriptor for each, up to this many: more match more points and take longer.
+        orientations: usize = 1, "Maximum directions", 1..=4, acts "matching.strategy is gradient and gradient.upright is false";
+
+        /// The side of one of the 4 x 4 cells in scales of the point: larger cells tell more points apart and tolerate less relief.
+        cell: f64 = 5.0, "Cell", in "scales", 0.5..=20, acts "matching.strategy is gradient", named "gradient-cell";
+
+        /// Square roots of the histograms are compared, so that strong gradients do not outweigh the others.
+        roots: bool = true, "Square roots", acts "matching.strategy is gradient";
     }
 }
 

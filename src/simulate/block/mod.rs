@@ -18,92 +18,94 @@ pub use exposures::Exposure;
 pub use photos::BlockScene;
 pub use score::{BlockScore, score_block};
 
-use crate::parameters::{BLOCK_FLIGHT_PARAMETERS, check_by};
+use crate::catalogue::{choices, options};
 use crate::{BlockMatches, Error, FeatureMatch, ImageFeatures};
-use serde::{Deserialize, Serialize};
 
-/// How the photos of a block look at the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum BlockView {
-    /// Straight down.
-    Nadir,
-    /// Five cameras an exposure: one down with 85 mm, four tilted by 45° forwards, backwards, left and right with 65 mm.
-    Oblique,
-    /// Straight down, every other strip at 1.5 times the height.
-    TwoHeights,
+choices! {
+    /// How the photos of a block look at the ground.
+    pub enum BlockView {
+        /// Straight down.
+        Nadir = "nadir",
+        /// Five cameras per exposure: one down with 85 mm, four tilted by 45° forwards, backwards, left and right with 65 mm.
+        Oblique = "oblique",
+        /// Straight down, every other strip at 1.5 times the height.
+        TwoHeights = "two-heights",
+    }
 }
 
-/// What is flown, seen and matched. Units are in the names.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct BlockFlight {
-    pub view: BlockView,
-    pub strips: usize,
-    /// Exposures of a strip.
-    pub exposures: usize,
-    pub forward_overlap: f64,
-    pub side_overlap: f64,
-    pub width_px: u32,
-    pub height_px: u32,
-    pub pixel_mm: f64,
-    pub flying_height_m: f64,
-    pub relief_m: f64,
-    /// Features an image has on average, of which `clutter` show no point that another image shows.
-    pub features: usize,
-    pub clutter: f64,
-    /// Probability that a feature that two images have is matched between them.
-    pub matched: f64,
-    /// Share of wrong matches, and the share of these that join the same two places again and again, as repeated structures do.
-    pub wrong: f64,
-    pub repeated: f64,
-    /// Standard deviation of a feature's coordinate.
-    pub noise_px: f64,
-    /// Standard deviation of each coordinate of a position that the receiver records.
-    pub receiver_m: f64,
-    /// Houses and trees on a km² of a photographed scene, where lots and gardens are left for them.
-    pub buildings: f64,
-    pub trees: f64,
-    pub seed: u32,
-}
+options! {
+    /// What is flown, seen and matched.
+    pub struct BlockFlight in "block_flight" {
+        section "Flight";
 
-impl Default for BlockFlight {
-    fn default() -> Self {
-        Self {
-            view: BlockView::Nadir,
-            strips: 5,
-            exposures: 6,
-            forward_overlap: 0.75,
-            side_overlap: 0.5,
-            width_px: 4000,
-            height_px: 3000,
-            pixel_mm: 0.009,
-            flying_height_m: 800.0,
-            relief_m: 60.0,
-            features: 2000,
-            clutter: 0.3,
-            matched: 0.8,
-            wrong: 0.05,
-            repeated: 0.05,
-            noise_px: 0.3,
-            receiver_m: 1.0,
-            buildings: 2000.0,
-            trees: 2500.0,
-            seed: 1,
-        }
+        /// Straight down; one camera down and four tilted by 45°; or straight down with every other strip at 1.5 times the height.
+        view: BlockView = BlockView::Nadir, "View";
+
+        /// The number of strips that are flown side by side.
+        strips: usize = 5, "Strips", 1..=1000;
+
+        /// The number of exposures per strip, each by one camera, or by five in an oblique block.
+        exposures: usize = 6, "Exposures per strip", 1..=1000;
+
+        /// The overlap of photos that follow one another in a strip.
+        forward_overlap: f64 = 0.75, "Forward overlap", 0..=0.95;
+
+        /// The overlap of neighbouring strips.
+        side_overlap: f64 = 0.5, "Side overlap", 0..=0.95;
+
+        /// The columns of a photo, across the flight.
+        width_px: u32 = 4000, "Columns", in "px", 16..=100000;
+
+        /// The rows of a photo, along the flight.
+        height_px: u32 = 3000, "Rows", in "px", 16..=100000;
+
+        /// The side of a pixel, with principal distances of 85 mm and 65 mm: larger pixels show more ground.
+        pixel_mm: f64 = 0.009, "Pixel", in "mm", 0.0005..=1;
+
+        /// The height above the mean ground: a larger one makes the scale smaller.
+        flying_height_m: f64 = 800.0, "Flying height", in "m", 10..=10000;
+
+        /// The range of the ground's heights.
+        relief_m: f64 = 60.0, "Relief", in "m", 0..=1000;
+
+        /// The standard deviation of a coordinate of a GNSS position.
+        receiver_m: f64 = 1.0, "GNSS noise", in "m", 0..=100;
+
+        /// The buildings of a photographed scene; fewer stand where there are fewer lots.
+        buildings: f64 = 2000.0, "Buildings", in "km⁻²", 0..=20000;
+
+        /// The trees of a photographed scene, where gardens are left for them.
+        trees: f64 = 2500.0, "Trees", in "km⁻²", 0..=20000;
+
+        /// Everything random follows from it: the same seed gives the same block.
+        seed: u32 = 1, "Seed", 0..=4294967295.0;
+
+        section "Features without photos";
+
+        /// The number of features per image, on average.
+        features: usize = 2000, "Features per image", 1..=100000;
+
+        /// The share of the features that no other image shows.
+        clutter: f64 = 0.3, "Lone features", 0..=0.9;
+
+        /// The probability that a feature which two images show is matched between them.
+        matched: f64 = 0.8, "Matched", 0..=1;
+
+        /// The share of the matches that join different places.
+        wrong: f64 = 0.05, "Wrong matches", 0..=1;
+
+        /// The share of the wrong matches that join the same two places in every pair of images.
+        repeated: f64 = 0.05, "Repeated structures", 0..=1;
+
+        /// The standard deviation of a feature's coordinate.
+        noise_px: f64 = 0.3, "Noise", in "px", 0..=10;
     }
 }
 
 impl BlockFlight {
-    fn check(&self) -> Result<(), Error> {
-        let values = serde_json::to_value(self).unwrap_or_default();
-        for parameter in BLOCK_FLIGHT_PARAMETERS.iter().filter(|p| p.key != "block_flight.view") {
-            // A number that is none has no JSON form.
-            check_by(parameter, values[parameter.key.trim_start_matches("block_flight.")].as_f64().unwrap_or(f64::NAN))?;
-        }
-        Ok(())
+    /// The parameters on which photos depend.
+    pub fn photo_parameters() -> impl Iterator<Item = &'static crate::Parameter> {
+        Self::PARAMETERS.iter().filter(|p| p.section == "Flight")
     }
 }
 
@@ -152,7 +154,7 @@ impl SimulatedBlock {
 /// # Errors
 /// [`Error::InvalidOption`] for a value outside its range.
 pub fn simulate_block(flight: &BlockFlight) -> Result<SimulatedBlock, Error> {
-    flight.check()?;
+    flight.check_ranges()?;
     let exposures = exposures::exposures(flight);
     let seen = features::features(flight, &exposures);
     let pairs = matches::matches(flight, &seen);
@@ -163,17 +165,6 @@ pub fn simulate_block(flight: &BlockFlight) -> Result<SimulatedBlock, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn every_field_is_described_once() {
-        let values = serde_json::to_value(BlockFlight::default()).unwrap();
-        let mut described: Vec<&str> = BLOCK_FLIGHT_PARAMETERS.iter().map(|p| p.key.trim_start_matches("block_flight.")).collect();
-        described.sort_unstable();
-        let mut fields: Vec<&str> = values.as_object().unwrap().keys().map(String::as_str).collect();
-        fields.sort_unstable();
-        assert_eq!(described, fields);
-        BlockFlight::default().check().unwrap();
-    }
 
     #[test]
     fn features_lie_where_their_ground_is_seen() {

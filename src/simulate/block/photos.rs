@@ -1,7 +1,7 @@
 //! Photos of a block over the made scene, one at a time, with what is known of each.
 
 use super::{BlockFlight, BlockView, Exposure, exposures};
-use crate::parameters::refuse;
+use crate::catalogue::refuse;
 use crate::simulate::buckets::Rectangle;
 use crate::simulate::flight::Flight;
 use crate::simulate::photo::{Photo, Scan};
@@ -44,7 +44,7 @@ impl BlockScene {
     /// [`Error::InvalidOption`] for a value outside its range, and for a flight whose ground is too long, whose photos are too large or too
     /// flat, or which is not ten times as high as relief and houses.
     pub fn new(flight: &BlockFlight) -> Result<Self, Error> {
-        flight.check()?;
+        flight.check_ranges()?;
         let pixels = f64::from(flight.width_px) * f64::from(flight.height_px);
         if pixels > MOST_PIXELS {
             let allowed =

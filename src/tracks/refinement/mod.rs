@@ -10,5 +10,5 @@ mod windows;
 
 pub use options::{RefinementMethod, RefinementOptions};
 pub use outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
-pub use point::{PointRefiner, WindowedObservation};
-pub use windows::{ObservationWindow, ObservationWindows, WindowCentre, observation_windows};
+pub use point::PointRefiner;
+pub use windows::{ObservationWindow, ObservationWindows, WindowCentre, WindowedObservation, observation_windows};

@@ -1,48 +1,39 @@
-//! What the user chooses of the refinement of rays.
+//! What the user chooses of the refinement of observations.
 
-use crate::Error;
-use crate::parameters::check;
-use serde::{Deserialize, Serialize};
+use crate::catalogue::{choices, options};
 
-/// How the rays of chosen points are refined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum RefinementMethod {
-    /// Rays stay where their features were found.
-    None,
-    /// Least squares matching of each ray's window to that of a reference ray.
-    LeastSquares,
-}
-
-/// Whether and how rays are refined before the block is oriented.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct RefinementOptions {
-    pub method: RefinementMethod,
-    /// Rays an image that are refined at least; the block is oriented by these.
-    pub per_image: usize,
-    /// Side of the windows in px, odd, of the image or of a reduced one by the scale of the point.
-    pub window: usize,
-    /// How far a ray may move, in multiples of its scale.
-    pub farthest: f64,
-    /// Correlation of the matched windows at least, 0..1.
-    pub least_correlation: f64,
-}
-
-impl Default for RefinementOptions {
-    fn default() -> Self {
-        Self { method: RefinementMethod::None, per_image: 200, window: 17, farthest: 1.0, least_correlation: 0.8 }
+choices! {
+    /// How the observations of chosen points are refined.
+    pub enum RefinementMethod {
+        /// Observations stay where their features were found.
+        None = "none",
+        /// Least squares matching of each observation's window to that of a reference observation.
+        LeastSquares = "least-squares" ("least squares"),
     }
 }
 
-impl RefinementOptions {
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(&self) -> Result<(), Error> {
-        check("refinement.per_image", self.per_image as f64)?;
-        check("refinement.window", self.window as f64)?;
-        check("refinement.farthest", self.farthest)?;
-        check("refinement.least_correlation", self.least_correlation)
+options! {
+    /// Whether and how observations are refined before the block is oriented.
+    pub struct RefinementOptions in "refinement" {
+        section "Refinement of observations";
+
+        /// Whether the observations of chosen points are moved to where their grey values fit those of a reference observation best.
+        method: RefinementMethod = RefinementMethod::None, "Refinement", named "refine";
+
+        /// The number of observations per image that are refined and orient the block, where there are as many: more make it more stable and
+        /// take longer.
+        per_image: usize = 200, "Refined observations per image", 10..=10000, acts "refinement.method is least-squares",
+            named "refinement-per-image";
+
+        /// The side of the window that is matched, in the image or, for points of large scales, in a reduced one: larger ones are more exact on
+        /// even ground, and wrong where it is broken.
+        window: usize = 17, "Refinement window", in "px", odd 9..=41, acts "refinement.method is least-squares", named "refinement-window";
+
+        /// The maximum move of an observation in scales of its point; one that would go farther stays in place.
+        farthest: f64 = 1.0, "Maximum move", in "scales", 0.1..=4, acts "refinement.method is least-squares", named "refinement-farthest";
+
+        /// The minimum correlation of a window with that of the reference: higher leaves more observations in place.
+        least_correlation: f64 = 0.8, "Minimum correlation", 0..=1, acts "refinement.method is least-squares",
+            named "refinement-correlation";
     }
 }

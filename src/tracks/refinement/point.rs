@@ -3,7 +3,7 @@
 use super::RefinementOptions;
 use super::outcome::{ObservationRefinement, RefinedPoint, RefinementOutcome};
 use super::reference::references;
-use super::windows::{ObservationWindow, WindowCentre};
+use super::windows::WindowedObservation;
 use crate::Error;
 use crate::matching::{LeastSquares, LeastSquaresOptions, WindowFit};
 
@@ -11,30 +11,6 @@ use crate::matching::{LeastSquares, LeastSquaresOptions, WindowFit};
 const MOST_REFERENCES: usize = 3;
 /// Px of the matched level by which a window that is matched back may miss the reference.
 const RETURN_PX: f64 = 0.3;
-
-/// A ray with what it shows.
-#[derive(Clone)]
-pub struct WindowedObservation<'a> {
-    pub place: WindowCentre,
-    /// Dominant direction in rad from x towards y.
-    pub orientation_rad: f64,
-    /// As [`observation_windows`](super::observation_windows) cuts them; none at a level that is too small for one.
-    pub windows: Vec<ObservationWindow<'a>>,
-}
-
-impl<'a> WindowedObservation<'a> {
-    pub(super) fn window(&self, halvings: u32) -> Option<&ObservationWindow<'a>> {
-        self.windows.iter().find(|window| window.halvings == halvings)
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        self.place.check()?;
-        if self.orientation_rad.is_finite() {
-            return Ok(());
-        }
-        Err(Error::InvalidInput { what: "direction of a ray", got: self.orientation_rad.to_string(), allowed: "finite numbers".into() })
-    }
-}
 
 /// A matrix that takes px from one ray to px from another.
 type Affine = [[f64; 2]; 2];
@@ -60,7 +36,7 @@ impl PointRefiner {
     /// # Errors
     /// [`Error::InvalidOption`].
     pub fn new(options: &RefinementOptions) -> Result<Self, Error> {
-        options.check()?;
+        options.check_ranges()?;
         Ok(Self { matching: LeastSquares::new(options.window), options: options.clone() })
     }
 
@@ -229,7 +205,7 @@ fn standard_error(fit: &WindowFit) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{ObservationWindows, observation_windows};
+    use super::super::{ObservationWindows, WindowCentre, observation_windows};
     use super::*;
     use crate::GreyImage;
     use crate::matching::texture::Texture;

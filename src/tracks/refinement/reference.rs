@@ -1,6 +1,6 @@
 //! Which ray of a point the others are matched to.
 
-use super::point::WindowedObservation;
+use super::windows::WindowedObservation;
 use crate::math::median;
 use std::cmp::Reverse;
 

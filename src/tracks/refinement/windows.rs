@@ -65,6 +65,30 @@ impl ObservationWindow<'_> {
     }
 }
 
+/// A ray with what it shows.
+#[derive(Clone)]
+pub struct WindowedObservation<'a> {
+    pub place: WindowCentre,
+    /// Dominant direction in rad from x towards y.
+    pub orientation_rad: f64,
+    /// As [`observation_windows`](super::observation_windows) cuts them; none at a level that is too small for one.
+    pub windows: Vec<ObservationWindow<'a>>,
+}
+
+impl<'a> WindowedObservation<'a> {
+    pub(super) fn window(&self, halvings: u32) -> Option<&ObservationWindow<'a>> {
+        self.windows.iter().find(|window| window.halvings == halvings)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        self.place.check()?;
+        if self.orientation_rad.is_finite() {
+            return Ok(());
+        }
+        Err(Error::InvalidInput { what: "direction of a ray", got: self.orientation_rad.to_string(), allowed: "finite numbers".into() })
+    }
+}
+
 /// The windows of an image's rays, flat.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ObservationWindows {
@@ -87,7 +111,7 @@ pub(super) fn cut_side(options: &RefinementOptions) -> usize {
 /// # Errors
 /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for places that are not inside the image or no numbers.
 pub fn observation_windows(image: GreyView<'_>, rays: &[WindowCentre], options: &RefinementOptions) -> Result<ObservationWindows, Error> {
-    options.check()?;
+    options.check_ranges()?;
     for ray in rays {
         ray.check()?;
         let size = [image.width() as f64, image.height() as f64];
@@ -118,7 +142,7 @@ impl ObservationWindows {
     /// [`Error::InvalidOption`]; [`Error::InvalidInput`] where places are not ordered by ray and halvings, or there are more or fewer grey
     /// values than they have.
     pub fn new(places: Vec<[u32; 4]>, grey: Vec<u8>, options: &RefinementOptions) -> Result<Self, Error> {
-        options.check()?;
+        options.check_ranges()?;
         let what = "windows of rays";
         let side = cut_side(options);
         if grey.len() != places.len() * side * side {

@@ -4,8 +4,8 @@ import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
 import type { Catalogue } from '../../shared/crate';
 import type { BlockCatalogue } from '../state/state';
 
-/** The page offers this one of the features' parameters; the strategy of the pair explains the others. */
-const FEATURES = 'multiscale.number';
+/** The page offers one parameter of the features, and those of the block; the strategy of the pair explains the others. */
+const offered = (key: string) => key === 'multiscale.number' || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
 
 /** Photos small enough to be rendered in a second or two, by a wide angle: bases are then long against heights. */
 const SMALL_PHOTOS: Partial<BlockFlight> = { width_px: 800, height_px: 600, pixel_mm: 0.09, relief_m: 40 };
@@ -14,7 +14,7 @@ export function blockCatalogue({ parameters, flightParameters }: Catalogue): Blo
   const own = block_parameters();
   const ofFlight = block_flight_parameters();
   return {
-    parameters: [...own, ...parameters.filter(({ key }) => key === FEATURES)],
+    parameters: own.filter(({ key }) => offered(key)),
     defaults: block_settings({}),
     flightParameters: ofFlight,
     flight: { ...block_flight_defaults(), ...SMALL_PHOTOS },

@@ -1,72 +1,32 @@
 /** What the user chooses of a run: pairs, points, recorded positions, cameras. */
-import { makeControl } from '../../shared/panel/control';
-import type { Value } from '../../shared/panel/control';
+import { acting_block_parameters } from '../../shared/crate';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fileButton } from '../../shared/panel/picker';
 import type { Picked } from '../../shared/panel/picker';
-import type { BlockSettings, Parameter } from '../../../pkg/wasm/tiepoint.js';
+import { makeSections } from '../../shared/panel/sections';
+import { withSetting } from '../../shared/panel/settings';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
 
-type Groups = Record<string, Record<string, Value | undefined>>;
-
-/** Groups of parameters, by the first part of their keys. */
-const GROUPS: readonly (readonly [string, string])[] = [['pairs', 'Pairs'], ['multiscale', 'Features'], ['selection', 'Points'], ['refinement', 'Refinement of rays'], ['block', 'Multi-ray points'], ['placing', 'Exactness of positions']];
-
-/** Parameters that matter for one rule of pairs alone. */
-const OF_RULE: readonly string[] = ['near', 'sequence', 'alike'];
-
 export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
   store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
     if (catalogue === null) return;
     const { defaults } = catalogue;
-    const controls = catalogue.parameters.map((parameter) => makeControl(parameter, {
-      set: (value) => {
+    const sections = makeSections(catalogue.parameters, {
+      change: (key, value) => {
         const { settings } = store.state.options;
-        if (settings !== null) store.dispatch({ type: 'options', options: { settings: withValue(settings, parameter, value) } });
+        if (settings !== null) store.dispatch({ type: 'options', options: { settings: withSetting(settings, key, value) } });
       },
-      standard: () => readValue(defaults, parameter),
-      whenEmpty: () => 'by itself',
-      refused: () => { store.dispatch({ type: 'refused', label: parameter.label }); },
-    }));
-    const groups = GROUPS.map(([group, title]) => {
-      const own = controls.filter(({ parameter }) => parameter.key.startsWith(`${group}.`));
-      return h('fieldset', { class: 'group' }, h('legend', {}, title), ...own.map(({ element }) => element));
+      defaults: () => defaults,
+      refused: (label) => { store.dispatch({ type: 'refused', label }); },
     });
-    fill(host, positions(store), ...groups, besides(store, files));
+    fill(host, positions(store), ...sections.elements, besides(store, files));
     store.watch((s) => [s.options.settings] as const, ([settings]) => {
-      if (settings === null) return;
-      for (const { parameter, element, show } of controls) {
-        show(readValue(settings, parameter));
-        const [, field = ''] = parameter.key.split('.');
-        const rule = settings.pairs?.rule ?? null;
-        element.hidden = OF_RULE.includes(field) && rule !== null && rule !== field;
-      }
+      if (settings !== null) sections.show(settings, acting_block_parameters(settings));
     });
   });
-}
-
-/** The group of a parameter; those of features lie a step deeper. */
-function groupOf(settings: BlockSettings, { key }: Parameter): [Record<string, Value | undefined>, string, string] {
-  const [group = '', field = ''] = key.split('.');
-  const at = group === 'multiscale' ? settings.features : settings;
-  const found = (at as unknown as Groups)[group];
-  if (found === undefined) throw new Error(`there is no setting ${key}`);
-  return [found, group, field];
-}
-
-function readValue(settings: BlockSettings, parameter: Parameter): Value {
-  const [group, , field] = groupOf(settings, parameter);
-  return group[field] ?? null;
-}
-
-function withValue(settings: BlockSettings, parameter: Parameter, value: Value): BlockSettings {
-  const [before, group, field] = groupOf(settings, parameter);
-  const changed = { [group]: { ...before, [field]: value } };
-  const features = settings.features;
-  return group === 'multiscale' && features !== undefined ? { ...settings, features: { ...features, ...changed } } : { ...settings, ...changed };
 }
 
 /** Whether recorded positions are used. */

@@ -1,16 +1,14 @@
 /** The matrix of matches: images by images, darker where a pair has more; marked where it was tried in vain, blank where it was not tried. */
-import { onRecolour, themeColours } from '../../shared/view/colours';
 import type { Colours } from '../../shared/view/colours';
-import { listen } from '../../shared/view/gestures';
-import { Layers, within } from '../../shared/view/layers';
-import { panned, toCanvas, toPosition, zoomedAbout } from '../../shared/view/transform';
+import { within } from '../../shared/view/layers';
+import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Transform } from '../../shared/view/transform';
 import type { BlockStore } from '../engine/engine';
 import type { Choice } from '../state/state';
 import type { BlockView } from '../state/view';
 import { connectionOf, connectionsOf, matchesOf } from '../state/words';
-import { press } from './looking';
-import type { Looking, Zoomable } from './looking';
+import { Chart } from './chart';
+import type { Looking } from './looking';
 
 /** Side of a cell in CSS px: in the whole matrix, and enlarged. */
 const LARGEST_WHOLE = 44;
@@ -22,123 +20,55 @@ const NUMBERED = 30;
 
 type Cell = [row: number, column: number];
 
-export class Matrix implements Zoomable {
-  private readonly layers: Layers<'matrix'>;
-  /** Of columns and rows to the canvas; null: the whole matrix is shown. */
-  private moved: Transform | null = null;
-  private of: BlockView | null = null;
-  private hovered: Cell | null = null;
-
-  constructor(host: HTMLElement, private readonly store: BlockStore, private readonly looking: Looking) {
-    this.layers = new Layers(host, ['matrix'], (_, context) => { this.paint(context, themeColours()); });
-    onRecolour(() => { this.layers.redraw(); });
-    listen<BlockView>(host, {
-      at: () => this.view(),
-      focused: () => this.view(),
-      pan: (view, dx, dy) => { this.move(panned(this.current(view), dx, dy)); },
-      zoom: (view, factor, x, y) => { this.zoom(view, factor, x, y); },
-      zoomMiddle: (factor) => { this.zoomMiddle(factor); },
-      fit: () => { this.fit(); },
-      pressed: (x, y) => {
-        const cell = this.cellAt(x, y);
-        press(store, looking, cell === null ? null : choiceOf(cell));
-      },
-      pointed: (at, dragging) => { if (!dragging) this.hover(at === null ? null : this.cellAt(...at)); },
-      command: (key) => this.command(key),
-    });
-    store.watch((s) => [s.shown] as const, ([shown]) => {
-      // What the user looks at stays while more images come in.
-      if (shown === null || this.of?.partial !== true) this.moved = null;
-      this.of = shown?.view ?? null;
-      this.layers.redraw();
-    });
-    store.watch((s) => [s.choice] as const, () => { this.layers.redraw(); });
+export class Matrix extends Chart {
+  constructor(host: HTMLElement, store: BlockStore, looking: Looking) {
+    super(host, 'matrix', store, looking);
   }
 
-  fit(): void {
-    this.move(null);
-  }
-
-  zoomMiddle(factor: number): void {
-    const view = this.view();
-    if (view !== null) this.zoom(view, factor, (HEAD + this.layers.width) / 2, (HEAD + this.layers.height) / 2);
-  }
-
-  private view(): BlockView | null {
-    return this.store.state.shown?.view ?? null;
-  }
-
-  /** The whole matrix. */
-  private whole({ images: { length } }: BlockView): Transform {
+  protected override whole({ images: { length } }: BlockView): Transform {
     const room = Math.min(this.layers.width, this.layers.height) - HEAD - 4;
     const side = Math.min(LARGEST_WHOLE, room / Math.max(1, length));
     return { scale: side > 4 ? Math.floor(side) : side, x: HEAD, y: HEAD };
   }
 
-  private current(view: BlockView): Transform {
-    return this.moved ?? this.whole(view);
-  }
-
-  private zoom(view: BlockView, factor: number, x: number, y: number): void {
-    const least = this.whole(view).scale;
-    this.move(zoomedAbout(this.current(view), factor, x, y, { least, most: Math.max(LARGEST, least) }));
+  protected override limits(whole: number): { least: number; most: number } {
+    return { least: whole, most: LARGEST };
   }
 
   /** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
-  private move(wanted: Transform | null): void {
-    const count = this.view()?.images.length ?? 0;
-    const { width, height } = this.layers;
-    const held = (shift: number, scale: number, room: number) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - count * scale), shift));
-    this.moved = wanted === null ? null : { scale: wanted.scale, x: held(wanted.x, wanted.scale, width), y: held(wanted.y, wanted.scale, height) };
-    this.layers.redraw();
+  protected override held({ images: { length } }: BlockView, { scale, x, y }: Transform): Transform {
+    const within = (shift: number, room: number) => Math.min(HEAD, Math.max(Math.min(HEAD, (HEAD + room) / 2 - length * scale), shift));
+    return { scale, x: within(x, this.layers.width), y: within(y, this.layers.height) };
   }
 
-  private cellAt(x: number, y: number): Cell | null {
-    const view = this.view();
-    if (view === null || x < HEAD || y < HEAD) return null;
-    const [column, row] = toPosition(this.current(view), x, y).map(Math.floor) as [number, number];
+  protected override hit(view: BlockView, t: Transform, x: number, y: number): Choice | null {
+    const [column, row] = toPosition(t, x, y).map(Math.floor) as [number, number];
     const inside = (index: number) => index >= 0 && index < view.images.length;
-    return inside(column) && inside(row) ? [row, column] : null;
-  }
-
-  private hover(cell: Cell | null): void {
-    this.hovered = cell;
-    this.looking.point(cell === null ? null : choiceOf(cell));
-    this.layers.redraw();
+    return x >= HEAD && y >= HEAD && inside(column) && inside(row) ? choiceOf([row, column]) : null;
   }
 
   /** Arrows go from cell to cell. */
-  private command(key: string): boolean {
-    const { choice } = this.store.state;
+  protected override command(key: string): boolean {
     const step = { ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowUp: [-1, 0], ArrowDown: [1, 0] }[key];
-    if (step !== undefined) {
-      const [row, column] = choice === null ? [0, 0] : choice.kind === 'pair' ? choice.images : [choice.image, choice.image];
-      const within = (index: number) => Math.min(Math.max(index, 0), (this.view()?.images.length ?? 1) - 1);
-      const cell: Cell = [within(row + (step[0] ?? 0)), within(column + (step[1] ?? 0))];
-      this.looking.choose(choiceOf(cell));
-      this.reveal(cell);
-      return true;
-    }
-    if (key === 'Enter' && choice?.kind === 'pair') this.looking.open(choice.images);
-    else if (key === 'Escape') this.looking.choose(null);
-    else return false;
+    const view = this.view();
+    if (step === undefined || view === null) return false;
+    const { choice } = this.store.state;
+    const [row, column] = choice === null ? [0, 0] : cellOf(choice);
+    const inside = (index: number) => Math.min(Math.max(index, 0), view.images.length - 1);
+    const cell: Cell = [inside(row + (step[0] ?? 0)), inside(column + (step[1] ?? 0))];
+    this.looking.choose(choiceOf(cell));
+    this.reveal(view, cell);
     return true;
   }
 
-  private reveal([row, column]: Cell): void {
-    const view = this.view();
-    if (view === null) return;
+  /** Brings a cell into sight. */
+  private reveal(view: BlockView, [row, column]: Cell): void {
     const t = this.current(view);
-    const bring = (index: number, shift: number, room: number) => Math.max(HEAD - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
-    const [x, y] = [bring(column, t.x, this.layers.width), bring(row, t.y, this.layers.height)];
-    const seen = (index: number, shift: number, room: number) => index * t.scale + shift >= HEAD && (index + 1) * t.scale + shift <= room;
-    this.move({ scale: t.scale, x: seen(column, t.x, this.layers.width) ? t.x : x, y: seen(row, t.y, this.layers.height) ? t.y : y });
+    const brought = (index: number, shift: number, room: number) => Math.max(HEAD - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
+    this.move(view, { scale: t.scale, x: brought(column, t.x, this.layers.width), y: brought(row, t.y, this.layers.height) });
   }
 
-  private paint(context: CanvasRenderingContext2D, colours: Colours): void {
-    const view = this.view();
-    if (view === null || view.images.length === 0) return;
-    const t = this.current(view);
+  protected override paint(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, t: Transform): void {
     const { width, height } = this.layers;
     paintHeads(context, colours, view.images.length, t, width, height);
     within(context, { left: HEAD - 1, top: HEAD - 1, width, height }, () => {
@@ -179,8 +109,8 @@ export class Matrix implements Zoomable {
     const { scale: side } = t;
     context.strokeStyle = colours.accent;
     context.lineWidth = 2;
-    const cells = [choice?.kind === 'pair' ? choice.images : null, this.hovered].filter((cell) => cell !== null);
-    for (const [row, column] of cells) {
+    const cells = [choice?.kind === 'pair' ? choice : null, this.hovered].filter((one) => one !== null);
+    for (const [row, column] of cells.map(cellOf)) {
       context.strokeRect(...toCanvas(t, column, row), side, side);
       if (connectionOf(view, [row, column]) !== undefined) context.strokeRect(...toCanvas(t, row, column), side, side);
     }
@@ -193,6 +123,11 @@ export class Matrix implements Zoomable {
 
 function choiceOf([row, column]: Cell): Choice {
   return row === column ? { kind: 'image', image: row } : { kind: 'pair', images: [row, column] };
+}
+
+/** Of an image that on the diagonal. */
+function cellOf(choice: Choice): Cell {
+  return choice.kind === 'pair' ? choice.images : [choice.image, choice.image];
 }
 
 /** A pair that was tried in vain is a small square: told apart from a weak one without its colour. */

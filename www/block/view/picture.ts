@@ -1,15 +1,11 @@
 /** The picture of the block: its images in plan, joined by lines as wide as they have points in common; pan, zoom, point and press. */
-import { onRecolour, themeColours } from '../../shared/view/colours';
 import type { Colours } from '../../shared/view/colours';
-import { listen } from '../../shared/view/gestures';
-import { Layers } from '../../shared/view/layers';
-import { panned } from '../../shared/view/transform';
 import type { Transform } from '../../shared/view/transform';
-import { press } from './looking';
-import type { Looking, Zoomable } from './looking';
+import { Chart } from './chart';
+import type { Looking } from './looking';
 import type { Choice } from '../state/state';
 import type { BlockStore } from '../engine/engine';
-import { fitPlan, hitPlan, linesOf, placeOf, zoomedPlan } from './plan';
+import { fitPlan, hitPlan, linesOf, placeOf } from './plan';
 import type { BlockView } from '../state/view';
 
 /** Above so many images only those that are pointed at or chosen have their names. */
@@ -19,82 +15,28 @@ const NAME_BELOW = 19;
 const NAME_HEIGHT = 13;
 const NAME_GAP = 6;
 
-export class Picture implements Zoomable {
-  private readonly layers: Layers<'plan'>;
-  /** Null until it was moved: all of it is shown. */
-  private plan: Transform | null = null;
-  private of: BlockView | null = null;
-  private hovered: Choice | null = null;
-
-  constructor(host: HTMLElement, private readonly store: BlockStore, private readonly looking: Looking) {
-    this.layers = new Layers(host, ['plan'], (_, context) => { this.paint(context, themeColours()); });
-    onRecolour(() => { this.layers.redraw(); });
-    listen<BlockView>(host, {
-      at: () => this.view(),
-      focused: () => this.view(),
-      pan: (view, dx, dy) => { this.move(panned(this.current(view), dx, dy)); },
-      zoom: (view, factor, x, y) => { this.move(zoomedPlan(this.current(view), this.whole(view), factor, x, y)); },
-      zoomMiddle: (factor) => { this.zoomMiddle(factor); },
-      fit: () => { this.fit(); },
-      pressed: (x, y) => { press(store, looking, this.hit(x, y)); },
-      pointed: (at, dragging) => { if (!dragging) this.hover(at === null ? null : this.hit(...at)); },
-      command: (key) => this.command(key),
-    });
-    store.watch((s) => [s.shown, s.choice] as const, ([shown]) => {
-      // What the user looks at stays while more of the same comes in.
-      const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
-      if (shown?.view !== this.of && !same) this.plan = null;
-      this.of = shown?.view ?? null;
-      this.layers.redraw();
-    });
+export class Picture extends Chart {
+  constructor(host: HTMLElement, store: BlockStore, looking: Looking) {
+    super(host, 'plan', store, looking);
   }
 
-  fit(): void {
-    this.move(null);
-  }
-
-  zoomMiddle(factor: number): void {
-    const view = this.view();
-    if (view !== null) this.move(zoomedPlan(this.current(view), this.whole(view), factor, this.layers.width / 2, this.layers.height / 2));
-  }
-
-  private view(): BlockView | null {
-    return this.store.state.shown?.view ?? null;
-  }
-
-  private whole(view: BlockView): Transform {
+  protected override whole(view: BlockView): Transform {
     return fitPlan(view, this.layers.width, this.layers.height);
   }
 
-  private current(view: BlockView): Transform {
-    return this.plan ?? this.whole(view);
+  protected override limits(whole: number): { least: number; most: number } {
+    return { least: 0.2 * whole, most: 200 * whole };
   }
 
-  private move(plan: Transform | null): void {
-    this.plan = plan;
-    this.layers.redraw();
+  protected override hit(view: BlockView, plan: Transform, x: number, y: number): Choice | null {
+    return hitPlan(view, plan, x, y);
   }
 
-  private hit(x: number, y: number): Choice | null {
-    const view = this.view();
-    return view === null ? null : hitPlan(view, this.current(view), x, y);
-  }
-
-  private hover(choice: Choice | null): void {
-    this.hovered = choice;
-    this.looking.point(choice);
-    this.layers.redraw();
-  }
-
-  /** Runs the command of a key; false where it has none. */
-  private command(key: string): boolean {
-    const { choice } = this.store.state;
+  protected override command(key: string): boolean {
     switch (key) {
       case 'n': case 'N': this.step(1); return true;
       case 'p': case 'P': this.step(-1); return true;
       case 'c': case 'C': this.stepPair(); return true;
-      case 'Enter': if (choice?.kind === 'pair') this.looking.open(choice.images); return choice?.kind === 'pair';
-      case 'Escape': this.looking.choose(null); return true;
       default: return false;
     }
   }
@@ -119,10 +61,7 @@ export class Picture implements Zoomable {
     if (next !== undefined) this.looking.choose({ kind: 'pair', images: next });
   }
 
-  private paint(context: CanvasRenderingContext2D, colours: Colours): void {
-    const view = this.view();
-    if (view === null || view.images.length === 0) return;
-    const plan = this.current(view);
+  protected override paint(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform): void {
     const marked = [this.store.state.choice, this.hovered].filter((choice) => choice !== null);
     paintLines(context, colours, view, plan, marked);
     paintImages(context, colours, view, plan, marked);

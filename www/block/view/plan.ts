@@ -1,5 +1,5 @@
 /** The plan of a block: where its images are drawn, which lines join them, and what lies at a place. Lengths are CSS px. */
-import { toCanvas, zoomedAbout } from '../../shared/view/transform';
+import { toCanvas } from '../../shared/view/transform';
 import type { Transform } from '../../shared/view/transform';
 import type { Choice } from '../state/state';
 import type { BlockView } from '../state/view';
@@ -10,9 +10,6 @@ const MARGIN = 48;
 const MARK_REACH = 12;
 const LINE_REACH = 6;
 const WIDEST = 7;
-/** Scales as shares of the one that shows all. */
-const LEAST = 0.2;
-const MOST = 200;
 
 /** The view that shows all images. The plan's y goes up, the canvas's down. */
 export function fitPlan({ layout: { places } }: BlockView, width: number, height: number): Transform {
@@ -34,11 +31,6 @@ export function fitPlan({ layout: { places } }: BlockView, width: number, height
 export function placeOf(view: BlockView, plan: Transform, image: number): [number, number] {
   const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
   return toCanvas(plan, x, -y);
-}
-
-/** The plan enlarged about a place, within limits. `whole`: the one that shows all images. */
-export function zoomedPlan(plan: Transform, whole: Transform, factor: number, x: number, y: number): Transform {
-  return zoomedAbout(plan, factor, x, y, { least: LEAST * whole.scale, most: MOST * whole.scale });
 }
 
 /** A line for each connected pair: its width grows with the points in common, of matches where no points were made. */

@@ -25,12 +25,15 @@ const NUMBERS = [
   { label: 'k1', unit: 'mm⁻²', testid: 'camera-k1', of: (c) => c.radial_distortion?.[0], alone: (v) => ({ radial_distortion: [v, 0, 0] }) },
   { label: 'k2', unit: 'mm⁻⁴', testid: 'camera-k2', of: (c) => c.radial_distortion?.[1], alone: (v) => ({ radial_distortion: [0, v, 0] }) },
   { label: 'k3', unit: 'mm⁻⁶', testid: 'camera-k3', of: (c) => c.radial_distortion?.[2], alone: (v) => ({ radial_distortion: [0, 0, v] }) },
+  { label: 'p1', unit: 'mm⁻¹', testid: 'camera-p1', of: (c) => c.tangential_distortion?.[0], alone: (v) => ({ tangential_distortion: [v, 0] }) },
+  { label: 'p2', unit: 'mm⁻¹', testid: 'camera-p2', of: (c) => c.tangential_distortion?.[1], alone: (v) => ({ tangential_distortion: [0, v] }) },
 ] as const satisfies readonly CameraNumber[];
 
 /** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
-function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0]: readonly (number | undefined)[]): CameraMm | null {
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]: readonly (number | undefined)[]): CameraMm | null {
   if (focal === undefined) return null;
-  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), radial_distortion: [k1, k2, k3] };
+  const lens = { radial_distortion: [k1, k2, k3] as [number, number, number], tangential_distortion: [p1, p2] as [number, number] };
+  return { focal_mm: focal, principal_point_mm: [x0, y0], ...(pixel === undefined ? {} : { pixel_mm: pixel }), ...lens };
 }
 
 export function mountCamera(host: HTMLElement, store: Store, loadFile: () => void): void {

@@ -5,9 +5,10 @@ import { CallError, Cancelled } from '../../shared/engine/client';
 import type { Catalogue, Flight, SampleImage } from '../../shared/crate';
 import { readable } from '../../shared/text/names';
 import type { Store } from '../state/store';
-import { makeControl } from '../../shared/panel/control';
-import type { Control, Value } from '../../shared/panel/control';
 import { button, h } from '../../shared/panel/dom';
+import { makeSections } from '../../shared/panel/sections';
+import type { Sections } from '../../shared/panel/sections';
+import { withSetting } from '../../shared/panel/settings';
 
 /** Longest side of the preview's images, in px. */
 const PREVIEW_SIDE = 240;
@@ -15,13 +16,6 @@ const PREVIEW_SIDE = 240;
 const DEBOUNCE_MS = 120;
 
 type Field = keyof Flight;
-
-const GROUPS: readonly (readonly [string, readonly Field[]])[] = [
-  ['Flight', ['seed', 'flying_height_m', 'base_mm', 'omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm', 'left_omega_deg', 'left_phi_deg', 'left_kappa_deg']],
-  ['Camera and scan', ['focal_mm', 'principal_x_mm', 'principal_y_mm', 'distortion', 'pixel_mm', 'width_px', 'height_px', 'fiducial_noise_px']],
-  ['Ground', ['relief_m', 'buildings', 'lowest_building_m', 'highest_building_m', 'trees', 'river_m', 'driven_m']],
-  ['Picture', ['psf_px', 'right_blur_px', 'noise_grey', 'grain_grey', 'grain_px', 'gain', 'offset_grey', 'haze']],
-];
 
 const PRESETS: Readonly<Record<string, string>> = {
   sample: 'Sample: the built-in pair',
@@ -40,7 +34,7 @@ class SimulatePanel {
   private readonly preset = h('select', { id: 'flight-preset', testid: 'flight-preset' });
   private readonly problem = h('p', { class: 'field-problem', role: 'alert', testid: 'flight-problem' });
   private readonly pictures = [h('canvas', { class: 'preview', testid: 'preview-left' }), h('canvas', { class: 'preview', testid: 'preview-right' })] as const;
-  private readonly controls: readonly { field: Field; control: Control }[];
+  private readonly sections: Sections;
   private timer: number | undefined;
   private rendering = false;
   private shown: Flight | null = null;
@@ -51,13 +45,12 @@ class SimulatePanel {
   ) {
     for (const { name } of catalogue.flights) this.preset.append(new Option(PRESETS[name] ?? name, name));
     this.preset.addEventListener('change', () => { store.dispatch({ type: 'flight', flight: this.standard() }); });
-    this.controls = catalogue.flightParameters.map((parameter) => {
-      const field = parameter.key.replace('flight.', '') as Field;
-      const set = (value: Value) => {
+    this.sections = makeSections(catalogue.flightParameters, {
+      change: (key, value) => {
         const { flight } = store.state;
-        if (flight !== null && typeof value === 'number') store.dispatch({ type: 'flight', flight: { ...flight, [field]: value } });
-      };
-      return { field, control: makeControl(parameter, { set, standard: () => this.standard()[field], whenEmpty: () => null }) };
+        if (flight !== null) store.dispatch({ type: 'flight', flight: withSetting(flight, key, value) });
+      },
+      defaults: () => this.standard(),
     });
     const go = button('Render this pair', 'render-flight', () => {
       const { flight } = store.state;
@@ -71,10 +64,10 @@ class SimulatePanel {
     host.append(
       h('p', { class: 'note' }, 'A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors.'),
       h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
-      h('div', { class: 'previews' }, ...this.pictures), this.problem, h('div', { class: 'buttons' }, go, another), ...this.groups());
+      h('div', { class: 'previews' }, ...this.pictures), this.problem, h('div', { class: 'buttons' }, go, another), ...this.sections.elements);
     store.watch((s) => [s.flight] as const, ([flight]) => {
       if (flight === null) return;
-      for (const { field, control } of this.controls) control.show(flight[field]);
+      this.sections.show(flight);
       this.later();
     });
     // Nothing is rendered for a panel that is not looked at.
@@ -85,16 +78,6 @@ class SimulatePanel {
     const found = this.catalogue.flights.find(({ name }) => name === this.preset.value) ?? this.catalogue.flights[0];
     if (found === undefined) throw new Error('the program names no flight');
     return found.flight;
-  }
-
-  private groups(): HTMLElement[] {
-    const listed = new Set(GROUPS.flatMap(([, fields]) => fields));
-    // A parameter that the crate adds is shown even before it has a place here.
-    const rest = this.controls.map(({ field }) => field).filter((field) => !listed.has(field));
-    return [...GROUPS, ['Other', rest] as const].filter(([, fields]) => fields.length > 0).map(([title, fields]) => {
-      const own = fields.flatMap((field) => this.controls.filter((c) => c.field === field).map(({ control }) => control.element));
-      return h('fieldset', { class: 'group' }, h('legend', {}, title), ...own);
-    });
   }
 
   private later(): void {
@@ -111,7 +94,7 @@ class SimulatePanel {
     this.say(problem);
     if (problem !== null) {
       // The preview's own problems would be those of its coarser pixels.
-      this.controls.find(({ control }) => problem.startsWith(`${control.parameter.key} is `))?.control.refuse(`${readable(this.catalogue, problem)}.`);
+      this.sections.controls.find(({ parameter }) => problem.startsWith(`${parameter.key} is `))?.refuse(`${readable(this.catalogue, problem)}.`);
       return;
     }
     this.rendering = true;

@@ -1,5 +1,5 @@
 /** Why a point was matched or refused, with the numbers that its rule compared. */
-import { message } from '../../shared/crate';
+import { message, resolved } from '../../shared/crate';
 import type { MatchResult, Settings } from '../../shared/crate';
 import { CODES, MATCHED, UNDECIDED } from '../state/codes';
 import type { CodeName } from '../state/codes';
@@ -24,13 +24,13 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
   const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
   const prefix = selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : '';
-  return { code, text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, state, settings)}`.trimEnd() };
+  return { code, text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd() };
 }
 
-function numbers(code: CodeName, index: number, match: MatchResult, { catalogue }: State, settings: Settings): string {
+function numbers(code: CodeName, index: number, match: MatchResult, settings: Settings): string {
   const { matching } = settings;
   const gradients = comparesGradients(settings);
-  const largest = matching.ambiguity ?? catalogue?.ambiguityDefaults[matching.strategy] ?? 1;
+  const largest = resolved(settings).matching.ambiguity ?? 1;
   const best = match.measures[2 * index] ?? Infinity;
   const second = match.measures[2 * index + 1] ?? Infinity;
   const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';

@@ -9,8 +9,8 @@ export interface Binding {
   set: (value: Value) => void;
   /** The default; null where an empty field is one. */
   standard: () => Value;
-  /** What an empty field stands for; null where the field may not be empty. */
-  whenEmpty: () => number | string | null;
+  /** The value that an empty field stands for; null where there is no single one. */
+  whenEmpty: () => Value;
   /** Told that the field holds a value that is not allowed and not used. */
   refused?: () => void;
 }
@@ -78,7 +78,7 @@ interface Field {
 function makeField(parameter: Parameter, id: string, binding: Binding): Field {
   switch (parameter.kind) {
     case 'flag': return flagField(parameter, id, binding);
-    case 'choice': return choiceField(parameter, parameter.values, id, binding);
+    case 'choice': return choiceField(parameter, id, binding);
     default: return numberField(parameter, id, binding);
   }
 }
@@ -89,27 +89,23 @@ function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
   return { elements: [input], show: (value) => { input.checked = value === true; }, onProblem: () => undefined };
 }
 
-function choiceField(parameter: Parameter, values: readonly string[], id: string, { set, standard, whenEmpty }: Binding): Field {
-  const select = h('select', { id, key: parameter.key, aria: { describedby: `${id}-help` } });
-  if (standard() === null) select.append(new Option(String(whenEmpty() ?? ''), ''));
-  for (const value of values) select.append(new Option(choiceName(value), value));
+function choiceField(parameter: ChoiceParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
+  const { key, values, labels, absent } = parameter;
+  const select = h('select', { id, key, aria: { describedby: `${id}-help` } });
+  const empty = new Option('default', '');
+  empty.title = absent;
+  if (standard() === null) select.append(empty);
+  values.forEach((value, i) => { select.append(new Option(labels[i] ?? value, value)); });
   select.addEventListener('change', () => { set(select.value === '' ? null : select.value); });
-  return { elements: [select], show: (value) => { select.value = String(value ?? ''); }, onProblem: () => undefined };
+  const show = (value: Value) => {
+    const meant = labels[values.indexOf(String(whenEmpty()))];
+    empty.text = meant === undefined ? 'default' : `default: ${meant}`;
+    select.value = String(value ?? '');
+  };
+  return { elements: [select], show, onProblem: () => undefined };
 }
 
-const CHOICE_NAMES: Readonly<Record<string, string>> = {
-  ground1: 'Ground 1', ground2: 'Ground 2', forstner: 'Förstner', moravec: 'Moravec',
-  multiscale: 'many scales', moments: 'moments (DM)', invariants: 'invariants (DI)', 'least-squares': 'least squares', gradient: 'gradients',
-  quadratic: 'quadratic',
-  maxabs: 'larger magnitude', floor: 'larger magnitude, with floor', keep: 'keep all', first: 'keep the first',
-  unit: 'grey / 255', huber: 'Huber', danish: 'Danish',
-};
-
-/** How the page writes a choice; most are plain words already. */
-export function choiceName(value: string): string {
-  return CHOICE_NAMES[value] ?? value;
-}
-
+type ChoiceParameter = Extract<Parameter, { kind: 'choice' }>;
 type NumberParameter = Extract<Parameter, { kind: 'integer' | 'real' }>;
 
 /** The step of a whole number; null where any number between is allowed. */
@@ -149,8 +145,8 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
   const show = (value: Value) => {
     input.removeAttribute('aria-invalid');
     const absent = optional() ? whenEmpty() : null;
-    input.placeholder = absent === null ? '' : String(absent);
-    input.title = absent === null ? '' : `Empty: ${String(absent)}`;
+    input.placeholder = optional() ? String(absent ?? 'default') : '';
+    input.title = optional() ? `Empty: ${String(absent ?? parameter.absent)}` : '';
     if (input.value === '' || input.valueAsNumber !== value) input.value = value === null ? '' : String(value);
     const shown = value ?? absent;
     if (slider !== null) slider.value = String(typeof shown === 'number' ? shown : parameter.min);

@@ -27,15 +27,18 @@ export class Holder<S, A> {
     }
   }
 
-  /** Calls back now and whenever one of the selected values is another than before. */
-  watch<T extends readonly unknown[]>(select: (state: S) => T, callback: (values: T) => void): void {
+  /** Calls back now and whenever one of the watched values is another than before: parts of the state by their names, or what is selected of it. */
+  watch<const K extends readonly (keyof S)[]>(names: K, callback: (values: { [I in keyof K]: S[K[I]] }) => void): void;
+  watch<T extends readonly unknown[]>(select: (state: S) => T, callback: (values: T) => void): void;
+  watch(what: readonly (keyof S)[] | ((state: S) => readonly unknown[]), callback: (values: never) => void): void {
+    const select = typeof what === 'function' ? what : (state: S) => what.map((name) => state[name]);
     let seen = select(this.current);
     this.listeners.push((state) => {
       const values = select(state);
       if (values.every((value, i) => Object.is(value, seen[i]))) return;
       seen = values;
-      callback(values);
+      callback(values as never);
     });
-    callback(seen);
+    callback(seen as never);
   }
 }

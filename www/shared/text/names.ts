@@ -7,6 +7,7 @@ const OTHER: Readonly<Record<string, string>> = {
   'camera.pixel_mm': 'Pixel size',
   'camera.principal_point_mm': 'Principal point',
   'camera.radial_distortion': 'Radial distortion',
+  'camera.tangential_distortion': 'Tangential distortion',
   focal_mm: 'Focal length',
   origin: 'Origin in the scan',
 };

@@ -1,0 +1,49 @@
+#!/usr/bin/env node
+/** `npm run docs`: writes docs/options.md, the table of all options, from the crate's catalogue. */
+
+import { writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { block_flight_defaults, block_flight_parameters, block_parameters, block_settings, defaults, flight_parameters, flight_preset, parameters } from '../pkg/node.js';
+import { BLOCK_NAMES, optionsOf } from '../pkg/command/options.js';
+import { ROOT } from './lib/paths.mjs';
+
+export const OPTIONS_FILE = join(ROOT, 'docs', 'options.md');
+
+/** @typedef {import('../pkg/node.js').Parameter} Parameter */
+
+/** @param {string} text */
+const cell = (text) => text.replaceAll('|', '\\|');
+
+/**
+ * A table for each section.
+ * @param {string} title @param {string} about @param {Parameter[]} all @param {object} standard @param {Readonly<Record<string, string>>} [called]
+ */
+function chapter(title, about, all, standard, called) {
+  const options = optionsOf(all, standard, called);
+  const rows = all.map((p, i) => ({ p, option: options[i] })).filter(({ option }) => option !== undefined);
+  const row = (/** @type {typeof rows[number]} */ { p, option }) => {
+    const range = p.kind === 'flag' ? 'yes or no' : `${option?.range}${p.unit ? ` ${p.unit}` : ''}`;
+    const standing = p.kind === 'flag' ? (option?.negates ? 'yes' : 'no') : String(option?.fallback ?? '');
+    const acts = p.acts ? ` Acts where ${p.acts}.` : '';
+    return `| ${[`\`--${option?.name}\``, `\`${p.key}\``, p.label, range, standing, `${p.help}${acts}`].map(cell).join(' | ')} |`;
+  };
+  const sections = [...new Set(all.map(({ section }) => section))].flatMap((section) => [
+    `### ${section}`, '', '| command | setting | label | allowed | default | what it does |', '|---|---|---|---|---|---|',
+    ...rows.filter(({ p }) => p.section === section).map(row), '',
+  ]);
+  return [`## ${title}`, '', about, '', ...sections];
+}
+
+export function optionsPage() {
+  return [
+    '# Options', '',
+    'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.', '',
+    ...chapter('Pairs', '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`.', parameters(), defaults()),
+    ...chapter('Blocks', '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.', block_parameters(), block_settings({}), BLOCK_NAMES),
+    ...chapter('Simulated pairs', '`tiepoint simulate`; in the package and the crate: `Flight`. The defaults are those of the sample.', flight_parameters(), flight_preset('sample')),
+    ...chapter('Simulated blocks', '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.', block_flight_parameters(), block_flight_defaults()),
+  ].join('\n').trimEnd() + '\n';
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) writeFileSync(OPTIONS_FILE, optionsPage());
