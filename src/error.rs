@@ -39,6 +39,8 @@ messages! {
         NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
         UnreadableFile { what: &'static str, place: String, reason: String },
+        /// Images whose names formats cannot hold.
+        NotExportable { formats: String, reason: String },
         /// A run of a block that no image and no pair stops, but what goes on around it.
         Interrupted { reason: String },
         /// A sink that takes no more text.
@@ -58,7 +60,7 @@ impl Error {
         match self {
             Error::InvalidOption { .. } => "invalid-option",
             Error::InvalidJson { .. } => "invalid-json",
-            Error::InvalidInput { .. } => "invalid-input",
+            Error::InvalidInput { .. } | Error::NotExportable { .. } => "invalid-input",
             Error::UnreadableImage { .. } => "unreadable-image",
             Error::UnsupportedImage { .. } => "unsupported-image",
             Error::TooManyPixels { .. } => "too-many-pixels",
@@ -129,6 +131,8 @@ messages! {
         Inseparable { condition: f64, most: f64 },
         /// Of an angle or of the direction of the base.
         LargeErrors { largest_deg: f64 },
+        /// Matches agree with the orientation no better than wrong ones do; in px of the left photo.
+        LargeResiduals { sigma0_px: f64, most_px: f64 },
         /// Too many points lie behind the cameras.
         BehindCameras { in_front: usize, points: usize },
         /// `share`: 1 - R² of the unknown that hardly anything determines.
@@ -223,8 +227,10 @@ messages! {
         Unreadable { message: String },
         /// The job refused its input: [`Error::code`], its text, and [`Error::is_usage`].
         Refused { code: String, message: String, usage: bool },
-        /// The worker broke down, as where memory ran out.
+        /// The worker broke down at a fault of the program.
         BrokeOff { message: String },
+        /// The host or the module has not the memory that the job needs.
+        OutOfMemory { message: String },
     }
 }
 

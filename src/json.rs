@@ -1,118 +1,82 @@
-//! Why a JSON text was refused, in words: what was got, and what is allowed.
+//! JSON texts and values read into plain data; where one is refused, the field is named.
 
-use crate::text::shorten;
-use serde_json::error::Category;
+use serde::de::DeserializeOwned;
+use serde_json::{Deserializer, Value};
 
-/// The reason, without its place.
-pub(crate) fn reason(error: &serde_json::Error) -> String {
-    worded(error, "")
+/// Reads a JSON text; or says which field is wrong, and why.
+pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
+    let mut deserializer = Deserializer::from_str(text);
+    let read = serde_path_to_error::deserialize(&mut deserializer).map_err(in_words)?;
+    deserializer.end().map(|()| read).map_err(|error| error.to_string())
 }
 
-/// The reason with its line and column, counted from 1.
-pub(crate) fn reason_in_text(error: &serde_json::Error) -> String {
-    // Before its first character a text has neither.
-    match (error.line(), error.column()) {
-        (0, _) => worded(error, ""),
-        (line, 0) => worded(error, &format!(" in line {line}")),
-        (line, column) => worded(error, &format!(" in line {line}, column {column}")),
+/// Reads a JSON value that stands in no text.
+#[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "values come from JavaScript"))]
+pub(crate) fn from_value<T: DeserializeOwned>(value: Value) -> Result<T, String> {
+    serde_path_to_error::deserialize(value).map_err(in_words)
+}
+
+fn in_words(error: serde_path_to_error::Error<serde_json::Error>) -> String {
+    match error.path().iter().next() {
+        Some(_) => error.to_string(),
+        None => error.into_inner().to_string(),
     }
 }
 
-fn worded(error: &serde_json::Error, place: &str) -> String {
-    let text = error.to_string();
-    let told = text.rsplit_once(" at line ").map_or(&text[..], |(told, _)| told);
-    match error.classify() {
-        Category::Eof => format!("it ends{place} before it is complete; allowed: one JSON object"),
-        Category::Syntax | Category::Io => format!("it is no JSON{place}: {told}"),
-        Category::Data => match told.split_once(", expected ") {
-            Some((wrong, expected)) => {
-                format!("{}{place}; allowed: {}", got(wrong).map_or_else(|| wrong.into(), |got| format!("got {got}")), allowed(expected))
-            }
-            None => format!("{told}{place}"),
-        },
-    }
-}
+/// Numbers that may be infinite: `null` in JSON, which has no infinity.
+pub(crate) mod infinite {
+    use serde::{Deserialize, Deserializer, Serializer};
 
-/// What a value is in the words of JSON; `None` where the message is about a name.
-fn got(wrong: &str) -> Option<String> {
-    if let Some(length) = wrong.strip_prefix("invalid length ") {
-        return Some(format!("a list of {length}"));
+    pub(crate) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_f64(*value)
     }
-    let value = wrong.strip_prefix("invalid type: ").or_else(|| wrong.strip_prefix("invalid value: "))?;
-    let quoted = |kind: &str| value.strip_prefix(kind).map(|rest| rest.trim_matches('`').to_string());
-    let number = || quoted("integer ").or_else(|| quoted("floating point ")).or_else(|| quoted("boolean "));
-    let text = || value.strip_prefix("string ").map(|text| format!("the text {}", shorten(text)));
-    Some(number().or_else(text).unwrap_or_else(|| match value {
-        "map" => "an object".into(),
-        "sequence" => "a list".into(),
-        other => shorten(other),
-    }))
-}
 
-fn allowed(expected: &str) -> String {
-    const NUMBERS: [(&[&str], &str); 3] = [
-        (&["f32", "f64"], "a number"),
-        (&["u8", "u16", "u32", "u64", "usize"], "a whole number of 0 or more"),
-        (&["i8", "i16", "i32", "i64", "isize"], "a whole number"),
-    ];
-    if let Some((_, words)) = NUMBERS.iter().find(|(names, _)| names.contains(&expected)) {
-        return (*words).into();
-    }
-    match expected {
-        "a string" | "string" => "a text".into(),
-        "a boolean" => "true or false".into(),
-        "a sequence" => "a list".into(),
-        "a map" => "an object".into(),
-        _ if expected.starts_with("struct ") || expected.contains("tagged enum") => "an object".into(),
-        _ => match expected.strip_prefix("an array of length ") {
-            Some(length) => format!("a list of {length}"),
-            None => expected.into(),
-        },
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
+        Ok(Option::deserialize(deserializer)?.unwrap_or(f64::INFINITY))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde::Deserialize;
+    use serde::{Deserialize, Serialize};
 
-    #[derive(Debug, Deserialize)]
+    #[derive(Debug, Serialize, Deserialize)]
     #[serde(deny_unknown_fields)]
-    #[allow(dead_code, reason = "only their types are read")]
-    struct Values {
-        number: f64,
-        count: usize,
+    struct Camera {
         name: String,
         place: [f64; 2],
-        is_fixed: bool,
-        list: Vec<f64>,
+        #[serde(with = "infinite")]
+        reach: f64,
+    }
+
+    #[derive(Debug, Serialize, Deserialize)]
+    struct File {
+        cameras: Vec<Camera>,
     }
 
     #[test]
-    fn no_message_names_a_type_of_the_program() {
-        let whole = r#"{"number": 1.5, "count": 2, "name": "a", "place": [1, 2], "is_fixed": true, "list": []}"#;
-        serde_json::from_str::<Values>(whole).unwrap();
+    fn what_is_refused_is_named_by_its_field_and_place() {
+        let whole = r#"{"cameras": [{"name": "a", "place": [1, 2], "reach": 3}]}"#;
+        from_text::<File>(whole).unwrap();
         for (from, to, told) in [
-            ("1.5", "\"1,5\"", "got the text \"1,5\" in line 1, column 16; allowed: a number"),
-            ("1.5", "null", "got null in line 1, column 15; allowed: a number"),
-            ("1.5", "[1]", "got a list in line 1, column 11; allowed: a number"),
-            ("\"count\": 2", "\"count\": -2", "got -2 in line 1, column 27; allowed: a whole number of 0 or more"),
-            ("\"count\": 2", "\"count\": 2.5", "got 2.5 in line 1, column 28; allowed: a whole number of 0 or more"),
-            ("\"a\"", "7", "got 7 in line 1, column 37; allowed: a text"),
-            ("[1, 2]", "[1]", "got a list of 1 in line 1, column 53; allowed: a list of 2"),
-            ("true", "1", "got 1 in line 1, column 71; allowed: true or false"),
-            ("[]}", "{}}", "got an object in line 1, column 84; allowed: a list"),
-            ("\"name\"", "\"nam\"", "unknown field `nam` in line 1, column 33; allowed: one of `number`, `count`"),
-            ("\"name\": \"a\", ", "", "missing field `name` in line 1, column 74"),
-            (whole, "", "it ends in line 1 before it is complete; allowed: one JSON object"),
-            ("true,", "true", "it is no JSON in line 1, column 76: expected `,` or `}`"),
-            (whole, "[]", "got a list of 0 in line 1, column 2; allowed: an object"),
-            (whole, "3", "got 3 in line 1, column 1; allowed: an object"),
+            ("\"a\"", "7", "cameras[0].name: invalid type: integer `7`, expected a string at line 1 column "),
+            ("2]", "\"2\"]", "cameras[0].place[1]: invalid type: string \"2\", expected f64 at line 1 column "),
+            ("\"name\"", "\"nam\"", "cameras[0].nam: unknown field `nam`"),
+            ("\"name\": \"a\", ", "", "cameras[0]: missing field `name` at line 1 column "),
+            (whole, "", "EOF while parsing a value at line 1 column "),
+            ("}]}", "}]} 3", "trailing characters"),
         ] {
-            let text = whole.replacen(from, to, 1);
-            let error = serde_json::from_str::<Values>(&text).unwrap_err();
-            assert!(reason_in_text(&error).starts_with(told), "{told}: {}", reason_in_text(&error));
-            assert!(!reason(&error).contains("line"), "{}", reason(&error));
+            let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err();
+            assert!(reason.starts_with(told), "{told}: {reason}");
         }
+        let reason = from_value::<File>(serde_json::json!({"cameras": [{"name": "a", "place": [1, null], "reach": 3}]})).unwrap_err();
+        assert_eq!(reason, "cameras[0].place[1]: invalid type: null, expected f64");
+    }
+
+    #[test]
+    fn an_infinite_number_reads_back() {
+        let text = serde_json::to_string(&Camera { name: "a".into(), place: [0.0; 2], reach: f64::INFINITY }).unwrap();
+        assert_eq!(from_text::<Camera>(&text).unwrap().reach, f64::INFINITY);
     }
 }

@@ -17,6 +17,7 @@ mod math;
 mod message;
 mod model;
 mod orientation;
+mod outputs;
 mod pair;
 mod pipeline;
 mod points;
@@ -46,9 +47,8 @@ pub use descriptors::{
 };
 pub use error::{CameraParameter, Cause, Computation, Error, Failure, Side, Unsettled};
 pub use formats::{
-    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, PROJECT_VERSION, Project, colmap_features,
-    colmap_matches, csv_field, export_block, parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
-    read_project, write_project,
+    CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
+    parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
 };
 pub use image::{DecodeLimits, Decoded, GreyImage, GreyView, Header, Reduced, decode, halve, read_header, reduce_to, write_png};
 pub use matching::{
@@ -66,6 +66,10 @@ pub use model::{
 pub use orientation::{
     ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
     RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
+};
+pub use outputs::{
+    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairRow, PointColumns, Project,
+    RayCount, Summary, block_files, coverage, planned_files, read_project, write_block_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
@@ -90,7 +94,7 @@ pub use reconstruction::{
 pub use report::{Report, ReportImage, ReportTruth};
 pub use simulate::{
     BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
-    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, sample_pair, score_block,
+    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block,
     score_matches, simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};

@@ -1,7 +1,7 @@
 //! Small files of text: fiducials, observations and a camera in; points and matches out.
 
-use crate::json::reason_in_text;
-use crate::text::{records, shorten};
+use crate::json;
+use crate::text::{Row, records, shorten, table};
 use crate::{CameraMm, Error, Fiducial, Observation};
 use csv::StringRecord;
 
@@ -33,29 +33,22 @@ pub fn parse_observations(csv: &str) -> Result<Vec<Observation>, Error> {
 /// [`Error::InvalidJson`] with the place; [`Error::InvalidOption`] for a value outside its range.
 pub fn parse_camera(json: &str) -> Result<CameraMm, Error> {
     let text = json.trim_start_matches('\u{feff}');
-    let camera: CameraMm = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the camera", reason: reason_in_text(&e) })?;
+    let camera: CameraMm = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the camera", reason })?;
     camera.check().map(|()| camera)
 }
 
 /// Writes matches `[x_left, y_left, x_right, y_right, measure]`, positions in px, one a line under a line of column names.
 pub fn matches_csv(matches: &[[f64; 5]]) -> String {
-    write_table("x_left_px,y_left_px,x_right_px,y_right_px,measure", matches)
+    write_table(&["x_left_px", "y_left_px", "x_right_px", "y_right_px", "measure"], matches)
 }
 
 /// Writes points `[x, y, value]`, positions in px, one a line under a line of column names.
 pub fn points_csv(points: &[[f64; 3]]) -> String {
-    write_table("x_px,y_px,value", points)
+    write_table(&["x_px", "y_px", "value"], points)
 }
 
-/// Numbers are written as the shortest text that reads back as the same number.
-fn write_table<const N: usize>(header: &str, rows: &[[f64; N]]) -> String {
-    let mut text = String::from(header);
-    text.push('\n');
-    for row in rows {
-        text.push_str(&row.map(|value| value.to_string()).join(","));
-        text.push('\n');
-    }
-    text
+fn write_table<const N: usize>(columns: &[&str; N], rows: &[[f64; N]]) -> String {
+    table(columns, rows.iter().map(|row| Row::default().numbers(Some(*row))))
 }
 
 fn read_table<const N: usize>(what: &'static str, text: &str, columns: [&'static str; N]) -> Result<Vec<[f64; N]>, Error> {

@@ -1,12 +1,14 @@
 //! Text that people and spreadsheets write: its records with their lines, and its pieces in messages.
 
 use crate::Error;
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::{ReaderBuilder, StringRecord, Trim, WriterBuilder};
 #[cfg(not(target_arch = "wasm32"))]
 use std::cmp::Ordering;
+use std::fmt::Display;
 
 /// The records of a text and the line of each, counted from 1: fields between semicolons, commas or tabs, whichever of them the first record
-/// has, in this order. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin with `#` are skipped.
+/// has, in this order. Blank lines, lines of separators alone as spreadsheets leave them, and lines that begin with `#` are skipped. Text that
+/// [`Row::text`] has guarded reads back as it was.
 ///
 /// # Errors
 /// [`Error::InvalidInput`] of `what`, where no records can be told.
@@ -31,10 +33,66 @@ pub(crate) fn records(what: &'static str, text: &str) -> Result<Vec<(usize, Stri
         })?;
         let line = lines.of(&record);
         if record.iter().any(|field| !field.is_empty()) {
-            records.push((line, record));
+            records.push((line, record.iter().map(unguarded).collect()));
         }
     }
     Ok(records)
+}
+
+/// The cells of one row of a table.
+#[derive(Debug, Default)]
+pub(crate) struct Row(Vec<String>);
+
+impl Row {
+    /// Appends a text. One that a spreadsheet would run as a formula gets an apostrophe in front, by which spreadsheets know a text.
+    ///
+    /// # Source
+    /// OWASP, CSV injection.
+    pub(crate) fn text(mut self, text: &str) -> Self {
+        self.0.push(if is_formula(text) { format!("'{text}") } else { text.into() });
+        self
+    }
+
+    /// Appends a number, as the shortest text that reads back as the same number.
+    pub(crate) fn number(mut self, number: impl Display) -> Self {
+        self.0.push(number.to_string());
+        self
+    }
+
+    /// Appends a number, or an empty cell.
+    pub(crate) fn known(mut self, number: Option<impl Display>) -> Self {
+        self.0.push(number.map_or_else(String::new, |number| number.to_string()));
+        self
+    }
+
+    /// Appends numbers, or as many empty cells.
+    pub(crate) fn numbers<const N: usize>(self, numbers: Option<[f64; N]>) -> Self {
+        (0..N).fold(self, |row, k| row.known(numbers.map(|numbers| numbers[k])))
+    }
+}
+
+/// A table between commas under a line of column names.
+///
+/// # Source
+/// RFC 4180.
+pub(crate) fn table(columns: &[&str], rows: impl IntoIterator<Item = Row>) -> String {
+    let mut writer = WriterBuilder::new().flexible(true).from_writer(Vec::new());
+    // A vector takes all that is written.
+    let written = writer.write_record(columns).and_then(|()| rows.into_iter().try_for_each(|Row(cells)| writer.write_record(cells)));
+    let bytes = writer.into_inner().unwrap_or_default();
+    debug_assert!(written.is_ok(), "{written:?}");
+    String::from_utf8(bytes).unwrap_or_default()
+}
+
+/// Whether a spreadsheet may run a text, or this module would read it back as another one: apostrophes count as far as they stand before
+/// what would be run.
+fn is_formula(text: &str) -> bool {
+    text.trim_start_matches('\'').starts_with(['=', '+', '-', '@', '\t', '\r'])
+}
+
+/// The text that [`Row::text`] has guarded.
+fn unguarded(cell: &str) -> &str {
+    cell.strip_prefix('\'').filter(|text| is_formula(text)).unwrap_or(cell)
 }
 
 /// The beginning of a text, for a message of one line.
@@ -109,6 +167,18 @@ mod tests {
         let wanted = [(3, vec!["a".to_string(), "b".into()]), (7, vec!["c".into(), "d".into()])];
         assert_eq!(lines("\u{feff}# one\r\n\r\na,b\r\n \r\n#\r\n,,\r\nc , d"), wanted);
         assert!(lines("").is_empty());
+    }
+
+    #[test]
+    fn no_cell_of_a_table_runs_as_a_formula() {
+        let texts = ["=1+1", "+1", "-1", "@SUM(1)", "\tx", "\rx", "'=1", "''-1", "'a", "a=1", "=a, \"b\"", "the \"a\"", "a\nb", "", "7"];
+        let rows = texts.iter().enumerate().map(|(i, text)| Row::default().number(-0.5 - i as f64).text(text).known(None::<f64>));
+        let written = table(&["number", "text", "none"], rows);
+        assert!(written.starts_with("number,text,none\n-0.5,'=1+1,\n-1.5,'+1,\n-2.5,'-1,\n-3.5,'@SUM(1),\n"), "{written}");
+        assert!(written.contains("-9.5,a=1,\n-10.5,\"'=a, \"\"b\"\"\",\n-11.5,\"the \"\"a\"\"\",\n"), "{written}");
+        let read = lines(&written);
+        assert_eq!(read.iter().skip(1).map(|(_, cells)| &cells[1][..]).collect::<Vec<_>>(), texts);
+        assert_eq!(read[1].1[0], "-0.5");
     }
 
     #[test]

@@ -1,6 +1,8 @@
 //! Decoding of image files: values, limits, hostile input, EXIF. That wasm gives the same is tested in `decode_everywhere.rs`.
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "decode/headers.rs"]
+mod headers;
 #[path = "decode/jpeg_writer.rs"]
 mod jpeg_writer;
 #[path = "decode/samples.rs"]

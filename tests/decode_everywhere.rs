@@ -10,7 +10,7 @@ use rand_pcg::rand_core::Rng;
 use tiepoint::{DecodeLimits, decode};
 
 /// What all files come to; where a decoder crate changes its values, the failing test prints the new one.
-const EXPECTED: u64 = 0x5828_705e_b6fc_54e4;
+const EXPECTED: u64 = 0x06d5_812f_81ab_1735;
 
 const DAMAGED_COPIES: usize = 200;
 

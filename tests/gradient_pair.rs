@@ -217,3 +217,31 @@ fn film_borders_do_not_match() {
     let verified = matched(&pictures[0], &pictures[1], &PairInput::default(), &settings).matching.matches.len();
     assert!(10 * all > 7 * verified, "{all} of {verified}");
 }
+
+#[test]
+fn an_upside_down_pair_is_not_oriented_by_wrong_matches_of_moments() {
+    let sample = sample_pair(SAMPLE_SEED).unwrap();
+    let right = turned(&turned(&sample.right));
+    let result = matched(&sample.left, &right, &input(&sample), &PairSettings::default());
+    assert!(result.matching.matches.len() > 20, "no wrong matches: the test shows nothing");
+    let reason = result.orientation.unwrap_err().to_string();
+    assert!(reason.contains("σ0 is") && reason.contains("the matches are wrong"), "{reason}");
+}
+
+#[test]
+fn a_strip_of_few_rows_is_not_taken_for_a_film_border() {
+    // Grey values of a lattice, between its points by their distance.
+    let lattice =
+        |x: usize, y: usize| f64::from((x as u32).wrapping_mul(2_654_435_761).wrapping_add((y as u32).wrapping_mul(40_503_241)) >> 9 & 255);
+    let smooth = |x: usize, y: usize, side: usize| {
+        let (col, row, u, v) = (x / side, y / side, (x % side) as f64 / side as f64, (y % side) as f64 / side as f64);
+        let along = |row: usize| lattice(col * 7919 ^ row, row) * (1.0 - u) + lattice((col + 1) * 7919 ^ row, row) * u;
+        along(row) * (1.0 - v) + along(row + 1) * v
+    };
+    let strip =
+        |from: usize| GreyImage::from_fn(6_000, 60, |x, y| (0.6 * smooth(x + from, y, 5) + 0.4 * smooth(x + from, y, 13)) as u8).unwrap();
+    let result = matched(&strip(0), &strip(20), &PairInput::default(), &settings());
+    let matches = &result.matching.matches;
+    assert!(matches.len() > 300, "{:?}, {:?}", result.matching.counts, result.geometry.map(|found| found.map(|found| found.inliers.len())));
+    assert!(matches.iter().all(|m| (m.left_px[0] - m.right_px[0] - 20.0).abs() < 1.0 && (m.left_px[1] - m.right_px[1]).abs() < 1.0));
+}

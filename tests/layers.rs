@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 24] = [
+const ORDER: [&str; 25] = [
     "message",
     "error",
     "text",
@@ -32,6 +32,7 @@ const ORDER: [&str; 24] = [
     "pipeline",
     "tables",
     "simulate",
+    "outputs",
     "report",
     "wasm",
 ];

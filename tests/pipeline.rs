@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use tiepoint::{
     BlockFlight, BlockRun, BlockScene, BlockSettings, ControlTexts, Error, Failure, FileNeeded, MultiscaleOptions, News, PairChoice,
     PairOutcome, PairRule, RefinementMethod, RefinementOutcome, Run, RunInput, StageName, Step, digest, execute, images_in, run_block,
-    write_project,
+    write_block_project,
 };
 
 /// A folder of its own for a test.
@@ -133,7 +133,7 @@ fn threads_and_a_folder_give_what_one_job_after_the_other_gives() {
         (run, steps)
     };
     let (threaded, _) = natively(2);
-    assert_eq!(write_project(&threaded.project()).unwrap(), write_project(&run.project()).unwrap());
+    assert_eq!(write_block_project(&threaded).unwrap(), write_block_project(run).unwrap());
     assert_eq!(threaded, *run);
     // The second time everything is there.
     let (again, steps) = natively(1);

@@ -12,15 +12,23 @@ import { loadCatalogue } from './shared/engine/start';
 import { mountDrop } from './shared/files/drop';
 import { byId } from './shared/panel/dom';
 import { mountTheme } from './shared/panel/theme';
+import { messageOf } from './shared/text/format';
 
-const pair = mountPair();
-const block = mountBlock((store, images) => { void openPair(store, pair.store, pair.engine, images); });
-mountDrop([block.taker, pair.taker]);
-mountTheme(byId('theme'));
-void pair.attempt(async () => {
+/** The module holds words and options of the page: its parts are made once it is there. */
+async function start(): Promise<void> {
   const catalogue = await loadCatalogue();
   checkRules(catalogue.rules);
   byId('version').textContent = `Tiepoint ${catalogue.version}`;
+  const pair = mountPair();
+  const block = mountBlock((store, images) => { void openPair(store, pair.store, pair.engine, images); });
+  mountDrop([block.taker, pair.taker]);
   pair.store.dispatch({ type: 'ready', catalogue });
   block.store.dispatch({ type: 'ready', catalogue: blockCatalogue(catalogue) });
+}
+
+mountTheme(byId('theme'));
+start().catch((error: unknown) => {
+  const status = byId('status');
+  status.dataset.kind = 'problem';
+  status.textContent = messageOf(error);
 });

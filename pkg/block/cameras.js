@@ -50,13 +50,13 @@ export function strayRules(names, rulesText) {
 /** Focal lengths in widths of the image, between which those of cameras are. */
 const FOCAL_WIDTHS = [0.3, 20];
 
-/** What is said of cameras whose focal length is hardly one in px.  @param {readonly GroupedCamera[]} cameras @returns {string[]} */
+/** What is said of cameras whose focal length is hardly one in px.  @param {readonly GroupedCamera[]} cameras @returns {import('../wasm/tiepoint.js').Remark[]} */
 export function doubtfulCameras(cameras) {
   const [least = 0, most = 0] = FOCAL_WIDTHS;
   return cameras.flatMap(({ label, focal_px, width_px, height_px }) => {
     const widths = focal_px === null ? 1 : focal_px / Math.max(width_px, height_px);
     if (widths >= least && widths <= most) return [];
-    return [`the focal length of ${label} is ${focal_px} px, ${Number(widths.toPrecision(2))} of the longer side of the image, where ${least} to ${most} are usual${widths < least ? ': is it in mm?' : ''}`];
+    return [{ kind: 'doubtful_focal', label, focal_px: focal_px ?? 0, sides: widths, least, most, in_mm: widths < least }];
   });
 }
 

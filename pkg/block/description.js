@@ -39,15 +39,10 @@ export function describeBlock(images, cameras, useGps, placing, control) {
   return { description, strayMarks };
 }
 
-/** Images are named one by one up to so many. */
-const NAMED = 5;
-
-/** What is said of recorded positions that cannot be.  @param {readonly BlockImage[]} images @returns {string[]} */
+/** What is said of recorded positions that cannot be.  @param {readonly BlockImage[]} images @returns {import('../wasm/tiepoint.js').Remark[]} */
 export function impossiblePositions(images) {
-  const found = images.flatMap(({ name, exif }) => (exif.impossible ? [`${name} (${exif.impossible})`] : []));
-  if (found.length === 0) return [];
-  const more = found.length > NAMED ? ` and ${found.length - NAMED} more` : '';
-  return [`impossible recorded positions and heights are left out: ${found.slice(0, NAMED).join(', ')}${more}`];
+  const found = images.flatMap(({ name, exif }) => (exif.impossible ? [{ name, value: exif.impossible }] : []));
+  return found.length === 0 ? [] : [{ kind: 'impossible_positions', images: found }];
 }
 
 /**

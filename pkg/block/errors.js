@@ -1,6 +1,9 @@
 // @ts-check
 /** What a run refuses, and what of its jobs' errors is the fault of an image or a pair alone. */
 
+/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
+export const MEMORY = ['RuntimeError', 'RangeError'];
+
 /** Images or options that make no block. */
 export class BlockError extends Error {}
 
@@ -18,7 +21,9 @@ export function refusal(error) {
  * @param {unknown} error @returns {import('../wasm/tiepoint.js').Failure}
  */
 export function ownFault(error) {
-  // A trap of the module, or memory that is not there: the worker was replaced.
-  if (error instanceof Error && ['RuntimeError', 'RangeError', 'WorkerError'].includes(error.name)) return { kind: 'broke_off', message: error.message };
-  return { kind: 'refused', message: refusal(error), code: /** @type {{ code: string }} */ (error).code, usage: false };
+  if (!(error instanceof Error)) throw error;
+  // The worker was replaced.
+  if (MEMORY.includes(error.name)) return { kind: 'out_of_memory', message: error.message };
+  if (['Panic', 'WorkerError'].includes(error.name)) return { kind: 'broke_off', message: error.message };
+  return { kind: 'refused', message: refusal(error), code: /** @type {any} */ (error).code, usage: false };
 }

@@ -1,7 +1,7 @@
 // @ts-check
 /** A block from its image files to its tie points: the stages in order, whatever runs their jobs and keeps their records. */
 
-import { block_settings } from '../wasm/tiepoint.js';
+import { block_settings, FinishedBlock, refinement_outcomes } from '../wasm/tiepoint.js';
 import { doubtfulCameras, groupCameras, strayRules } from './cameras.js';
 import { describeBlock, impossiblePositions } from './description.js';
 import { BlockError, refusal } from './errors.js';
@@ -11,7 +11,6 @@ import { matchPairs } from './pairs.js';
 import { pairsOf } from './pairing.js';
 import { joinPoints } from './points.js';
 import { refineRays } from './refinement.js';
-import { spreadOf } from './spread.js';
 import { runStage } from './stage.js';
 
 /**
@@ -38,7 +37,7 @@ export async function runBlock(sources, options, surroundings) {
   const images = read.map(({ name, head, count, content, masked }, index) => (
     { name, key: head.key, content, width: head.width, height: head.height, features: count, masked, exif: head.exif, camera: of[index] ?? 0 }
   ));
-  const remarks = [...idle.map((images) => `the camera of ${images} is of none of the images`), ...doubtfulCameras(cameras), ...(useGps ? impossiblePositions(images) : [])];
+  const remarks = [...idle.map((images) => ({ kind: 'unused_camera', images })), ...doubtfulCameras(cameras), ...(useGps ? impossiblePositions(images) : [])];
   const { description, strayMarks } = describeBlock(images, cameras, useGps, settings.placing, options.control);
   const chosen = await pairsOf(images, settings.pairs, useGps, surroundings);
   const pairs = await matchPairs(chosen, images, cameras, settings, surroundings);
@@ -56,20 +55,53 @@ export async function runBlock(sources, options, surroundings) {
     }));
     const model = oriented.model ?? block.model(description, selected.points);
     const connections = pairs.map(({ images: [a, b], rule, outcome }) => ({ images: /** @type {[number, number]} */ ([a, b]), rule, outcome }));
-    const project = { block: model, connections, joining: settings.block, selection: settings.selection };
-    return {
+    const run = {
       settings, images, leftOut, strayMasks: strays, strayMarks, remarks, cameras, connections,
       geometries: pairs.map(({ geometry }) => geometry),
       points: { join, count: joined.count, rays: joined.ray_count, histogram: Array.from(joined.ray_histogram()), shared: Array.from(joined.shared()) },
-      selection: spreadOf(model),
       refinement: refined?.refinement ?? null,
       reconstruction: oriented.reconstruction, reconstructionReason: oriented.reason,
-      model, project,
+      model,
     };
+    return { ...run, finished: finish(run, options) };
   } finally {
     if (block !== joined) block.free();
     joined.free();
   }
+}
+
+/**
+ * The block as the crate holds it.
+ * @param {Omit<BlockRun, 'finished'>} run @param {import('./types.js').RunOptions} options
+ */
+function finish({ settings, images, leftOut, strayMasks, strayMarks, remarks, cameras, connections, geometries, points, refinement, reconstruction, reconstructionReason, model }, { cameras: text, gps, control, masks }) {
+  const refused = (/** @type {string | null} */ message) => ({ kind: 'refused', code: '', message: message ?? '', usage: false });
+  /** @type {import('../wasm/tiepoint.js').SharedPoints[]} */
+  const shared = [];
+  for (let i = 0; i < points.shared.length; i += 3) shared.push({ images: [points.shared[i] ?? 0, points.shared[i + 1] ?? 0], points: points.shared[i + 2] ?? 0 });
+  return new FinishedBlock({
+    input: { images: images.map(({ name }) => name), masks: (masks ?? []).map(({ name }) => name), settings, cameras: text?.text ?? null, use_gnss: gps !== 'ignore', control: control ?? null },
+    connections, cameras, remarks, model, geometries,
+    images: images.map(({ width, height, ...image }) => ({ ...image, width_px: width, height_px: height })),
+    skipped: leftOut.map(({ name, reason }) => ({ name, reason: refused(reason) })),
+    unused_masks: strayMasks, unknown_images: strayMarks,
+    points: { ...points, shared },
+    refinement: refinement && refinementOf(refinement),
+    reconstruction: reconstruction ? { Ok: reconstruction } : { Err: refused(reconstructionReason) },
+  });
+}
+
+/** @param {import('./types.js').Refinement} refinement */
+function refinementOf({ starts, images, positions, outcomes, precision }) {
+  const names = refinement_outcomes();
+  const known = (/** @type {number | undefined} */ value) => (value === undefined || Number.isNaN(value) ? null : value);
+  return {
+    starts: [...starts],
+    observations: Array.from(images, (image, i) => ({
+      image, position_px: [...positions.subarray(2 * i, 2 * i + 2)], outcome: names[outcomes[i] ?? 0],
+      standard_error_px: known(precision[2 * i]), correlation: known(precision[2 * i + 1]),
+    })),
+  };
 }
 
 /**

@@ -1,7 +1,7 @@
 /** The types that the stages of a block share. */
 
 import type {
-  Reconstruction, BlockModel, BlockSettings, Connection, ExifImage, Given, JoinCounts, Camera, PairOutcome, Pinhole, Project, RefinementOutcome, TwoViewResult,
+  Reconstruction, BlockModel, BlockSettings, Connection, ExifImage, FinishedBlock, Given, JoinCounts, Camera, PairOutcome, Pinhole, Remark, RefinementOutcome, TwoViewResult,
 } from '../wasm/tiepoint.js';
 
 /** An image file that can be read any number of times. */
@@ -205,20 +205,19 @@ export interface BlockRun {
   /** Images that marks name and that are not in the block. */
   strayMarks: string[];
   /** What else of the input was not taken as it was given, or is hardly right. */
-  remarks: string[];
+  remarks: Remark[];
   cameras: GroupedCamera[];
   connections: Connection[];
   /** In the order of `connections`. */
   geometries: PairHead['geometry'][];
   /** `histogram`: how many points have 0, 1, 2, … rays; `shared`: two images and how many points they have in common, stride 3. */
   points: { join: JoinCounts; count: number; rays: number; histogram: number[]; shared: number[] };
-  /** What the model holds: after the orientation, which chooses again and rejects rays, the points and rays of its largest part. */
-  selection: { points: number; raysOfImages: number[]; placesOfImages: number[] };
   /** Null where rays are not refined. */
   refinement: Refinement | null;
   /** Absent where the block has no model, and then why. */
   reconstruction: Reconstruction | null;
   reconstructionReason: string | null;
   model: BlockModel;
-  project: Project;
+  /** All of it as the crate holds it, which writes and shows it; its owner frees it. */
+  finished: FinishedBlock;
 }

@@ -29,7 +29,7 @@ export function parse(command, args) {
     if (token.kind !== 'option') continue;
     const option = find(command, token.rawName);
     if (values.has(option.name)) throw new UsageError(`--${option.name} is given twice; give it once`);
-    values.set(option.name, option.read(option.placeholder ? valueOf(option, token) : flag(option, token)));
+    values.set(option.name, option.read(option.placeholder ? argumentOf(option, token) : flag(option, token)));
   }
   checkPositionals(command, positionals);
   return { positionals, values };
@@ -46,7 +46,7 @@ function find(command, name) {
 /** @typedef {{ value?: string | undefined, inlineValue?: boolean | undefined }} Token */
 
 /** What follows the option, unless it is an option itself.  @param {Option} option @param {Token} token @returns {string} */
-function valueOf(option, { value, inlineValue }) {
+function argumentOf(option, { value, inlineValue }) {
   if (value === undefined || (!inlineValue && /^--[a-z]/i.test(value))) throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
   return value;
 }

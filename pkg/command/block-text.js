@@ -6,20 +6,22 @@ import { fixed, table } from './text.js';
 /** Images are named one by one up to so many. */
 const NAMED = 5;
 
-/** @param {string} out @param {any} summary as `writeBlock` gives it @returns {string[]} */
+/** @typedef {import('../node.js').Summary} Summary */
+
+/** @param {string} out @param {Summary} summary @returns {string[]} */
 export function describe(out, { images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
-  const models = orientation.models ?? [];
+  const models = 'models' in orientation ? orientation.models : [];
   const [first] = models;
   return [
     table([
-      ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features],
+      ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features ?? '–'],
       ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
-      ['multi-ray points', points.found], ['rays of multi-ray points', points.rays], ['points chosen', selection.points], ['rays of points chosen', selection.rays],
+      ...(points ? [['multi-ray points', points.found], ['rays of multi-ray points', points.rays]] : []), ['points chosen', selection.points], ['rays of points chosen', selection.rays],
       ['fewest chosen rays of an image', selection.least_rays_of_an_image], ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []),
       ['images oriented', `${orientation.oriented} of ${images.read}`], ...(models.length > 1 ? [['models', models.length]] : []),
       ...(first ? [['sigma0 [px]', fixed(first.sigma0_px, 3)], ['residuals, RMS [px]', fixed(first.rmse_px, 3)]] : []),
       ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
-      ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((/** @type {number} */ v) => fixed(v, 3)).join(' ')]] : []),
+      ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((v) => fixed(v, 3)).join(' ')]] : []),
     ]),
     ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.warnings ?? []).map(warning)),
     ...(pairs.connected > 0 ? reasons(orientation) : []),
@@ -27,24 +29,24 @@ export function describe(out, { images, cameras, pairs, groups, points, selectio
   ];
 }
 
-/** A model by its number and images, as images without points in common make models of their own.  @param {any} model @param {number} index @returns {string[]} */
+/** A model by its number and images, as images without points in common make models of their own.  @param {import('../node.js').ModelSummary} model @param {number} index @returns {string[]} */
 function describeModel({ names, sigma0_px, warnings }, index) {
   const apart = index > 0 ? ', in orientation.json alone' : '';
-  return [`model ${index + 1}${apart}: ${listed(names)}; sigma0 ${fixed(sigma0_px, 3)} px`, ...warnings.map((/** @type {any} */ is) => `  ${warning(is)}`)];
+  return [`model ${index + 1}${apart}: ${listed(names)}; sigma0 ${fixed(sigma0_px, 3)} px`, ...warnings.map((is) => `  ${warning(is)}`)];
 }
 
 /** @param {{ text: string }} warning */
 const warning = ({ text }) => `warning: ${text}`;
 
-/** @param {any} orientation @returns {string[]} */
-const reasons = ({ reason, unoriented }) => [...(reason ? ['', `not oriented: ${reason}`] : []), ...(unoriented ?? []).map((/** @type {any} */ { name, reason: { text } }) => `not oriented: ${name}: ${text}`)];
+/** @param {Summary['orientation']} orientation @returns {string[]} */
+const reasons = (orientation) => ('reason' in orientation ? ['', `not oriented: ${orientation.reason}`] : orientation.unoriented.map(({ name, reason: { text } }) => `not oriented: ${name}: ${text}`));
 
 /** @param {string[]} names */
 const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');
 
-/** Why a block of which nothing was oriented is none; null where some of it was.  @param {any} summary @returns {string | null} */
+/** Why a block of which nothing was oriented is none; null where some of it was.  @param {Summary} summary @returns {string | null} */
 export function failureOf({ pairs, orientation }) {
   if (orientation.oriented > 0) return null;
   if (pairs.connected === 0) return 'no two images could be connected; see pairs.csv';
-  return `no image could be oriented: ${orientation.reason ?? 'summary.json says why of each'}`;
+  return `no image could be oriented: ${'reason' in orientation ? orientation.reason : 'summary.json says why of each'}`;
 }

@@ -1,13 +1,13 @@
 // @ts-check
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { FIXED_FILES, runBlock, writeBlock } from '../block/index.js';
-import { block_parameters, block_settings, export_formats, parse_camera_rules, parse_ground_control_points, parse_image_measurements, score_block } from '../node.js';
+import { runBlock } from '../block/index.js';
+import { block_parameters, block_settings, check_block_truth, export_formats, parse_camera_rules, parse_ground_control_points, parse_image_measurements, planned_files } from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
-import { exists, filesIn, isFolder, makeFolder, readText, reasonOf, removeUnfinished } from './files.js';
+import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
-import { checkTruth, exportPaths } from './foresight.js';
+import { lockFolder } from './lock.js';
 import { BLOCK_NAMES, DEFAULT_WORKERS, JSON_FLAG, list, optionsOf, path, settingsOf, word, workersOption } from './options.js';
 import { note, print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
@@ -65,34 +65,43 @@ async function run(call) {
   const known = typeof truth === 'string' ? truthOf(truth) : null;
   // What can be refused before anything is computed.
   const names = sources.map(({ name }) => name);
-  const exported = exportPaths(names, formats);
-  if (known) checkTruth(String(truth), known, names);
-  makeFolder(out);
+  const planned = planned_files(names, formats);
+  if (known) about(String(truth), () => check_block_truth(known, names));
+  const release = lockFolder(out);
   removeUnfinished(out);
   const written = new Written(out);
-  written.refuseOthers([...FIXED_FILES, ...exported], formats);
+  written.refuseOthers(planned, formats);
   const pool = new ThreadPool(Number(values.get('workers') ?? DEFAULT_WORKERS));
   const shown = new Progress({ quiet: values.has('json') });
   try {
-    const found = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
+    const { finished } = await runBlock(sources, options, { pool, store: new FolderStore(join(out, 'work')), progress: (step) => shown.stage(step) });
     shown.end();
-    const score = known && about(String(truth), () => score_block(found.model, known));
-    const summary = /** @type {any} */ (writeBlock(found, formats, (name, text) => written.put(name, text), score ? { score } : {}));
+    const summary = writeFiles(finished.files(formats, known && about(String(truth), () => finished.score(known))), written);
     written.finish();
     for (const { path: was, kept } of written.setAside) note(`${was} was changed while the run went on: what it held is now ${kept}`);
-    for (const { name, reason } of found.leftOut) note(`${name} is left out: ${reason}`);
-    for (const name of found.strayMasks) note(`the mask ${name} belongs to none of the images`);
-    for (const name of found.strayMarks) note(`the marks name ${name}, which is none of the images`);
-    for (const remark of found.remarks) note(remark);
+    const { images, remarks } = summary;
+    for (const { name, reason } of images.left_out) note(`${name} is left out: ${reason}`);
+    for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
+    for (const name of images.stray_marks) note(`the marks name ${name}, which is none of the images`);
+    for (const remark of remarks) note(remark);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
     const failure = failureOf(summary);
     if (failure !== null) throw new DataError(failure);
-    const refused = /** @type {{ format: string, refused: string | null }[]} */ (summary.exports).filter((e) => e.refused !== null);
+    const refused = summary.exports.filter((e) => e.refused !== null);
     if (refused.length > 0) throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
   } finally {
     shown.end();
     await pool.close();
+    release();
+  }
+}
+
+/** @param {import('../node.js').BlockWriting} writing @param {Written} written @returns {import('../node.js').Summary} */
+function writeFiles(writing, written) {
+  for (;;) {
+    const summary = writing.step((path, text) => written.put(path, text));
+    if (summary) return summary;
   }
 }
 
@@ -151,7 +160,14 @@ function sourcesOf(given) {
 }
 
 /** @param {string} file @returns {Source} */
-const sourceOf = (file) => ({ name: basename(file), bytes: () => readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error)))) });
+const sourceOf = (file) => ({
+  name: basename(file),
+  bytes: async () => {
+    // Reading a pipe would wait for whoever writes into it.
+    if (!isFile(file)) throw new Error('it is no file, but a pipe, a socket or a device');
+    return readFile(file).catch((error) => Promise.reject(new Error(reasonOf(error))));
+  },
+});
 
 /** @param {string} folder @returns {string[]} */
 function imagesIn(folder) {

@@ -1,7 +1,7 @@
 // @ts-check
 /** The two ways a command fails, each told in one line. */
 
-import { BlockError } from '../block/index.js';
+import { BlockError, MEMORY } from '../block/index.js';
 
 /** A bad call: exit code 2. */
 export class UsageError extends Error {}
@@ -39,8 +39,9 @@ export function explain(error, rename) {
   if (error instanceof UsageError) return { line: message, code: 2 };
   if (isRefusal(error)) return { line: rename(message), code: error.usage ? 2 : 1 };
   if (error instanceof DataError || error instanceof BlockError) return { line: message, code: 1 };
-  if (error instanceof RangeError) return { line: `there is not enough memory for this: ${message}`, code: 1 };
-  if (error instanceof WebAssembly.RuntimeError) return { line: `the computation broke off (${message}): reduce the images, or report this as a bug`, code: 1 };
+  const name = error instanceof Error ? error.name : '';
+  if (MEMORY.includes(name)) return { line: `there is not enough memory for this (${message}): reduce the images`, code: 1 };
+  if (name === 'Panic') return { line: `the computation broke off at a fault of the program (${message}): please report it`, code: 1 };
   return { line: `unexpected: ${message}`, code: 1 };
 }
 

@@ -1,7 +1,7 @@
 // @ts-check
 /** Reading and writing files, with errors that name the file and what to change. */
 
-import { mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { rename, writeFile } from 'node:fs/promises';
 import { dirname, join } from 'node:path';
 import { Photo } from '../node.js';
@@ -27,7 +27,7 @@ export function reasonOf(error) {
 }
 
 /** @template T @param {string} what @param {string} path @param {() => T} action @returns {T} */
-function attempt(what, path, action) {
+export function attempt(what, path, action) {
   try {
     return action();
   } catch (error) {
@@ -59,6 +59,9 @@ export function readMask(path, photo) {
 export function isFolder(path) {
   return statSync(path, { throwIfNoEntry: false })?.isDirectory() ?? false;
 }
+
+/** Whether this is a file, or does not exist, which reading it says.  @param {string} path */
+export const isFile = (path) => statSync(path, { throwIfNoEntry: false })?.isFile() ?? true;
 
 /** @param {string} path */
 export const exists = (path) => statSync(path, { throwIfNoEntry: false }) !== undefined;
@@ -112,38 +115,54 @@ export function writeInto(folder, name, content) {
   return path;
 }
 
-/** The ending of a file that is being written, with the process that writes it. */
-const unfinishedEnding = `.tiepoint-${process.pid}.part`;
+let drafts = 0;
+
+/** A file beside another one that is being written, with the process that writes it. Its name is not longer where that is long.  @param {string} path */
+const draftOf = (path) => join(dirname(path), `${++drafts}.tiepoint-${process.pid}.part`);
+
+/** Waits until the disk has what was written to a file, or the names of a folder.  @param {string} path */
+export function toDisk(path) {
+  const file = openSync(path, 'r');
+  try {
+    fsyncSync(file);
+  } catch (error) {
+    // Some systems do this for no folder.
+    if (!isFolder(path)) throw error;
+  } finally {
+    closeSync(file);
+  }
+}
 
 /**
- * Writes a file whole or not at all, whatever ends the command.
+ * Writes a file whole or not at all, whatever ends the command or the machine.
  * @param {string} folder @param {string} name with slashes between folders, which are made @param {string | Uint8Array} content
  */
 export function replaceInto(folder, name, content) {
   const path = join(folder, ...name.split('/'));
   makeFolder(dirname(path));
-  const unfinished = path + unfinishedEnding;
+  const draft = draftOf(path);
   attempt('write', path, () => {
     try {
-      writeFileSync(unfinished, content);
-      renameSync(unfinished, path);
+      writeFileSync(draft, content, { flush: true });
+      renameSync(draft, path);
+      toDisk(dirname(path));
     } finally {
-      rmSync(unfinished, { force: true });
+      rmSync(draft, { force: true });
     }
   });
 }
 
 /**
- * As `replaceInto`, without waiting for the disk; `turn` tells writers of one path apart.
- * @param {string} path @param {Uint8Array} content @param {number} turn
+ * As `replaceInto`, without waiting for the disk: for files that hold a checksum, so that a torn one is noticed.
+ * @param {string} path @param {Uint8Array} content
  */
-export async function replaceFile(path, content, turn) {
-  const unfinished = `${path}.${turn}${unfinishedEnding}`;
+export async function replaceFile(path, content) {
+  const draft = draftOf(path);
   try {
-    await writeFile(unfinished, content);
-    await rename(unfinished, path);
+    await writeFile(draft, content);
+    await rename(draft, path);
   } catch (error) {
-    rmSync(unfinished, { force: true });
+    rmSync(draft, { force: true });
     throw new DataError(`cannot write ${path}: ${reasonOf(error)}`);
   }
 }
@@ -157,7 +176,7 @@ export function removeUnfinished(folder) {
 }
 
 /** Whether another process of this number runs.  @param {number} pid */
-function isRunning(pid) {
+export function isRunning(pid) {
   try {
     process.kill(pid, 0);
     return pid !== process.pid;

@@ -11,7 +11,6 @@ const PARTS = ['features', 'likeness', 'pairs', 'windows'];
 
 export class FolderStore {
   #root;
-  #written = 0;
 
   /** @param {string} root made where it is missing */
   constructor(root) {
@@ -32,7 +31,7 @@ export class FolderStore {
 
   /** Two images of the same content are of one record, which may be written twice at the same time.  @param {string} key @param {Uint8Array} record */
   async put(key, record) {
-    await replaceFile(this.#path(key), record, ++this.#written);
+    await replaceFile(this.#path(key), record);
   }
 
   /** @param {string} key */

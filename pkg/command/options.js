@@ -78,7 +78,7 @@ function placeOf(settings, key) {
   const [group = '', field = ''] = key.split('.');
   /** @type {Record<string, any>} */
   const groups = { ...settings };
-  return [groups[group] ?? groups['features']?.[group] ?? settings, field];
+  return [groups[group] ?? groups.features?.[group] ?? settings, field];
 }
 
 /**

@@ -60,8 +60,8 @@ export class ThreadPool {
       lane.job = null;
       if (error) job?.reject(Object.assign(new Error(error.message), error));
       else job?.resolve(output);
-      // The module is not to be trusted after a trap.
-      if (error?.name === 'RuntimeError') this.#drop(lane);
+      // The module is not to be trusted after a trap or a panic.
+      if (['RuntimeError', 'Panic'].includes(error?.name)) this.#drop(lane);
       this.#start();
     });
     lane.worker.on('messageerror', (error) => this.#broken(lane, `the answer of the worker cannot be read: ${error.message}`));

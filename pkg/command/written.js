@@ -7,11 +7,14 @@ import { dirname, join } from 'node:path';
 import { DataError } from './errors.js';
 import { isFolder, makeFolder, readText, replaceInto } from './files.js';
 
-/** Lines of digest and path: one for each file, written before the file itself. */
+/** Lines of check, digest and path: one for each file, written before the file itself. */
 const LIST = 'work/written.txt';
 
 /** @param {string | Uint8Array} content */
 const digestOf = (content) => createHash('sha256').update(content).digest('hex');
+
+/** @param {string} digest @param {string} path */
+const lineOf = (digest, path) => `${digestOf(`${digest} ${path}`).slice(0, 16)} ${digest} ${path}\n`;
 
 export class Written {
   #out;
@@ -21,23 +24,28 @@ export class Written {
   #now = new Map();
   /** Files that were in the way when they were to be written, and what they are called since.  @type {{ path: string, kept: string }[]} */
   setAside = [];
+  /** Lines of the list were torn: which files runs have written is not known in full. */
+  #torn = false;
 
   /** @param {string} out the folder that receives the files */
   constructor(out) {
     this.#out = out;
     makeFolder(join(out, dirname(LIST)));
     if (!existsSync(join(out, LIST))) return;
-    for (const line of readText(join(out, LIST)).split('\n')) {
-      const [, digest = '', path = ''] = /^([0-9a-f]{64}) (.+)$/.exec(line) ?? [];
-      if (path !== '') this.#before.set(path, (this.#before.get(path) ?? new Set()).add(digest));
+    for (const line of readText(join(out, LIST)).split(/(?<=\n)/).filter(Boolean)) {
+      const [, digest = '', path = ''] = /^[0-9a-f]{16} ([0-9a-f]{64}) (.+)\n$/.exec(line) ?? [];
+      if (line === lineOf(digest, path)) this.#before.set(path, (this.#before.get(path) ?? new Set()).add(digest));
+      else this.#torn = true;
     }
   }
 
   /**
-   * Refuses to write over files that no run wrote, and over those that were changed since.
+   * Refuses to write over files that no run wrote, and over those that were changed since. Where the list was torn these cannot be told
+   * from files of a run: they are set aside when their turn comes.
    * @param {readonly string[]} paths with slashes, below the folder @param {readonly string[]} folders of which any file that a run wrote may be written again
    */
   refuseOthers(paths, folders) {
+    if (this.#torn) return;
     const again = [...this.#before.keys()].filter((path) => folders.some((folder) => path.startsWith(`${folder}/`)));
     for (const path of [...paths, ...again]) {
       const reason = this.#objection(path);
@@ -61,7 +69,7 @@ export class Written {
     const digest = digestOf(content);
     this.#now.set(path, digest);
     // A run that is ended now has listed what it leaves.
-    appendFileSync(join(this.#out, LIST), `${digest} ${path}\n`);
+    appendFileSync(join(this.#out, LIST), lineOf(digest, path), { flush: true });
     replaceInto(this.#out, path, content);
   }
 
@@ -88,7 +96,7 @@ export class Written {
       rmSync(join(this.#out, path));
       this.#removeEmpty(dirname(path));
     }
-    const lines = [...this.#now, ...changed].sort(([a], [b]) => (a < b ? -1 : 1)).map(([path, digest]) => `${digest} ${path}\n`);
+    const lines = [...this.#now, ...changed].sort(([a], [b]) => (a < b ? -1 : 1)).map(([path, digest]) => lineOf(digest, path));
     replaceInto(this.#out, LIST, lines.join(''));
   }
 

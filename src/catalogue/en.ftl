@@ -19,6 +19,7 @@ error-too-few = { $what }: { $got } given; at least { $needed } are needed
 error-degenerate = the observations do not determine { $computation }: { $cause }
 error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
 error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
+error-not-exportable = these images cannot be exported as { $formats } ({ $reason }): rename them, or leave out what cannot hold their names
 error-interrupted = the run cannot go on: { $reason }
 error-unreadable-file = { $what } cannot be read: { $place }: { $reason }
 error-not-written = { $what } cannot be written: its sink takes no more text
@@ -53,6 +54,7 @@ cause-no-parallax = both photos have the same coordinates, so there is no parall
 cause-no-base = no base (pure rotation): the median parallax beside a rotation is { FIXED($parallax, digits: 1) } standard errors of a photo coordinate; more than { $least } are needed
 cause-inseparable = the unknowns can hardly be told apart, as over a critical cylinder or without a base (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound)
 cause-large-errors = the standard error of an angle or of the direction of the base is { FIXED($largest_deg, digits: 0) }°
+cause-large-residuals = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px: the matches are wrong, as those of photos that lie upside down or do not overlap, or the camera is
 cause-behind-cameras = only { $in_front } of { $points } points would lie in front of both cameras
 cause-singular-normals = the normal equations are singular (1 - R² = { POWER($share, digits: 1) }; more than { POWER($least, digits: 0) } is needed)
 cause-base-across-x = the base has { POWER($along_x, digits: 1) } of its length along x (at least { $least } is needed), so by and bz have no size in units of b; turn both photos by 90°
@@ -144,7 +146,8 @@ rule-alike = chosen as similar
 
 failure-unreadable = { $message }
 failure-refused = { $message }
-failure-broke-off = the computation broke off ({ $message })
+failure-broke-off = the computation broke off at a fault of the program ({ $message }): please report it
+failure-out-of-memory = memory ran out ({ $message })
 
 ## Why an image is not oriented. They follow the name of the image and a colon.
 
@@ -266,6 +269,7 @@ camera-parameter-p2 = p2
 
 ## Remarks on what a run was given.
 
+remark-older-project = the project file is of version { $version }: it does not hold features, cameras as given, or standard errors
 remark-unused-camera = the camera of { $images } fits the name of no image
 remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->

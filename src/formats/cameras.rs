@@ -1,7 +1,7 @@
 //! Reading cameras that hold for the images whose names fit a pattern.
 
 use crate::error::refuse;
-use crate::json::reason_in_text;
+use crate::json;
 use crate::{Camera, Error};
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +67,7 @@ pub fn parse_camera_rules(json: &str) -> Result<Vec<CameraRule>, Error> {
         cameras: Vec<CameraRule>,
     }
     let text = json.trim_start_matches('\u{feff}');
-    let file: File = serde_json::from_str(text).map_err(|e| Error::InvalidJson { what: "the cameras", reason: reason_in_text(&e) })?;
+    let file: File = json::from_text(text).map_err(|reason| Error::InvalidJson { what: "the cameras", reason })?;
     if file.cameras.is_empty() {
         return refuse("the cameras", "an empty list".into(), "one camera or more");
     }
@@ -151,8 +151,11 @@ mod tests {
             assert!(parse_camera_rules(wrong).is_err(), "{wrong}");
         }
         for (wrong, told) in [
-            (r#"[]"#, "got a list of 0 in line 1, column 2; allowed: an object"),
-            (r#"{"cameras": [{"focal_px": "1170"}]}"#, "got the text \"1170\" in line 1, column 32; allowed: a number"),
+            (r#"[]"#, "invalid length 0, expected struct File with 1 element"),
+            (
+                r#"{"cameras": [{"focal_px": "1170"}]}"#,
+                "cameras[0].focal_px: invalid type: string \"1170\", expected f64 at line 1 column 32",
+            ),
             (r#"{"cameras": [{"focal_px": 900}, {"focal_px": 0}]}"#, "focal_px of camera 2 of the file"),
         ] {
             let message = parse_camera_rules(wrong).unwrap_err().to_string();

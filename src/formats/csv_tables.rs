@@ -1,77 +1,47 @@
-//! Tables between commas for spreadsheets and scripts: images, points, rays.
+//! Tables between commas for spreadsheets and scripts: images, points, observations.
+//!
+//! Images, points and cameras count from 0, as the lists of the project file do, whereas texts that people read number cameras from 1 and name
+//! images; what is not known is empty; angles are those of M = M3(κ)·M2(φ)·M1(ω) in degrees.
 
-use super::text::not_written;
-use crate::{BlockModel, Error};
-use std::borrow::Cow;
-use std::fmt::{self, Write};
+use crate::BlockModel;
+use crate::text::{Row, table};
 
-/// The files `images.csv`, `points.csv` and `rays.csv`. Images, points and cameras count from 0, as the lists of the project file do, whereas
-/// texts that people read number cameras from 1 and name images; what is not known is empty; angles are those of
-/// M = M3(κ)·M2(φ)·M1(ω) in degrees.
-pub(super) fn write_tables(model: &BlockModel) -> Result<[String; 3], Error> {
-    let [mut images, mut points, mut rays] = [const { String::new() }; 3];
-    let done = write_images(model, &mut images).and_then(|()| write_points(model, &mut points)).and_then(|()| write_rays(model, &mut rays));
-    done.map_err(not_written).map(|()| [images, points, rays])
-}
+const IMAGES: [&str; 12] =
+    ["image", "name", "camera", "width_px", "height_px", "focal_px", "x", "y", "z", "omega_deg", "phi_deg", "kappa_deg"];
+const POINTS: [&str; 10] = ["point", "x", "y", "z", "red", "green", "blue", "rays", "confidence", "rmse_px"];
+const RAYS: [&str; 6] = ["point", "image", "name", "x_px", "y_px", "confidence"];
 
-fn write_images(model: &BlockModel, out: &mut String) -> fmt::Result {
-    writeln!(out, "image,name,camera,width_px,height_px,focal_px,x,y,z,omega_deg,phi_deg,kappa_deg")?;
-    for (index, image) in model.images.iter().enumerate() {
+/// `images.csv`, with further columns that `more` fills for each image.
+pub(crate) fn images_table(model: &BlockModel, columns: &[&str], more: impl Fn(usize, Row) -> Row) -> String {
+    let rows = model.images.iter().enumerate().map(|(index, image)| {
         let camera = &model.cameras[image.camera];
-        write!(out, "{index},{},{},{},{},{}", csv_field(&image.name), image.camera, camera.width_px, camera.height_px, camera.focal_px)?;
-        match &image.pose {
-            Some(pose) => {
-                let [x, y, z] = pose.position;
-                // -0 is written as 0.
-                let [omega, phi, kappa] = pose.angles().map(|angle| angle.to_degrees() + 0.0);
-                writeln!(out, ",{x},{y},{z},{omega},{phi},{kappa}")?;
-            }
-            None => writeln!(out, ",,,,,,")?,
-        }
-    }
-    Ok(())
+        let row = Row::default().number(index).text(&image.name).number(image.camera).number(camera.width_px).number(camera.height_px);
+        let pose = image.pose.map(|pose| {
+            let [x, y, z] = pose.position;
+            // -0 is written as 0.
+            let [omega, phi, kappa] = pose.angles().map(|angle| angle.to_degrees() + 0.0);
+            [x, y, z, omega, phi, kappa]
+        });
+        more(index, row.number(camera.focal_px).numbers(pose))
+    });
+    table(&[&IMAGES, columns].concat(), rows)
 }
 
-fn write_points(model: &BlockModel, out: &mut String) -> fmt::Result {
-    writeln!(out, "point,x,y,z,red,green,blue,rays,confidence,rmse_px")?;
-    for (index, point) in model.points.iter().enumerate() {
-        let [x, y, z] = point.position.map_or([const { String::new() }; 3], |position| position.map(|v| v.to_string()));
-        let [r, g, b] = point.colour;
-        let rmse = point.rmse_px.map_or(String::new(), |v| v.to_string());
-        writeln!(out, "{index},{x},{y},{z},{r},{g},{b},{},{},{rmse}", point.rays.len(), point.confidence)?;
-    }
-    Ok(())
+/// `points.csv`.
+pub(crate) fn points_table(model: &BlockModel) -> String {
+    let rows = model.points.iter().enumerate().map(|(index, point)| {
+        let coloured = point.colour.iter().fold(Row::default().number(index).numbers(point.position), Row::number);
+        coloured.number(point.rays.len()).number(point.confidence).known(point.rmse_px)
+    });
+    table(&POINTS, rows)
 }
 
-fn write_rays(model: &BlockModel, out: &mut String) -> fmt::Result {
-    writeln!(out, "point,image,name,x_px,y_px,confidence")?;
-    for (index, point) in model.points.iter().enumerate() {
-        for ray in &point.rays {
-            let name = csv_field(&model.images[ray.image].name);
-            writeln!(out, "{index},{},{name},{},{},{}", ray.image, ray.x_px, ray.y_px, ray.confidence)?;
-        }
-    }
-    Ok(())
-}
-
-/// A field of a table between commas: one with commas, quotation marks or line breaks stands between quotation marks, which are doubled within.
-///
-/// # Source
-/// RFC 4180.
-pub fn csv_field(text: &str) -> Cow<'_, str> {
-    if text.contains([',', '"', '\r', '\n']) { format!("\"{}\"", text.replace('"', "\"\"")).into() } else { text.into() }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::csv_field;
-
-    #[test]
-    fn only_fields_that_need_it_are_quoted() {
-        for (text, field) in
-            [("a b;c.jpg", "a b;c.jpg"), ("a,b", "\"a,b\""), ("the \"a\"", "\"the \"\"a\"\"\""), ("a\nb", "\"a\nb\""), ("", "")]
-        {
-            assert_eq!(csv_field(text), field);
-        }
-    }
+/// `rays.csv`, with further columns that `more` fills for each point and its observations.
+pub(crate) fn rays_table(model: &BlockModel, columns: &[&str], more: impl Fn(usize, usize, Row) -> Row) -> String {
+    let all = model.points.iter().enumerate().flat_map(|(point, known)| known.rays.iter().enumerate().map(move |(i, ray)| (point, i, ray)));
+    let rows = all.map(|(point, index, ray)| {
+        let row = Row::default().number(point).number(ray.image).text(&model.images[ray.image].name);
+        more(point, index, row.number(ray.x_px).number(ray.y_px).number(ray.confidence))
+    });
+    table(&[&RAYS, columns].concat(), rows)
 }

@@ -85,10 +85,9 @@ pub fn export_block(model: &BlockModel, format: ExportFormat, emit: &mut dyn FnM
             emit("patb_photos.txt", &photos)
         }
         ExportFormat::Csv => {
-            let [images, points, rays] = csv_tables::write_tables(model)?;
-            emit("images.csv", &images)?;
-            emit("points.csv", &points)?;
-            emit("rays.csv", &rays)
+            emit("images.csv", &csv_tables::images_table(model, &[], |_, row| row))?;
+            emit("points.csv", &csv_tables::points_table(model))?;
+            emit("rays.csv", &csv_tables::rays_table(model, &[], |_, _, row| row))
         }
         ExportFormat::Json => emit("block.json", &json(model)?),
         ExportFormat::Geojson => emit("block.geojson", &geojson::write_geojson(model)?),

@@ -1,7 +1,7 @@
 //! Files by which blocks go to other programs and come from them: one format a file.
 //!
-//! Data flow: [`BlockModel`](crate::BlockModel) → [`check`](crate::BlockModel::check) → one writer a format → [`export_block`]; readers give a [`BlockModel`](crate::BlockModel) or [`GroundControlRow`]s; a
-//! [`Project`] is the block's own file.
+//! Data flow: [`BlockModel`](crate::BlockModel) → [`check`](crate::BlockModel::check) → one writer a format → [`export_block`]; readers give a
+//! [`BlockModel`](crate::BlockModel) or [`GroundControlRow`]s.
 
 mod agisoft;
 mod bingo;
@@ -20,7 +20,6 @@ mod micmac;
 mod nvm;
 mod opensfm;
 mod patb;
-mod project;
 mod quaternion;
 mod sight;
 #[cfg(test)]
@@ -31,7 +30,6 @@ pub use cameras::{CameraRule, parse_camera_rules};
 pub use colmap_features::{ColmapFeature, colmap_features, colmap_matches};
 pub use colmap_read::read_colmap_model;
 pub use control::{GroundControlRow, parse_ground_control_points};
-pub use csv_tables::csv_field;
+pub(crate) use csv_tables::{images_table, points_table, rays_table};
 pub use export::{ExportFormat, export_block};
 pub use marks::{ImageMeasurementRow, parse_image_measurements};
-pub use project::{PROJECT_VERSION, Project, read_project, write_project};

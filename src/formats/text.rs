@@ -17,7 +17,10 @@ pub(super) fn one_word<'a>(format: &'static str, name: &'a str) -> Result<&'a st
     Ok(name)
 }
 
-/// A name that becomes the name of a file: it must not lead out of its folder.
+/// Names of files have up to 255 bytes nearly everywhere; formats put up to six before or behind the name of an image.
+const MOST_NAME_BYTES: usize = 249;
+
+/// A name that becomes the name of a file: it must not lead out of its folder, nor be too long for one.
 pub(super) fn file_name<'a>(format: &'static str, name: &'a str) -> Result<&'a str, Error> {
     let leads_out = name.split(['/', '\\']).any(|part| part == ".." || part.is_empty()) || name.contains(':');
     if leads_out {
@@ -26,6 +29,10 @@ pub(super) fn file_name<'a>(format: &'static str, name: &'a str) -> Result<&'a s
             got: format!("the image name '{name}'"),
             allowed: "names of files in a folder".into(),
         });
+    }
+    if name.len() > MOST_NAME_BYTES {
+        let got = format!("the image name '{}' of {} bytes", shorten(name), name.len());
+        return Err(Error::InvalidInput { what: format, got, allowed: format!("names of up to {MOST_NAME_BYTES} bytes") });
     }
     Ok(name)
 }

@@ -2,13 +2,13 @@
 
 use std::io::Cursor;
 
-use image::codecs::{bmp::BmpDecoder, png::PngDecoder, pnm::PnmDecoder, webp::WebPDecoder};
+use image::codecs::{bmp::BmpDecoder, pnm::PnmDecoder, webp::WebPDecoder};
 use image::{ColorType, ImageDecoder, ImageError};
 
 use super::GreyImage;
 use super::header::{FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
-use super::{jpeg, tiff};
+use super::{jpeg, png, tiff};
 use crate::Error;
 use crate::camera::ExifCamera;
 
@@ -68,13 +68,13 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
 /// that are not decoded, such as CMYK and floating point; [`Error::UnreadableImage`] for damaged and truncated files.
 pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
     let layout = FileLayout::read(bytes)?;
-    check_limits(&layout, limits)?;
+    check_limits(&layout, bytes, limits)?;
     let camera = ExifCamera::read(bytes, layout.width, layout.height);
     let pixels = (layout.width * layout.height) as usize;
     let (grey, bits_per_sample) = match layout.format {
         Format::Jpeg => (jpeg::decode(bytes, pixels)?, 8),
-        Format::Tiff => tiff::decode(bytes, pixels, usize::try_from(limits.max_memory_bytes).unwrap_or(usize::MAX))?,
-        Format::Png => decode_with(PngDecoder::with_limits(Cursor::new(bytes), image_limits(limits)), &layout, limits)?,
+        Format::Tiff => tiff::decode(bytes, pixels)?,
+        Format::Png => png::decode(bytes, pixels)?,
         Format::Bmp => decode_with(BmpDecoder::new(Cursor::new(bytes)), &layout, limits)?,
         Format::Pnm => decode_with(PnmDecoder::new(Cursor::new(bytes)), &layout, limits)?,
         Format::WebP => decode_with(WebPDecoder::new(Cursor::new(bytes)), &layout, limits)?,
@@ -83,8 +83,8 @@ pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
     Ok(Decoded { grey, format: layout.format.name(), bits_per_sample, camera })
 }
 
-/// Refuses what the header declares too large, or what the machine does not have.
-fn check_limits(layout: &FileLayout, limits: &DecodeLimits) -> Result<(), Error> {
+/// Refuses what the header declares too large, what is too short for that, or what the machine does not have.
+fn check_limits(layout: &FileLayout, bytes: &[u8], limits: &DecodeLimits) -> Result<(), Error> {
     let FileLayout { width, height, .. } = *layout;
     let pixels = width.saturating_mul(height);
     if pixels > limits.max_pixels {
@@ -98,6 +98,7 @@ fn check_limits(layout: &FileLayout, limits: &DecodeLimits) -> Result<(), Error>
     let mut allowed = if output > largest_block { largest_block } else { u64::MAX };
     allowed = allowed.min(limits.max_memory_bytes);
     if needed <= allowed {
+        layout.check_length(bytes)?;
         allowed = reservable(needed);
     }
     if needed > allowed {

@@ -1,7 +1,7 @@
 //! What the first bytes of an image file declare, read without decoding.
 
-use super::jpeg;
 use super::tiff::TiffLayout;
+use super::{jpeg, png, pnm, webp};
 use crate::Error;
 
 /// The formats that are decoded.
@@ -44,6 +44,9 @@ impl Format {
     }
 }
 
+/// Deflate writes at most 258 bytes with two bits, and ends of blocks beside them.
+pub(super) const DEFLATE_MOST: u64 = 1032;
+
 /// What a file declares about itself: enough to refuse it before anything is decoded.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct FileLayout {
@@ -52,27 +55,38 @@ pub(super) struct FileLayout {
     pub height: u64,
     /// Most bytes a pixel of the decoder's output and of its working memory.
     pub bytes_per_pixel: u64,
+    /// Fewest bytes into which the format packs an image of this size, be it as smooth as can be.
+    pub least_bytes: u64,
 }
 
 impl FileLayout {
     /// Reads the layout; sides are at least 1 px.
     pub fn read(bytes: &[u8]) -> Result<Self, Error> {
         let format = Format::of(bytes)?;
-        let (width, height, bytes_per_pixel) = match format {
+        let layout = match format {
             Format::Jpeg => jpeg::read_header(bytes)?,
-            Format::Png => png(bytes).ok_or_else(|| truncated(format))?,
-            Format::Tiff => {
-                let tiff = TiffLayout::read(bytes)?;
-                (tiff.width, tiff.height, tiff.bytes_per_pixel())
-            }
+            Format::Png => png::read_header(bytes).ok_or_else(|| truncated(format))?,
+            Format::Tiff => TiffLayout::read(bytes)?.file_layout(),
             Format::Bmp => bmp(bytes).ok_or_else(|| truncated(format))?,
-            Format::Pnm => pnm(bytes)?,
-            Format::WebP => webp(bytes)?,
+            Format::Pnm => pnm::read_header(bytes)?,
+            Format::WebP => webp::read_header(bytes)?,
         };
+        let Self { width, height, .. } = layout;
         if width == 0 || height == 0 {
             return Err(damaged(format, format!("it declares {width} x {height} px; a side has at least 1 px")));
         }
-        Ok(Self { format, width, height, bytes_per_pixel })
+        Ok(layout)
+    }
+
+    /// Refuses a file that is too short for the size it declares, before memory is taken for that size.
+    pub fn check_length(&self, bytes: &[u8]) -> Result<(), Error> {
+        let Self { format, width, height, least_bytes, .. } = *self;
+        if (bytes.len() as u64) < least_bytes {
+            let length = bytes.len();
+            let reason = format!("it is truncated: {width} x {height} px take at least {least_bytes} bytes, and the file has {length}");
+            return Err(damaged(format, reason));
+        }
+        Ok(())
     }
 }
 
@@ -91,141 +105,21 @@ pub(super) fn field<const N: usize>(bytes: &[u8], at: usize) -> Option<[u8; N]> 
     bytes.get(at..)?.first_chunk().copied()
 }
 
-/// Width, height and bytes a pixel of the IHDR chunk, which the format puts first.
-fn png(bytes: &[u8]) -> Option<(u64, u64, u64)> {
-    let [width, height] = [16, 20].map(|at| field(bytes, at).map(u32::from_be_bytes));
-    let [depth, colour_type] = field(bytes, 24)?;
-    // A tRNS chunk may add alpha to each colour type that has none.
-    let channels = if colour_type == 0 { 2 } else { 4 };
-    Some((width?.into(), height?.into(), channels * if depth == 16 { 2 } else { 1 }))
-}
-
-/// Width, height and bytes a pixel of the core header or of one of the longer ones.
-fn bmp(bytes: &[u8]) -> Option<(u64, u64, u64)> {
-    let (width, height) = if u32::from_le_bytes(field(bytes, 14)?) == 12 {
-        (u16::from_le_bytes(field(bytes, 18)?).into(), u16::from_le_bytes(field(bytes, 20)?).into())
+/// Reads the core header of a BMP or one of the longer ones.
+fn bmp(bytes: &[u8]) -> Option<FileLayout> {
+    let short = |at| field(bytes, at).map(|b| u64::from(u16::from_le_bytes(b)));
+    let (width, height, bits, compression) = if u32::from_le_bytes(field(bytes, 14)?) == 12 {
+        (short(18)?, short(20)?, short(24)?, 0)
     } else {
         // A negative height declares rows from top to bottom. A negative width is invalid: its magnitude is checked like any.
-        let [width, height] = [18, 22].map(|at| field(bytes, at).map(i32::from_le_bytes));
-        (width?.unsigned_abs().into(), height?.unsigned_abs().into())
+        let [width, height] = [18, 22].map(|at| field(bytes, at).map(|b| u64::from(i32::from_le_bytes(b).unsigned_abs())));
+        (width?, height?, short(28)?, u32::from_le_bytes(field(bytes, 30)?))
     };
-    Some((width, height, 4))
-}
-
-/// Width, height and bytes a pixel of a still WebP image.
-fn webp(bytes: &[u8]) -> Result<(u64, u64, u64), Error> {
-    let cut = || truncated(Format::WebP);
-    let canvas = match field(bytes, 12).ok_or_else(cut)? {
-        [b'V', b'P', b'8', b'X'] => {
-            let [w, h] = [24, 27].map(|at| field(bytes, at).map(|[a, b, c]| 1 + u64::from(u32::from_le_bytes([a, b, c, 0]))));
-            Some((w.ok_or_else(cut)?, h.ok_or_else(cut)?))
-        }
-        _ => None,
+    let least_bytes = match compression {
+        // Runs of two bytes hold up to 255 px. That more is left out by jumps is allowed, but nobody writes photographs like that.
+        1 | 2 => width * height * 2 / 255,
+        // Rows fill whole words, the last one perhaps not.
+        _ => ((width * bits).div_ceil(32) * 4).saturating_mul(height.saturating_sub(1)),
     };
-    if canvas.is_some() && field(bytes, 20).is_some_and(|[flags]| flags & 2 != 0) {
-        return Err(Error::UnsupportedImage { what: "an animated WebP".into(), allowed: "still images" });
-    }
-    let frame = webp_frame(bytes)?;
-    if let (Some(canvas), Some(frame)) = (canvas, frame)
-        && canvas != frame
-    {
-        return Err(damaged(Format::WebP, format!("its canvas of {canvas:?} px holds a frame of {frame:?} px")));
-    }
-    let (width, height) = canvas.or(frame).ok_or_else(cut)?;
-    // Colour and alpha, and as much again for the planes or the lossless pixels they are made from.
-    Ok((width, height, 8))
-}
-
-/// Width and height of the first frame, if there is one.
-fn webp_frame(bytes: &[u8]) -> Result<Option<(u64, u64)>, Error> {
-    let mut at = 12;
-    while let (Some(name), Some(length)) = (field::<4>(bytes, at), field(bytes, at + 4)) {
-        let cut = || truncated(Format::WebP);
-        match &name {
-            b"VP8 " => {
-                let [w, h] = [14, 16].map(|o| field(bytes, at + o).map(|b| u64::from(u16::from_le_bytes(b) & 0x3fff)));
-                return Ok(Some((w.ok_or_else(cut)?, h.ok_or_else(cut)?)));
-            }
-            b"VP8L" => {
-                let packed = u32::from_le_bytes(field(bytes, at + 9).ok_or_else(cut)?);
-                return Ok(Some((u64::from(packed & 0x3fff) + 1, u64::from((packed >> 14) & 0x3fff) + 1)));
-            }
-            _ => {}
-        }
-        // Chunks are padded to an even length.
-        let length = u32::from_le_bytes(length) as usize;
-        at = match at.checked_add(8).and_then(|at| at.checked_add(length)?.checked_add(length & 1)) {
-            Some(next) => next,
-            None => break,
-        };
-    }
-    Ok(None)
-}
-
-/// Width, height and bytes a pixel of a portable anymap.
-fn pnm(bytes: &[u8]) -> Result<(u64, u64, u64), Error> {
-    let kind = bytes[1];
-    if kind == b'7' {
-        return pam(bytes);
-    }
-    let mut words = Words { rest: &bytes[2..] };
-    let [width, height] = [words.number()?, words.number()?];
-    let max = if matches!(kind, b'1' | b'4') { 1 } else { words.number()? };
-    let channels = if matches!(kind, b'3' | b'6') { 3 } else { 1 };
-    Ok((width, height, channels * if max > 255 { 2 } else { 1 }))
-}
-
-/// The header lines of a portable arbitrary map: WIDTH, HEIGHT, DEPTH and MAXVAL in any order.
-fn pam(bytes: &[u8]) -> Result<(u64, u64, u64), Error> {
-    let mut words = Words { rest: &bytes[2..] };
-    let [mut width, mut height, mut depth, mut max] = [None; 4];
-    loop {
-        match words.next().ok_or_else(|| truncated(Format::Pnm))? {
-            b"WIDTH" => width = Some(words.number()?),
-            b"HEIGHT" => height = Some(words.number()?),
-            b"DEPTH" => depth = Some(words.number()?),
-            b"MAXVAL" => max = Some(words.number()?),
-            b"TUPLTYPE" => _ = words.next(),
-            b"ENDHDR" => break,
-            _ => return Err(damaged(Format::Pnm, "its PAM header has an unknown line")),
-        }
-    }
-    match (width, height, depth, max) {
-        (Some(width), Some(height), Some(depth @ 1..=4), Some(max)) => Ok((width, height, depth * if max > 255 { 2 } else { 1 })),
-        _ => Err(damaged(Format::Pnm, "its PAM header lacks WIDTH, HEIGHT, MAXVAL or a DEPTH of 1 to 4")),
-    }
-}
-
-/// The words of a PNM header; comments run from `#` to the end of the line.
-struct Words<'a> {
-    rest: &'a [u8],
-}
-
-impl<'a> Words<'a> {
-    fn next(&mut self) -> Option<&'a [u8]> {
-        loop {
-            self.rest = self.rest.trim_ascii_start();
-            if *self.rest.first()? != b'#' {
-                break;
-            }
-            let line = self.rest.iter().position(|&b| b == b'\n')?;
-            self.rest = &self.rest[line..];
-        }
-        let end = self.rest.iter().position(|b| b.is_ascii_whitespace() || *b == b'#').unwrap_or(self.rest.len());
-        let (word, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        Some(word)
-    }
-
-    /// A whole number; one too large for 64 bits counts as the largest.
-    fn number(&mut self) -> Result<u64, Error> {
-        let word = self.next().ok_or_else(|| truncated(Format::Pnm))?;
-        if !word.iter().all(u8::is_ascii_digit) {
-            return Err(damaged(
-                Format::Pnm,
-                format!("its header has '{}' where a number belongs", String::from_utf8_lossy(&word[..word.len().min(16)])),
-            ));
-        }
-        Ok(word.iter().fold(0u64, |n, d| n.saturating_mul(10).saturating_add(u64::from(d - b'0'))))
-    }
+    Some(FileLayout { format: Format::Bmp, width, height, bytes_per_pixel: 4, least_bytes })
 }

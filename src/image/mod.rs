@@ -5,8 +5,11 @@ mod grey;
 mod header;
 mod jpeg;
 mod luminance;
+mod png;
+mod pnm;
 mod pyramid;
 mod tiff;
+mod webp;
 mod write;
 
 pub use decode::{DecodeLimits, Decoded, Header, decode, read_header};

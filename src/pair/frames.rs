@@ -12,6 +12,8 @@ const LARGEST_DISTORTION: f64 = 0.03;
 const TOLERANCE_PX: f64 = 2.5;
 /// The margin of a frame, as a share of the longer side; most of what is equal lies in it, in nearly all quarters of the image.
 const MARGIN: f64 = 0.15;
+/// And as a share of the shorter side at most: what a frame surrounds is as wide as its margins. A strip would be nothing but margin.
+const MOST_MARGIN: f64 = 0.25;
 const LEAST_IN_MARGIN: f64 = 0.8;
 const LEAST_QUARTERS: usize = 3;
 /// Fewest matches that agree.
@@ -105,8 +107,8 @@ impl CommonFrame {
 
     /// Whether what agrees surrounds the picture rather than being it.
     fn is_frame(&self, matches: &[[f64; 4]], (width, height): (usize, usize), side: f64) -> bool {
-        let margin = MARGIN * side;
         let (width, height) = (width as f64, height as f64);
+        let margin = (MARGIN * side).min(MOST_MARGIN * width.min(height));
         let is_marginal = |m: &&[f64; 4]| m[0].min(m[1]).min(width - m[0]).min(height - m[1]) < margin;
         let (marginal, inner): (Vec<_>, Vec<_>) = self.agreeing(matches).partition(is_marginal);
         let quarter = |m: &[f64; 4]| 2 * usize::from(2.0 * m[0] > width) + usize::from(2.0 * m[1] > height);
@@ -170,6 +172,14 @@ mod tests {
         let everywhere = [itself, border(&mut random, false)].concat();
         assert_eq!(CommonFrame::find(&everywhere, SIZES, 1), None);
         assert_eq!(CommonFrame::find(&[], SIZES, 1), None);
+    }
+
+    #[test]
+    fn a_narrow_strip_is_not_all_frame() {
+        let mut random = Random::new(6);
+        let mut uniform = |most: f64| most * random.below(100_000) as f64 * 1e-5;
+        let strip: Vec<[f64; 4]> = (0..800).map(|_| [uniform(40_000.0), uniform(60.0)]).map(|[x, y]| [x, y, x - 20.0, y]).collect();
+        assert_eq!(CommonFrame::find(&strip, [(40_000, 60); 2], 1), None);
     }
 
     #[test]

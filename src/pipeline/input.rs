@@ -3,6 +3,7 @@
 use super::cameras::CameraRules;
 use super::control::ControlTables;
 use super::masks::masks_of;
+use crate::catalogue::read_options;
 use crate::{BlockSettings, Error};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -16,6 +17,7 @@ pub struct RunInput {
     pub images: Vec<String>,
     /// Names of masks: images that are 0 (black) where no features are wanted, each as large as the image whose name it has.
     pub masks: Vec<String>,
+    #[serde(deserialize_with = "read_options")]
     pub settings: BlockSettings,
     /// A file of cameras, which take the place of those of EXIF.
     pub cameras: Option<String>,

@@ -62,7 +62,7 @@ impl Stage for OwnStage {
 }
 
 fn join(state: &mut State) -> Result<(), Error> {
-    let counts: Vec<u32> = state.images.iter().map(|image| image.features).collect();
+    let counts: Vec<u32> = state.positions.iter().map(|positions| positions.len() as u32).collect();
     let mut matches = BlockMatches::new(&counts)?;
     for pair in state.pairs.iter_mut().filter(|pair| !pair.matches.is_empty()) {
         matches.add_pair(pair.connection.images, &std::mem::take(&mut pair.matches))?;

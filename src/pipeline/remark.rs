@@ -17,6 +17,8 @@ messages! {
         DoubtfulFocal { label: String, focal_px: f64, sides: f64, least: f64, most: f64, in_mm: bool },
         /// GNSS positions, or their heights, that cannot be.
         ImpossiblePositions { images: Vec<ImpossiblePosition> },
+        /// The block comes from a project file that holds less than is known of a block.
+        OlderProject { version: u32 },
     }
 }
 

@@ -1,16 +1,18 @@
 //! What the run of a block finds.
 
-use super::Remark;
+use super::{Remark, RunInput};
 use crate::{
-    BlockModel, BlockSettings, Camera, Connection, Error, ExifImage, Failure, FreeParameters, JoinCounts, KnownCamera, Project,
-    Reconstruction, RefinementOutcome, SharedPoints, TwoView,
+    BlockModel, Camera, Connection, ExifImage, Failure, FreeParameters, JoinCounts, KnownCamera, Reconstruction, RefinementOutcome,
+    SharedPoints, TwoView,
 };
 use serde::{Deserialize, Serialize};
 
-/// A block from its images to its orientation.
-#[derive(Debug, Clone, PartialEq)]
+/// A block from its images to its orientation: all that is written and shown of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct BlockRun {
-    pub settings: BlockSettings,
+    /// What it was made of.
+    pub input: RunInput,
     /// The images that were read; the indices of all that follows count these.
     pub images: Vec<RunImage>,
     pub skipped: Vec<SkippedImage>,
@@ -25,11 +27,12 @@ pub struct BlockRun {
     pub connections: Vec<Connection>,
     /// Of each of `connections`; its inliers are left out, since all matches agree with it.
     pub geometries: Vec<Option<TwoView>>,
-    pub points: JoinedPoints,
+    /// Absent where an older project file does not say.
+    pub points: Option<JoinedPoints>,
     /// Absent where observations are not refined.
     pub refinement: Option<RefinementTable>,
     /// Or why the block has none.
-    pub reconstruction: Result<Reconstruction, Error>,
+    pub reconstruction: Result<Reconstruction, Failure>,
     /// The largest model of the reconstruction, or, without one, the points that were chosen.
     pub model: BlockModel,
 }
@@ -46,7 +49,8 @@ pub struct RunImage {
     pub content: String,
     pub width_px: u32,
     pub height_px: u32,
-    pub features: u32,
+    /// Absent where an older project file does not say.
+    pub features: Option<u32>,
     /// Whether a mask belongs to it.
     pub masked: bool,
     pub exif: ExifImage,
@@ -132,12 +136,4 @@ pub struct RefinedObservation {
     pub standard_error_px: Option<f32>,
     /// Of the matched windows, -1..1.
     pub correlation: Option<f32>,
-}
-
-impl BlockRun {
-    /// What the project file holds.
-    pub fn project(&self) -> Project {
-        let BlockSettings { block, selection, .. } = &self.settings;
-        Project { block: self.model.clone(), connections: self.connections.clone(), joining: block.clone(), selection: selection.clone() }
-    }
 }

@@ -68,7 +68,7 @@ impl Run {
     /// Whatever can be refused before the images are read: [`Error::InvalidOption`] for the settings, [`Error::InvalidJson`] for the file
     /// of cameras, [`Error::InvalidInput`] for names, masks, cameras, ground control points and image measurements.
     pub fn new(input: RunInput) -> Result<Self, Error> {
-        let state = State::new(input.checked()?);
+        let state = State::new(input.clone(), input.checked()?);
         let phase = Phase::Images(Images::new(&state));
         let mut run = Self { state, phase, underway: BTreeMap::new(), next_id: 0, done: 0, found: 0, news: Vec::new() };
         run.step(String::new());

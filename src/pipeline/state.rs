@@ -3,16 +3,19 @@
 use super::cameras::doubtful;
 use super::control::gnss_observation;
 use super::images::Read;
-use super::input::Checked;
+use super::input::{Checked, RunInput};
 use super::pairs::Matched;
 use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
-use crate::{BlockDescription, BlockModel, Error, ExifImage, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic};
+use crate::{
+    BlockDescription, BlockModel, Error, ExifImage, Failure, ImageFeatures, KnownImage, Reconstruction, TiePoints, local_from_geographic,
+};
 
 /// Positions of an image's features in px.
 pub(super) type Positions = Vec<[f32; 2]>;
 
 /// What a run knows.
 pub(super) struct State {
+    pub given: RunInput,
     pub input: Checked,
     pub images: Vec<RunImage>,
     pub skipped: Vec<SkippedImage>,
@@ -38,8 +41,9 @@ pub(super) struct State {
 }
 
 impl State {
-    pub fn new(input: Checked) -> Self {
+    pub fn new(given: RunInput, input: Checked) -> Self {
         Self {
+            given,
             input,
             images: Vec::new(),
             skipped: Vec::new(),
@@ -136,7 +140,7 @@ impl State {
     pub fn ended(self) -> Option<BlockRun> {
         let (connections, geometries) = self.pairs.into_iter().map(|pair| (pair.connection, pair.geometry)).unzip();
         Some(BlockRun {
-            settings: self.input.settings,
+            input: self.given,
             images: self.images,
             skipped: self.skipped,
             unused_masks: self.input.unused_masks,
@@ -145,9 +149,9 @@ impl State {
             cameras: self.cameras,
             connections,
             geometries,
-            points: self.joined?,
+            points: Some(self.joined?),
             refinement: self.refinement,
-            reconstruction: self.reconstruction?,
+            reconstruction: self.reconstruction?.map_err(|error| Failure::from(&error)),
             model: self.model,
         })
     }

@@ -25,7 +25,7 @@ mod sensor;
 mod truth;
 mod view;
 
-pub use block::{BlockFlight, BlockScene, BlockScore, BlockView, Exposure, SimulatedBlock, score_block, simulate_block};
+pub use block::{BlockFlight, BlockScene, BlockScore, BlockView, Exposure, SimulatedBlock, check_truth, score_block, simulate_block};
 pub use flight::{Flight, Preset};
 pub use network::{NetworkFlight, NetworkKind, SimulatedNetwork, simulate_network};
 pub use random::SAMPLE_SEED;

@@ -29,7 +29,7 @@ pub use matches::{BlockMatches, FeatureMatch};
 pub use mixture::MatchReliability;
 pub use options::{BlockOptions, Conflicts, SelectOptions};
 pub use places::ImageFeatures;
-pub(crate) use places::check as check_features;
+pub(crate) use places::{check as check_features, von_gruber_position};
 pub use placing::GeoreferencingOptions;
 pub use points::{FeatureObservation, TiePoints};
 pub use refinement::{

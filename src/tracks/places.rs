@@ -1,4 +1,4 @@
-//! Where in an image a point lies: cells of an even grid, nine groups of which are the von Gruber places.
+//! Where in an image a point lies: cells of an even grid, nine groups of which are the von Gruber positions.
 
 use super::{FeatureObservation, TiePoints};
 use crate::Error;
@@ -10,6 +10,17 @@ pub struct ImageFeatures<'a> {
     pub height_px: u32,
     /// `[x, y]` in px, the centre of the top-left pixel at (0.5, 0.5).
     pub positions: &'a [[f32; 2]],
+}
+
+/// The cell of an even grid in which a position in px lies, row by row.
+fn cell(at: [f64; 2], size_px: [u32; 2], side: usize) -> usize {
+    let [col, row] = [0, 1].map(|axis| ((at[axis] / f64::from(size_px[axis]) * side as f64) as usize).min(side - 1));
+    row * side + col
+}
+
+/// Which of the nine von Gruber positions of an image of this width and height a position in px belongs to, row by row.
+pub(crate) fn von_gruber_position(at: [f64; 2], size_px: [u32; 2]) -> usize {
+    cell(at, size_px, 3)
 }
 
 /// Cells of the grids of all images, and how many selected points each holds.
@@ -30,8 +41,8 @@ impl<'a> Cells<'a> {
     pub(super) fn of(&self, ray: &FeatureObservation) -> usize {
         let image = &self.images[ray.image as usize];
         let [x, y] = image.positions[ray.feature as usize];
-        let place = |at: f32, length: u32| ((f64::from(at) / f64::from(length) * self.side as f64) as usize).min(self.side - 1);
-        (ray.image as usize * self.side + place(y, image.height_px)) * self.side + place(x, image.width_px)
+        let at = [x, y].map(f64::from);
+        ray.image as usize * self.side * self.side + cell(at, [image.width_px, image.height_px], self.side)
     }
 
     pub(super) fn count(&self, ray: &FeatureObservation) -> u16 {

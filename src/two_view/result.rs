@@ -33,6 +33,18 @@ pub enum TwoViewModel {
     },
 }
 
+impl TwoViewModel {
+    /// The name of the variant, as in JSON.
+    pub(crate) fn kind(&self) -> &'static str {
+        match self {
+            Self::Calibrated { .. } => "calibrated",
+            Self::Fundamental { .. } => "fundamental",
+            Self::Homography { .. } => "homography",
+            Self::Rotation { .. } => "rotation",
+        }
+    }
+}
+
 messages! {
     /// Why the general geometry is not determined.
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

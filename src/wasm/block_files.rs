@@ -1,10 +1,9 @@
-//! Files of a block: what EXIF tells, cameras and surveyed points in, the project and the exchange formats.
+//! Files of a block: what EXIF tells, cameras and surveyed points in, the exchange formats.
 
-use super::convert::{JsResult, pack, read, thrown};
+use super::convert::{JsResult, emitting, pack, read, thrown};
 use crate::{
-    BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, Project, export_block as write_block,
+    BlockModel, CameraRule, Connection, ConnectionGraph, ExifImage, ExportFormat, export_block as write_block,
     parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
-    read_project as parse_project, write_project as format_project,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -45,18 +44,6 @@ pub fn parse_image_measurements(text: &str) -> JsResult<JsValue> {
     read_marks(text).map(|marks| pack(&marks)).map_err(thrown)
 }
 
-/// Writes a project.
-#[wasm_bindgen]
-pub fn write_project(#[wasm_bindgen(unchecked_param_type = "Project")] project: &JsValue) -> JsResult<String> {
-    format_project(&read::<Project>("project", project)?).map_err(thrown)
-}
-
-/// Reads a project; a file that is damaged or of another kind is refused whole.
-#[wasm_bindgen(unchecked_return_type = "Project")]
-pub fn read_project(bytes: &[u8]) -> JsResult<JsValue> {
-    parse_project(bytes).map(|project| pack(&project)).map_err(thrown)
-}
-
 /// The names of the formats that blocks are written in.
 #[wasm_bindgen(unchecked_return_type = "ExportFormat[]")]
 pub fn export_formats() -> JsValue {
@@ -71,21 +58,21 @@ pub fn export_block(
     #[wasm_bindgen(unchecked_param_type = "(path: string, text: string) => void")] emit: &Function,
 ) -> JsResult<()> {
     let (model, format): (BlockModel, ExportFormat) = (read("block", model)?, read("format", format)?);
-    // What the caller's function throws goes back to the caller as it is.
-    let mut threw = None;
-    let written = write_block(&model, format, &mut |path, text| {
-        emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
-            threw = Some(error);
-            Error::NotWritten { what: "the export" }
-        })
-    });
-    written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
+    emitting(emit, |emit| write_block(&model, format, emit))
 }
+
+/// More images than any block has.
+const MOST_IMAGES: u32 = 10_000_000;
 
 /// The groups of connected images of a block, the largest first.
 #[wasm_bindgen(unchecked_return_type = "number[][]")]
 pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Connection[]")] connections: &JsValue) -> JsResult<JsValue> {
     let connections: Vec<Connection> = read("connections", connections)?;
+    // What is no number of images, as -1, arrives as a number beyond all memory.
+    if images > MOST_IMAGES {
+        let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));
+        return Err(thrown(Error::InvalidInput { what: "number of images", got, allowed }));
+    }
     let mut graph = ConnectionGraph::new(images);
     for connection in &connections {
         graph.set(connection.images, connection.rule, connection.outcome.clone()).map_err(thrown)?;

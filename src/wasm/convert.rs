@@ -1,8 +1,8 @@
 //! Between JavaScript values and plain data.
 
-use crate::json::reason;
+use crate::json;
 use crate::{Error, InterestPoint, with_defaults};
-use js_sys::{Float64Array, JSON, Object, Reflect};
+use js_sys::{Float64Array, Function, JSON, Object, Reflect};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
@@ -22,12 +22,12 @@ pub fn thrown(error: Error) -> JsValue {
 
 /// Reads a value. It goes through text, so that unknown fields are refused.
 pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).and_then(serde_json::from_value).map_err(|e| refused(what, &e))
+    parsed(value).map_err(|e| e.to_string()).and_then(json::from_value).map_err(|reason| refused(what, reason))
 }
 
 /// Reads options: the fields that are given, the others from the defaults.
 pub fn read_options<T: DeserializeOwned + Serialize + Default>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).and_then(with_defaults).map_err(|e| refused(what, &e))
+    parsed(value).and_then(with_defaults).map_err(|error| refused(what, error.to_string()))
 }
 
 /// The JSON form of a value: null where it has none, as `undefined`. A number that is none (NaN, ±Infinity), which would become null and
@@ -42,8 +42,23 @@ fn parsed(value: &JsValue) -> serde_json::Result<Value> {
 }
 
 /// The reason has no place, which would be that in a text that nobody wrote.
-fn refused(what: &'static str, error: &serde_json::Error) -> JsValue {
-    thrown(Error::InvalidJson { what, reason: reason(error) })
+fn refused(what: &'static str, reason: String) -> JsValue {
+    thrown(Error::InvalidJson { what, reason })
+}
+
+/// Writes files through a function of the caller, who gets back what that throws as it is.
+pub fn emitting<T>(
+    emit: &Function,
+    write: impl FnOnce(&mut dyn FnMut(&str, &str) -> Result<(), Error>) -> Result<T, Error>,
+) -> JsResult<T> {
+    let mut threw = None;
+    let written = write(&mut |path, text| {
+        emit.call2(&JsValue::NULL, &path.into(), &text.into()).map(|_| ()).map_err(|error| {
+            threw = Some(error);
+            Error::NotWritten { what: "a file" }
+        })
+    });
+    written.map_err(|error| threw.take().unwrap_or_else(|| thrown(error)))
 }
 
 /// Packs plain data as an object.

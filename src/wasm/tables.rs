@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, pack, rows, thrown};
 use crate::{
-    csv_field as field, matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials,
-    parse_observations as read_observations, points_csv as write_points,
+    matches_csv as write_matches, parse_camera as read_camera, parse_fiducials as read_fiducials, parse_observations as read_observations,
+    points_csv as write_points,
 };
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -31,12 +31,6 @@ pub fn parse_camera(json: &str) -> JsResult<JsValue> {
 #[wasm_bindgen]
 pub fn matches_csv(matches: &[f64]) -> JsResult<String> {
     Ok(write_matches(rows("matches", matches)?))
-}
-
-/// Writes a field of a table between commas, in quotation marks where it needs them.
-#[wasm_bindgen]
-pub fn csv_field(text: &str) -> String {
-    field(text).into_owned()
 }
 
 /// Writes points (stride 3) as CSV.

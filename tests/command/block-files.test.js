@@ -5,7 +5,7 @@ import { createHash } from 'node:crypto';
 import { appendFileSync, copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { dirname, join } from 'node:path';
 import { test } from 'node:test';
-import { read_project, sha256 } from '../../pkg/node.js';
+import { FinishedBlock, sha256 } from '../../pkg/node.js';
 import { readFeatures } from '../../pkg/block/records.js';
 import { Written } from '../../pkg/command/written.js';
 import { contents, killed, photographed, records } from './blocks.js';
@@ -192,6 +192,6 @@ test('a project that is damaged anywhere is refused', () => {
     const damaged = i % 2 === 0 ? bytes.subarray(0, below(bytes.length)) : Buffer.from(bytes);
     const at = below(bytes.length);
     if (i % 2 === 1) damaged[at] = (damaged[at] ?? 0) ^ (1 << below(8));
-    assert.throws(() => read_project(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.message.length > 10, `damage ${i} at ${at}`);
+    assert.throws(() => FinishedBlock.open(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.message.length > 10, `damage ${i} at ${at}`);
   }
 });

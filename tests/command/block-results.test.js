@@ -4,8 +4,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { spreadOf } from '../../pkg/block/spread.js';
-import { grey_png, Photo, read_exif, read_project } from '../../pkg/node.js';
+import { FinishedBlock, grey_png, Photo, read_exif } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { file, folder, image, json, speckle, tiepoint } from './command.js';
 
@@ -53,13 +52,6 @@ test('all files and the text give the same numbers of points and rays', () => {
   assert.match(stderr, /^orientation in/m);
 });
 
-test('places are the nine of each image', () => {
-  const camera = { width_px: 300, height_px: 90, focal_px: 1, principal_point_px: /** @type {[number, number]} */ ([0, 0]), radial: /** @type {[number, number, number]} */ ([0, 0, 0]), tangential: /** @type {[number, number]} */ ([0, 0]) };
-  const point = (/** @type {number[][]} */ ...rays) => ({ rays: rays.map(([of = 0, x_px = 0, y_px = 0]) => ({ image: of, x_px, y_px })) });
-  const model = { cameras: [camera], images: ['a', 'b', 'c'].map((name) => ({ name, camera: 0 })), points: [point([0, 0, 0], [1, 300, 90]), point([0, 99.9, 29.9], [1, 200, 60]), point([0, 100, 29.9])] };
-  assert.deepEqual(spreadOf(model), { points: 3, raysOfImages: [3, 2, 0], placesOfImages: [2, 1, 0] });
-});
-
 test('every model is told by itself, with its images', () => {
   const other = photographed('--seed', '9');
   const mixed = folder();
@@ -95,7 +87,7 @@ test('images of which no two are connected make no block', () => {
   assert.match(stdout, /^images oriented +0 of 3$/m);
   assert.doesNotMatch(stdout, /multi-ray points\./);
   for (const { reason } of rows(out, 'pairs.csv')) assert.match(reason ?? '', /^"?not connected: .*(on one geometry|different matches)/);
-  assert.ok(existsSync(join(out, 'pairs.csv')) && read_project(readFileSync(join(out, 'project.tiepoint'))).block.images.length === 3);
+  assert.ok(existsSync(join(out, 'pairs.csv')) && FinishedBlock.open(readFileSync(join(out, 'project.tiepoint'))).model().images.length === 3);
 });
 
 test('recorded positions that cannot be are told', () => {

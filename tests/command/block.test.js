@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { read_project } from '../../pkg/node.js';
+import { FinishedBlock } from '../../pkg/node.js';
 import { DATA } from '../../tools/lib/paths.mjs';
 import { contents, killed, photographed, records } from './blocks.js';
 import { file, folder, json, tiepoint } from './command.js';
@@ -195,7 +195,7 @@ test('surveyed points place the block', () => {
   const control = file(at, 'control.csv', points.map(({ name, at: place }) => [name, ...place].join()).join('\n'));
   const { out, summary } = ran(...known, '--control', control, '--marks', file(at, 'marks.csv', `image,point,x,y\n${marks.join('\n')}\n`));
   assert.equal(summary.orientation.models[0].datum, 'control');
-  const { block } = read_project(readFileSync(join(out, 'project.tiepoint')));
+  const block = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint'))).model();
   block.images.forEach((/** @type {any} */ image, /** @type {number} */ i) => {
     const error = Math.hypot(...image.pose.position.map((/** @type {number} */ v, /** @type {number} */ k) => v - images[i].pose.position[k]));
     assert.ok(error < 4, `image ${i}: ${error} m`);
@@ -276,11 +276,12 @@ test('one strip is oriented where its poor recorded positions do not settle', { 
 test('a damaged project is refused plainly', () => {
   const path = join(WHOLE.out, 'project.tiepoint');
   const bytes = readFileSync(path);
-  const { block, connections } = read_project(bytes);
+  const opened = FinishedBlock.open(bytes);
+  const [block, { pairs: connections }] = [opened.model(), opened.overview()];
   assert.equal(block.images.length, 6);
   assert.equal(connections.length, PAIRS);
   const refused = (/** @type {Uint8Array} */ damaged) => {
-    assert.throws(() => read_project(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.code === 'unreadable-file' && /project file/.test(error.message));
+    assert.throws(() => FinishedBlock.open(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.code === 'unreadable-file' && /project file/.test(error.message));
   };
   refused(bytes.subarray(0, bytes.length - 100));
   const flipped = Buffer.from(bytes);

@@ -4,8 +4,7 @@ import assert from 'node:assert/strict';
 import { existsSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { withOutcomes } from '../../pkg/block/refinement-table.js';
-import { refinement_outcomes, read_project } from '../../pkg/node.js';
+import { refinement_outcomes, FinishedBlock } from '../../pkg/node.js';
 import { contents, killed, photographed, records } from './blocks.js';
 import { folder, json, tiepoint } from './command.js';
 
@@ -40,7 +39,7 @@ test('each ray has its outcome, and those that were refined their precision', ()
   const counted = refinement.references + refinement.refined + Object.values(refinement.kept).reduce((sum, count) => sum + count, 0);
   assert.deepEqual([refinement.references, counted], [refinement.points, refinement.rays]);
   const rays = rayTable(WHOLE);
-  assert.equal(rays.length, read_project(readFileSync(join(WHOLE, 'project.tiepoint'))).block.points.reduce((sum, point) => sum + point.rays.length, 0));
+  assert.equal(rays.length, FinishedBlock.open(readFileSync(join(WHOLE, 'project.tiepoint'))).model().points.reduce((sum, point) => sum + point.rays.length, 0));
   for (const ray of rays) {
     assert.ok(refinement_outcomes().includes(/** @type {any} */ (ray.refinement)), JSON.stringify(ray));
     const known = ray.refinement === 'refined';
@@ -49,19 +48,6 @@ test('each ray has its outcome, and those that were refined their precision', ()
   const references = new Map();
   for (const { point, refinement: outcome } of rays) if (outcome === 'reference') references.set(point, (references.get(point) ?? 0) + 1);
   assert.ok(references.size > 0 && [...references.values()].every((count) => count === 1));
-});
-
-test('two features at one place of an image keep the outcomes of their own points', () => {
-  const names = refinement_outcomes();
-  const outcomes = ['reference', 'refined', 'reference', names.find((name) => name !== 'reference' && name !== 'refined') ?? ''];
-  const refinement = {
-    points: 2, counts: /** @type {any} */ ({}), starts: Uint32Array.of(0, 2, 4), images: Uint32Array.of(0, 1, 0, 1), positions: Float32Array.of(1, 2, 30, 40, 5, 6, 30, 40),
-    outcomes: Uint8Array.from(outcomes, (outcome) => names.indexOf(/** @type {any} */ (outcome))), precision: Float32Array.of(NaN, NaN, 0.5, 0.875, NaN, NaN, NaN, NaN),
-  };
-  const rays = ['7,0,"a,b.png",5,6,1', '7,1,c.png,30,40,1', '8,0,"a,b.png",1,2,1', '8,1,c.png,30,40,1', '9,1,c.png,3,4,1'];
-  const table = withOutcomes(refinement, ['point,image,name,x_px,y_px,confidence', ...rays, ''].join('\n'));
-  const found = table.trimEnd().split('\n').slice(1).map((line) => line.split(',').slice(-3).join());
-  assert.deepEqual(found, ['reference,,', `${outcomes[3]},,`, 'reference,,', 'refined,0.5,0.875', ',,']);
 });
 
 test('any number of workers gives the same bytes', () => {

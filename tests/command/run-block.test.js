@@ -6,7 +6,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { runBlock } from '../../pkg/block/index.js';
 import { jobs } from '../../pkg/block/jobs.js';
-import { message, write_project } from '../../pkg/node.js';
+import { message } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { folder, json } from './command.js';
 
@@ -29,7 +29,7 @@ test('without the command the same project comes out', async () => {
   const out = folder();
   json(...BLOCK.call, '--out', out);
   const run = await runBlock(SOURCES, OPTIONS, { pool: HERE, store: memory() });
-  assert.equal(write_project(run.project), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
+  assert.equal(run.finished.project(), readFileSync(join(out, 'project.tiepoint'), 'utf8'));
 });
 
 test('an aborted run rejects with the reason, and goes on where it stood', async () => {
@@ -68,7 +68,7 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   };
   const first = await runBlock(SOURCES, OPTIONS, { pool: weak, store });
   const failed = first.connections.filter(({ outcome }) => outcome.kind === 'failed');
-  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'broke_off', message: 'unreachable' } }]);
+  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'out_of_memory', message: 'unreachable' } }]);
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
   assert.ok(second.connections.every(({ outcome }) => outcome.kind !== 'failed'));
 });

@@ -130,6 +130,135 @@ fn scan_data_that_end_early_are_noticed() {
     }
 }
 
+/// Start and end of the entropy-coded data of each scan.
+fn scans(jpeg: &[u8]) -> Vec<(usize, usize)> {
+    let marker = |from: usize, wanted: fn(u8) -> bool| (from..jpeg.len() - 1).find(|&at| jpeg[at] == 0xff && wanted(jpeg[at + 1]));
+    let mut scans = Vec::new();
+    let mut at = 0;
+    while let Some(scan) = marker(at, |code| code == 0xda) {
+        let start = scan + 2 + usize::from(u16::from_be_bytes([jpeg[scan + 2], jpeg[scan + 3]]));
+        at = marker(start, |code| !matches!(code, 0 | 0xd0..=0xd7 | 0xff)).unwrap();
+        scans.push((start, at));
+    }
+    scans
+}
+
+#[test]
+fn a_progressive_scan_cut_in_the_middle_does_not_decode_as_good() {
+    let coarse = jpeg_writer::Jpeg { progressive: true, ..jpeg_writer::Jpeg::baseline(160, 120, &[(1, 2, 2), (2, 1, 1), (3, 1, 1)]) };
+    let means = |restart_interval, interleaved| {
+        let jpeg = jpeg_writer::Jpeg { restart_interval, interleaved, ..coarse };
+        jpeg.write(|c, x, y| (60 + 31 * c + 7 * x + 13 * y) as u8)
+    };
+    let fine = include_bytes!("progressive.jpg").to_vec();
+    assert_eq!(scans(&fine).len(), 10, "means, two bands of luma, chroma, and the refinements of each");
+    for (name, file) in [("ten scans", fine), ("one scan", means(0, true)), ("scans apart", means(0, false)), ("restarts", means(7, true))]
+    {
+        let whole = decode(&file).unwrap();
+        let mut refused = 0;
+        for (scan, (start, end)) in scans(&file).into_iter().enumerate() {
+            for eighth in 0..8 {
+                let cut = start + (end - start) * eighth / 8;
+                let mut damaged = [&file[..cut], &file[end..]].concat();
+                // A cut never leaves half of a stuffed byte.
+                if damaged[cut - 1] == 0xff {
+                    damaged.remove(cut - 1);
+                }
+                match decode_any(&damaged, &format!("{name}, scan {scan} cut at {eighth} eighths")) {
+                    Ok(part) => assert_eq!(part.grey, whole.grey, "{name}, scan {scan} of {} bytes cut at {eighth} eighths", end - start),
+                    Err(_) => refused += 1,
+                }
+            }
+        }
+        assert!(refused >= 8, "{name}: {refused} cuts were noticed");
+    }
+}
+
+#[test]
+fn thousands_of_scans_and_tables_cost_little() {
+    let jpeg = jpeg_writer::Jpeg { progressive: true, ..jpeg_writer::Jpeg::baseline(4_000, 4_000, &[(1, 1, 1)]) };
+    let file = jpeg.write(|_, x, y| (x + y) as u8);
+    let (start, end) = scans(&file)[0];
+    let table = file.windows(2).position(|pair| pair == [0xff, 0xc4]).unwrap();
+    let header = file.windows(2).position(|pair| pair == [0xff, 0xda]).unwrap();
+    // Bands that end at once, for all blocks in runs of 32,767.
+    let band = [&[0xff, 0xda, 0, 8, 1, 1, 0, 1, 63, 0][..], &[0x55; 64]].concat();
+    let scans = [&file[..end], &band.repeat(5_000), &[0xff, 0xd9]].concat();
+    let tables = [&file[..table], &file[table..header].repeat(200_000), &file[header..]].concat();
+    for (name, file) in [("scans", &scans), ("tables", &tables)] {
+        let begun = Instant::now();
+        _ = decode_any(file, name);
+        assert!(begun.elapsed() < Duration::from_secs(3), "{name}: {:?}", begun.elapsed());
+    }
+    assert!(start < end && decode(&scans).unwrap_err().to_string().contains("64 scans"));
+}
+
+/// A big TIFF of 16 x 16 px with these entries after those of a grey image in one strip: tag, type, count, value.
+fn big_tiff(entries: &[[u64; 4]]) -> Vec<u8> {
+    let image = [
+        [256, 4, 1, 16],
+        [257, 4, 1, 16],
+        [258, 3, 1, 8],
+        [262, 3, 1, 1],
+        [273, 4, 1, 16],
+        [277, 3, 1, 1],
+        [278, 4, 1, 16],
+        [279, 4, 1, 256],
+    ];
+    let mut file = b"II+\0\x08\0\0\0".to_vec();
+    file.extend((16 + 256u64).to_le_bytes());
+    file.extend([7; 256]);
+    file.extend(((image.len() + entries.len()) as u64).to_le_bytes());
+    for [tag, kind, count, value] in image.iter().chain(entries) {
+        file.extend((*tag as u16).to_le_bytes());
+        file.extend((*kind as u16).to_le_bytes());
+        file.extend(count.to_le_bytes());
+        file.extend(value.to_le_bytes());
+    }
+    file.extend([0; 8]);
+    file
+}
+
+#[test]
+fn millions_of_tiff_tags_and_of_their_values_cost_little() {
+    assert!(decode(&big_tiff(&[])).is_ok());
+    let tags = big_tiff(&vec![[40_000, 3, 1, 0]; 3_000_000]);
+    let mut values = big_tiff(&[[338, 3, 20_000_000, 0]]);
+    let end = values.len() as u64;
+    let place = values.len() - 16;
+    values[place..place + 8].copy_from_slice(&end.to_le_bytes());
+    values.resize(values.len() + 40_000_000, 0);
+    let strips = tiff_writer::write(false, &[0; 8], {
+        let mut tags = tiff_writer::one_strip(1, 1_500_000, 8, 1, 1, 8);
+        tags.retain(|tag| !matches!(tag, tiff_writer::Tag::Long(273 | 278 | 279, _)));
+        tags.extend([
+            tiff_writer::Tag::Long(273, vec![8; 1_500_000]),
+            tiff_writer::Tag::Long(278, vec![1]),
+            tiff_writer::Tag::Long(279, vec![1; 1_500_000]),
+        ]);
+        tags
+    });
+    for (name, file) in [("tags", tags), ("values", values), ("strips", strips)] {
+        let begun = Instant::now();
+        let error = decode_any(&file, name).expect_err(name);
+        assert!(begun.elapsed() < Duration::from_millis(500), "{name}: {:?}", begun.elapsed());
+        assert!(error.to_string().contains("up to"), "{name}: {error}");
+    }
+}
+
+#[test]
+fn a_padded_header_of_an_anymap_is_refused_at_once() {
+    for magic in ["P1", "P2", "P5", "P6", "P7"] {
+        for padding in [" ", "\n", "# a comment\n", "0", "WIDTH 9\n"] {
+            let file = [magic.as_bytes(), b"\n", padding.repeat(100_000_000 / padding.len()).as_bytes(), b"9 9\n255\n"].concat();
+            let begun = Instant::now();
+            let error = decode_any(&file, magic).expect_err(magic);
+            assert!(begun.elapsed() < Duration::from_millis(100), "{magic} padded with {padding:?}: {:?}", begun.elapsed());
+            assert_eq!(error.code(), "unreadable-image");
+        }
+    }
+}
+
 #[test]
 fn sides_of_zero_are_refused() {
     let png = |w: u32, h: u32| [b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".as_slice(), &w.to_be_bytes(), &h.to_be_bytes(), &[8, 0, 0, 0, 0]].concat();

@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BlockScene, grey_png, photo_camera, read_project } from '../../pkg/node.js';
+import { BlockScene, FinishedBlock, grey_png, photo_camera } from '../../pkg/node.js';
 import { done, hosted, open, part, saved, SKIP, upload } from './page.js';
 
 hosted();
@@ -27,7 +27,7 @@ async function openedPair(page, camera) {
   await part(page, 'block-run').click();
   await page.waitForFunction(() => /^(Done|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
   await part(page, 'block-export-kind').selectOption('project');
-  const { block } = read_project(await saved(page, 'block-export'));
+  const block = FinishedBlock.open(await saved(page, 'block-export')).model();
   await part(page, 'block-show-matrix').click();
   await part(page, 'block-matrix').focus();
   await page.keyboard.press('ArrowRight');

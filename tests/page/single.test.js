@@ -5,6 +5,24 @@ import { hosted, number, open, sample, saved, SHOTS, singleUrl, SKIP } from './p
 
 hosted();
 
+/** Runs in the page: text that becomes markup by itself, which Trusted Types refuse. */
+const injected = () => {
+  try {
+    document.createElement('div').innerHTML = '<img src=x onerror=alert(1)>';
+    return 'taken';
+  } catch (error) {
+    return /** @type {Error} */ (error).name;
+  }
+};
+
+test('text does not become markup or a script of the page, in one file or on a host', { skip: SKIP }, async () => {
+  for (const options of [{}, { url: singleUrl() }]) {
+    const { page, close } = await open(options);
+    assert.equal(await page.evaluate(injected), 'TypeError');
+    await close();
+  }
+});
+
 test('the page in one file runs from a double-click, alone and offline', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ url: singleUrl(), options: { offline: true } });
   await sample(page);

@@ -4,7 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { spawnSync } from 'node:child_process';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { BlockScene, read_project, score_block } from '../../pkg/node.js';
+import { BlockScene, FinishedBlock, score_block } from '../../pkg/node.js';
 import { DATA, readJson, ROOT } from '../lib/paths.mjs';
 import { have } from './data.mjs';
 
@@ -90,7 +90,7 @@ function block(folder, name, method, args) {
   const began = performance.now();
   call('block', ...args, '--out', out, '--refine', method, '--workers', '2');
   const seconds = (performance.now() - began) / 1000;
-  const model = read_project(readFileSync(join(out, 'project.tiepoint'))).block;
+  const model = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint'))).model();
   const [header = '', ...lines] = readFileSync(join(out, 'rays.csv'), 'utf8').trimEnd().split('\n');
   const column = header.split(',').indexOf('refinement');
   const outcomes = lines.map((line) => (column < 0 ? '' : line.split(',')[column] ?? ''));

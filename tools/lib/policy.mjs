@@ -1,6 +1,6 @@
 /** The content-security policies: all that is not named is forbidden. */
 
-const COMMON = ["default-src 'none'", "base-uri 'none'", "form-action 'none'"];
+const COMMON = ["default-src 'none'", "base-uri 'none'", "form-action 'none'", "require-trusted-types-for 'script'", 'trusted-types tiepoint'];
 
 /** The page on a host: its own files and nothing else. */
 export const WEB_POLICY = [

@@ -31,8 +31,6 @@ export interface Pair {
   store: Store;
   engine: Engine;
   taker: Taker;
-  /** Runs an action of the user's; what goes wrong is said in the status line. */
-  attempt: (action: () => void | Promise<void>) => Promise<void>;
 }
 
 export function mountPair(): Pair {
@@ -45,6 +43,7 @@ export function mountPair(): Pair {
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
   const files = new Files(store, engine);
+  /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {
       await action();
@@ -81,5 +80,5 @@ export function mountPair(): Pair {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');
   });
-  return { store, engine, attempt, taker: takerOf(view, files) };
+  return { store, engine, taker: takerOf(view, files) };
 }

@@ -2,7 +2,7 @@
 
 use super::segments::{Segment, cut_off, write_segment};
 use crate::Error;
-use crate::image::header::{Format, damaged};
+use crate::image::header::{FileLayout, Format, damaged};
 
 /// The frame header.
 pub struct Frame {
@@ -75,15 +75,31 @@ impl Frame {
         Ok(())
     }
 
-    /// Output and working memory of the decoder: progressive coefficients of all components are held at once.
-    pub fn bytes_per_pixel(&self) -> u64 {
-        if self.progressive { 11 } else { 8 }
+    /// What the limits ask for.
+    pub fn layout(&self) -> FileLayout {
+        let [width, height] = [self.width, self.height].map(u64::from);
+        // Each block of the first component takes a code for its mean, and in a sequential scan one for its end.
+        let bits = if self.progressive { 1 } else { 2 };
+        let least_bytes = width.div_ceil(8) * height.div_ceil(8) * bits / 8;
+        // Output and working memory of the decoder: progressive coefficients of all components are held at once.
+        let bytes_per_pixel = if self.progressive { 11 } else { 8 };
+        FileLayout { format: Format::Jpeg, width, height, bytes_per_pixel, least_bytes }
     }
 
-    /// Minimum coded units of a scan of all components.
-    pub fn units(&self) -> usize {
+    /// Minimum coded units of a scan: of all components, or the blocks of one.
+    pub fn units(&self, scanned: &[u8]) -> usize {
         let (across, down) = self.components[0].sampling;
-        usize::from(self.width).div_ceil(8 * usize::from(across)) * usize::from(self.height).div_ceil(8 * usize::from(down))
+        let count = |side: u16, sampled: u8, most: u8| (usize::from(side) * usize::from(sampled)).div_ceil(8 * usize::from(most));
+        match self.components.iter().find(|c| scanned == [c.id]) {
+            Some(only) => count(self.width, only.sampling.0, across) * count(self.height, only.sampling.1, down),
+            None => count(self.width, 1, across) * count(self.height, 1, down),
+        }
+    }
+
+    /// Blocks of a minimum coded unit of a scan.
+    pub fn blocks_of_a_unit(&self, scanned: &[u8]) -> usize {
+        let blocks = |c: &Component| usize::from(c.sampling.0) * usize::from(c.sampling.1);
+        if scanned.len() == 1 { 1 } else { self.components.iter().filter(|c| scanned.contains(&c.id)).map(blocks).sum() }
     }
 
     /// Leaves the first component alone: a grey image.

@@ -4,6 +4,7 @@
 //! that ends early, or scan data that do.
 
 mod frame;
+mod scan;
 mod segments;
 mod stream;
 
@@ -13,18 +14,17 @@ use zune_jpeg::zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options:
 use self::frame::Frame;
 use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
-use super::header::{Format, damaged};
+use super::header::{FileLayout, Format, damaged};
 use super::luminance::{SampleLayout, grey_of_u8};
 use crate::Error;
 
-/// Width, height and most bytes a pixel that decoding needs.
-pub(super) fn read_header(bytes: &[u8]) -> Result<(u64, u64, u64), Error> {
+/// Reads the layout from the frame header.
+pub(super) fn read_header(bytes: &[u8]) -> Result<FileLayout, Error> {
     let mut segments = Segments::of(bytes);
     loop {
         let segment = segments.next()?;
         if segment.is_frame() {
-            let frame = Frame::read(&segment)?;
-            return Ok((frame.width.into(), frame.height.into(), frame.bytes_per_pixel()));
+            return Ok(Frame::read(&segment)?.layout());
         }
         if matches!(segment.marker, marker::SOS | marker::EOI) {
             return Err(damaged(Format::Jpeg, "its image data come before its frame header"));

@@ -1,9 +1,13 @@
 //! The stream for the decoder: checked, and with nothing in it but what decoding needs.
 
 use super::frame::Frame;
+use super::scan::Scan;
 use super::segments::{Segment, Segments, marker, write_segment};
 use crate::Error;
 use crate::image::header::{Format, damaged};
+
+/// Each scan of a progressive file is a walk over all blocks, however few bytes it has. Encoders write 10 to 20 scans.
+const MOST_SCANS: usize = 64;
 
 /// What the decoder is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,6 +54,7 @@ struct Writer {
     complete: bool,
     adobe_transform: Option<u8>,
     restart_interval: usize,
+    scans: usize,
 }
 
 impl Writer {
@@ -86,11 +91,15 @@ impl Writer {
         if self.complete {
             return Ok(());
         }
+        self.scans += 1;
+        if self.scans > MOST_SCANS {
+            return Err(Error::UnsupportedImage { what: format!("JPEG of more than {MOST_SCANS} scans"), allowed: "up to 64 scans" });
+        }
         let stores_rgb = self.stores_rgb();
         let frame = self.frame.as_mut().ok_or_else(|| damaged(Format::Jpeg, "its image data come before its frame header"))?;
+        let scanned: Vec<u8> = segment.body.get(1..).unwrap_or_default().chunks(2).map(|selector| selector[0]).collect();
+        let scanned = &scanned[..scanned.len().min(segment.body.first().copied().unwrap_or(0).into())];
         if !frame.progressive {
-            let scanned: Vec<u8> = segment.body.get(1..).unwrap_or_default().chunks(2).map(|selector| selector[0]).collect();
-            let scanned = &scanned[..scanned.len().min(segment.body.first().copied().unwrap_or(0).into())];
             let first = frame.components[0].id;
             if scanned.len() < frame.components.len() {
                 match scanned {
@@ -100,19 +109,22 @@ impl Writer {
                     _ => return Ok(()),
                 }
             }
-            check_restarts(&restarts, frame.units(), self.restart_interval)?;
             self.complete = true;
         }
+        let scan = Scan::new(segment.body, frame, scanned, self.restart_interval);
+        scan.check_restarts(&restarts)?;
         if !self.begun {
             frame.write(&mut self.stream);
+            if frame.progressive {
+                // The decoder takes the first scan only with a marker right behind it, without the ones. So it comes twice; a first scan
+                // writes coefficients, and writing them again changes nothing.
+                write_segment(marker::SOS, segment.body, &mut self.stream);
+                self.stream.extend(data);
+            }
             self.begun = true;
         }
         write_segment(marker::SOS, segment.body, &mut self.stream);
-        self.stream.extend(data);
-        if self.complete {
-            end_in_ones(&mut self.stream);
-        }
-        Ok(())
+        scan.write(data, &mut self.stream)
     }
 
     fn stores_rgb(&self) -> bool {
@@ -141,27 +153,4 @@ impl Writer {
 fn scans_apart(components: &str) -> Error {
     let what = format!("baseline JPEG with scans of {components} apart");
     Error::UnsupportedImage { what, allowed: "one scan of all components, or one of luma alone" }
-}
-
-/// Refuses a scan whose restart markers show that intervals are missing. Some encoders add one restart after the last interval.
-fn check_restarts(restarts: &[u8], units: usize, interval: usize) -> Result<(), Error> {
-    if interval == 0 {
-        return Ok(());
-    }
-    let expected = units.div_ceil(interval) - 1;
-    let in_order = restarts.iter().enumerate().all(|(i, &number)| usize::from(number) == i % 8);
-    if !in_order || !(expected..=expected + 1).contains(&restarts.len()) {
-        return Err(damaged(
-            Format::Jpeg,
-            format!("it has {} of {expected} restart markers, or not in order: data are missing", restarts.len()),
-        ));
-    }
-    Ok(())
-}
-
-/// Appends bits that no Huffman code consists of: a decoder that runs out of data meets an error instead of made-up zeros.
-fn end_in_ones(stream: &mut Vec<u8>) {
-    for _ in 0..16 {
-        stream.extend([0xff, 0x00]);
-    }
 }

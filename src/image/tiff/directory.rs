@@ -7,7 +7,7 @@ pub(super) struct Directory<'a> {
     big: bool,
     /// Where the entries begin, and how many there are.
     start: usize,
-    entries: usize,
+    pub entries: usize,
 }
 
 impl<'a> Directory<'a> {
@@ -25,13 +25,25 @@ impl<'a> Directory<'a> {
 
     /// The first value of a tag of unsigned numbers.
     pub fn value(&self, tag: u64) -> Option<u64> {
-        self.value_at(tag, 0)
+        let (at, size, count) = self.values(tag)?;
+        (count > 0).then(|| self.unsigned(at, size))?
     }
 
-    /// One value of a tag of unsigned numbers.
-    pub fn value_at(&self, tag: u64, index: usize) -> Option<u64> {
-        let (at, size, count) = self.values(tag)?;
-        (index < count).then(|| self.unsigned(at + index * size, size))?
+    /// The first values of a tag of unsigned numbers, where there are so many and each fits.
+    pub fn shorts(&self, tag: u64, wanted: usize) -> Option<Vec<u16>> {
+        let (at, size, _) = self.values(tag).filter(|(_, _, count)| *count >= wanted)?;
+        (0..wanted).map(|i| u16::try_from(self.unsigned(at + i * size, size)?).ok()).collect()
+    }
+
+    /// Each tag with the number of its values.
+    pub fn counts(&self) -> impl Iterator<Item = (u64, u64)> {
+        let room = if self.big { 8 } else { 4 };
+        self.places().filter_map(move |at| Some((self.unsigned(at, 2)?, self.unsigned(at + 4, room)?)))
+    }
+
+    /// Where the entries stand.
+    fn places(&self) -> impl Iterator<Item = usize> {
+        (0..self.entries).map(|i| self.start + i * self.entry_size())
     }
 
     /// Where the first value of a tag stands, and the bytes that a new value has there.
@@ -43,7 +55,7 @@ impl<'a> Directory<'a> {
 
     /// Where the values of a tag stand, the bytes of one, and how many the file holds.
     fn values(&self, tag: u64) -> Option<(usize, usize, usize)> {
-        let entry = (0..self.entries).map(|i| self.start + i * self.entry_size()).find(|&at| self.unsigned(at, 2) == Some(tag))?;
+        let entry = self.places().find(|&at| self.unsigned(at, 2) == Some(tag))?;
         let size = match self.unsigned(entry + 2, 2)? {
             1 => 1,
             3 => 2,

@@ -9,7 +9,7 @@ use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 use self::directory::Directory;
-use super::header::{Format, damaged, truncated};
+use super::header::{DEFLATE_MOST, FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use crate::Error;
 
@@ -27,14 +27,50 @@ mod tag {
     pub const TILE_WIDTH: u64 = 322;
     pub const TILE_HEIGHT: u64 = 323;
     pub const SAMPLE_FORMAT: u64 = 339;
+
+    /// Offsets and lengths of strips and of tiles.
+    pub const OF_CHUNKS: [u64; 4] = [273, 279, 324, 325];
+    pub const EXTRA_SAMPLES: u64 = 338;
+    pub const CHROMA_SUBSAMPLING: u64 = 530;
+    /// What else the decoder reads, all of its values.
+    pub const DECODED: [u64; 14] = [
+        WIDTH,
+        HEIGHT,
+        BITS,
+        COMPRESSION,
+        PHOTOMETRIC,
+        SAMPLES,
+        ROWS_PER_STRIP,
+        PLANAR,
+        PREDICTOR,
+        TILE_WIDTH,
+        TILE_HEIGHT,
+        EXTRA_SAMPLES,
+        SAMPLE_FORMAT,
+        CHROMA_SUBSAMPLING,
+    ];
 }
 
 const BLACK_IS_ZERO: u64 = 1;
 const RGB: u64 = 2;
 const PALETTE: u64 = 3;
 
-/// Longest side of a tile: a row of a tile is held in memory.
+const LZW: u64 = 5;
+const DEFLATE: u64 = 8;
+const PACK_BITS: u64 = 32773;
+const OLD_DEFLATE: u64 = 32946;
+
+/// Some hundreds of tags are registered.
+const MOST_TAGS: usize = 4_096;
+/// Most values of a tag: the decoder holds each in 32 bytes.
+const MOST_VALUES: u64 = 1 << 16;
+/// 250 MP in the smallest tiles, those of 16 x 16 px, are fewer.
+const MOST_CHUNKS: u64 = 1_000_000;
+
+/// Longest side of a tile.
 const MAX_TILE_SIDE: u64 = 1 << 16;
+/// A row of a tile is held in memory.
+const MAX_TILE_ROW_BYTES: u64 = 1 << 24;
 
 /// What the first image directory declares.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,6 +80,7 @@ pub(super) struct TiffLayout {
     bits: u64,
     samples: u64,
     photometric: u64,
+    compression: u64,
     planar: bool,
     predictor: u64,
 }
@@ -52,6 +89,7 @@ impl TiffLayout {
     /// Reads the directory and refuses what is not decoded.
     pub fn read(bytes: &[u8]) -> Result<Self, Error> {
         let directory = Directory::first(bytes).ok_or_else(|| truncated(Format::Tiff))?;
+        check_counts(&directory)?;
         let side = |tag, name| directory.value(tag).ok_or_else(|| damaged(Format::Tiff, format!("it does not declare its {name}")));
         let layout = Self {
             width: side(tag::WIDTH, "width")?,
@@ -59,6 +97,7 @@ impl TiffLayout {
             bits: directory.value(tag::BITS).unwrap_or(1),
             samples: directory.value(tag::SAMPLES).unwrap_or(1),
             photometric: directory.value(tag::PHOTOMETRIC).unwrap_or(BLACK_IS_ZERO),
+            compression: directory.value(tag::COMPRESSION).unwrap_or(1),
             planar: directory.value(tag::PLANAR) == Some(2),
             predictor: directory.value(tag::PREDICTOR).unwrap_or(1),
         };
@@ -66,9 +105,19 @@ impl TiffLayout {
         Ok(layout)
     }
 
-    /// Bytes a pixel of the decoder's output.
-    pub fn bytes_per_pixel(&self) -> u64 {
-        self.samples.saturating_mul(self.bits / 8)
+    /// What the limits ask for.
+    pub fn file_layout(&self) -> FileLayout {
+        let Self { width, height, .. } = *self;
+        let bytes_per_pixel = self.samples.saturating_mul(self.bits / 8);
+        let most = match self.compression {
+            // A code of 12 bits stands for up to 3,839 bytes.
+            LZW => 2_560,
+            PACK_BITS => 64,
+            DEFLATE | OLD_DEFLATE => DEFLATE_MOST,
+            _ => 1,
+        };
+        let least_bytes = width.saturating_mul(height).saturating_mul(bytes_per_pixel) / most;
+        FileLayout { format: Format::Tiff, width, height, bytes_per_pixel, least_bytes }
     }
 
     fn check_supported(&self, directory: &Directory<'_>) -> Result<(), Error> {
@@ -88,22 +137,25 @@ impl TiffLayout {
                 return refuse(what, "grey (0, 1), RGB (2) with 3 or more samples, palette (3) of 8 bits");
             }
         }
-        let compression = directory.value(tag::COMPRESSION).unwrap_or(1);
-        if !matches!(compression, 1 | 5 | 8 | 32773 | 32946) {
-            return refuse(format!("with compression {compression}"), "none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)");
+        if !matches!(self.compression, 1 | LZW | DEFLATE | OLD_DEFLATE | PACK_BITS) {
+            return refuse(format!("with compression {}", self.compression), "none, LZW, Deflate, PackBits (1, 5, 8, 32946, 32773)");
         }
         if [tag::TILE_WIDTH, tag::TILE_HEIGHT].iter().any(|&side| directory.value(side).is_some_and(|side| side > MAX_TILE_SIDE)) {
             return refuse("with a tile side of more than 65,536 px".into(), "tile sides of up to 65,536 px");
+        }
+        let tile_row_bytes = directory.value(tag::TILE_WIDTH).unwrap_or(0).saturating_mul(self.file_layout().bytes_per_pixel);
+        if tile_row_bytes > MAX_TILE_ROW_BYTES {
+            return refuse(format!("with {tile_row_bytes} bytes in a row of a tile"), "up to 16,777,216");
         }
         Ok(())
     }
 }
 
 /// Decodes to grey; gives the bits of a stored sample as well.
-pub(super) fn decode(bytes: &[u8], pixels: usize, max_memory: usize) -> Result<(Vec<u8>, u8), Error> {
+pub(super) fn decode(bytes: &[u8], pixels: usize) -> Result<(Vec<u8>, u8), Error> {
     let declared = TiffLayout::read(bytes)?;
     let greys = if declared.photometric == PALETTE { Some(palette_greys(bytes)?) } else { None };
-    let (samples, channels) = read_samples(&as_the_decoder_reads(bytes, &declared), &declared, max_memory)?;
+    let (samples, channels) = read_samples(&as_the_decoder_reads(bytes, &declared), &declared)?;
     let plane_stride = (declared.planar && channels > 1).then_some(pixels);
     let layout = SampleLayout { channels, colour: declared.photometric == RGB, plane_stride };
     let expected = pixels.checked_mul(channels);
@@ -121,12 +173,9 @@ pub(super) fn decode(bytes: &[u8], pixels: usize, max_memory: usize) -> Result<(
 }
 
 /// All samples of the first image and the number of samples a pixel.
-fn read_samples(bytes: &[u8], declared: &TiffLayout, max_memory: usize) -> Result<(DecodingResult, usize), Error> {
-    let mut limits = Limits::default();
-    limits.decoding_buffer_size = max_memory;
-    limits.intermediate_buffer_size = max_memory;
-    limits.ifd_value_size = bytes.len();
-    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(decoder_error)?.with_limits(limits);
+fn read_samples(bytes: &[u8], declared: &TiffLayout) -> Result<(DecodingResult, usize), Error> {
+    // What the image needs is checked already.
+    let mut decoder = Decoder::new(Cursor::new(bytes)).map_err(decoder_error)?.with_limits(Limits::unlimited());
     let (width, height) = decoder.dimensions().map_err(decoder_error)?;
     if (u64::from(width), u64::from(height)) != (declared.width, declared.height) {
         return Err(damaged(Format::Tiff, "its directory declares two sizes"));
@@ -142,10 +191,27 @@ fn read_samples(bytes: &[u8], declared: &TiffLayout, max_memory: usize) -> Resul
     Ok((samples, usize::from(channels)))
 }
 
+/// Refuses directories that cost much to read: the decoder holds what they say of strips and tiles, and the values of other tags.
+fn check_counts(directory: &Directory<'_>) -> Result<(), Error> {
+    if directory.entries > MOST_TAGS {
+        return Err(damaged(Format::Tiff, format!("its directory has {} tags; up to {MOST_TAGS} are read", directory.entries)));
+    }
+    for (tag, count) in directory.counts() {
+        let most = match tag {
+            _ if tag::OF_CHUNKS.contains(&tag) => MOST_CHUNKS,
+            _ if tag::DECODED.contains(&tag) => MOST_VALUES,
+            _ => continue,
+        };
+        if count > most {
+            return Err(damaged(Format::Tiff, format!("tag {tag} has {count} values; up to {most} are read")));
+        }
+    }
+    Ok(())
+}
+
 /// The grey value of each palette index; the colour map holds 16-bit red, then green, then blue.
 fn palette_greys(bytes: &[u8]) -> Result<Vec<u8>, Error> {
-    let colour = |i| Directory::first(bytes)?.value_at(tag::COLOUR_MAP, i).and_then(|v| u16::try_from(v).ok());
-    let map: Option<Vec<u16>> = (0..768).map(colour).collect();
+    let map = Directory::first(bytes).and_then(|directory| directory.shorts(tag::COLOUR_MAP, 768));
     let map = map.ok_or_else(|| damaged(Format::Tiff, "its colour map has not 3 x 256 entries"))?;
     Ok(grey_of_u16(&map, 256, SampleLayout { channels: 3, colour: true, plane_stride: Some(256) }))
 }

@@ -16,7 +16,7 @@ mod score;
 
 pub use exposures::Exposure;
 pub use photos::BlockScene;
-pub use score::{BlockScore, score_block};
+pub use score::{BlockScore, check_truth, score_block};
 
 use crate::catalogue::{choices, options};
 use crate::{BlockMatches, Error, FeatureMatch, ImageFeatures};

@@ -45,7 +45,7 @@ pub fn score_block(model: &BlockModel, truth: &BlockModel) -> Result<BlockScore,
     let of_images: Vec<Option<&TrueImage<'_>>> = model.images.iter().map(|image| known.get(image.name.as_str())).collect();
     let images = of_images.iter().flatten().count();
     if images == 0 {
-        return refused("none of the block's images".into(), "a truth of these images");
+        return of_other_images();
     }
     let poses: Vec<(&Pose, &Pose)> =
         model.images.iter().zip(&of_images).filter_map(|(image, known)| Some((image.pose.as_ref()?, known.as_ref()?.pose))).collect();
@@ -67,6 +67,20 @@ pub fn score_block(model: &BlockModel, truth: &BlockModel) -> Result<BlockScore,
         right_points: right.len(),
         right_rmse_px: root_mean_square(right.into_iter().flatten()),
     })
+}
+
+/// Refuses a truth that is none, or of other images, before these are computed.
+///
+/// # Errors
+/// As [`score_block`].
+pub fn check_truth(truth: &BlockModel, names: &[String]) -> Result<(), Error> {
+    truth.check()?;
+    let known = true_images(truth)?;
+    if names.iter().any(|name| known.contains_key(name.as_str())) { Ok(()) } else { of_other_images() }
+}
+
+fn of_other_images<T>() -> Result<T, Error> {
+    refused("none of the block's images".into(), "a truth of these images")
 }
 
 fn true_images(truth: &BlockModel) -> Result<BTreeMap<&str, TrueImage<'_>>, Error> {

@@ -4,7 +4,7 @@ use crate::matching::Refusal;
 use serde::{Deserialize, Serialize};
 
 /// What became of a ray.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum RefinementOutcome {

@@ -1,7 +1,7 @@
 /** Runs a block: hands its jobs to the pool, keeps its records, and reports to the store. */
 import type { Jobs } from '../../../pkg/block/index.js';
 import type { BlockFlight, BlockModel, BlockSettings } from '../../../pkg/wasm/tiepoint.js';
-import { CallError, Cancelled, WorkerClient } from '../../shared/engine/client';
+import { breakdownOf, Cancelled, WorkerClient } from '../../shared/engine/client';
 import { WorkerPool } from '../../shared/engine/pool';
 import { messageOf, sentence } from '../../shared/text/format';
 import type { Holder } from '../../shared/state/store';
@@ -150,6 +150,5 @@ function madeBuffer(answer: JobAnswer): Transferable[] {
 }
 
 function reasonOf(error: unknown): string {
-  const text = messageOf(error);
-  return error instanceof CallError && error.ended ? `the worker ran out of memory or broke down (${text})` : text;
+  return breakdownOf(error) ?? messageOf(error);
 }

@@ -1,28 +1,25 @@
 /** Where the images of a block are drawn: from above where their poses or recorded positions are known, else by who is connected with whom. */
 import { local_positions } from '../../../pkg/wasm/tiepoint.js';
-import type { ExifImage, ModelImage } from '../../../pkg/wasm/tiepoint.js';
+import type { ExifPosition } from '../../../pkg/wasm/tiepoint.js';
 import type { Layout, ViewConnection } from '../state/view';
 
 /** Steps of the arrangement by connections, times images squared: more take too long. */
 const MOST_STEPS = 2e8;
 
 /** Poses where any image has one, recorded positions where most have one, else connections. Images without a place stand beside their neighbours. */
-export function layoutOf(images: readonly ModelImage[], exif: readonly (ExifImage | null)[], connections: readonly ViewConnection[]): Layout {
-  const oriented = images.map(({ pose }) => pose?.position.slice(0, 2) ?? null);
+export function layoutOf(centres: readonly (readonly number[] | null)[], recordings: readonly (ExifPosition | null)[], connections: readonly ViewConnection[]): Layout {
+  const oriented = centres.map((centre) => centre?.slice(0, 2) ?? null);
   if (oriented.some((place) => place !== null)) return { kind: 'oriented', places: completed(oriented, connections) };
-  const recorded = recordedPlaces(exif);
-  if (2 * recorded.filter((place) => place !== null).length > images.length) return { kind: 'recorded', places: completed(recorded, connections) };
-  return { kind: 'connections', places: arranged(images.length, connections) };
+  const recorded = recordedPlaces(recordings);
+  if (2 * recorded.filter((place) => place !== null).length > centres.length) return { kind: 'recorded', places: completed(recorded, connections) };
+  return { kind: 'connections', places: arranged(centres.length, connections) };
 }
 
 /** In m, east and north. */
-function recordedPlaces(exif: readonly (ExifImage | null)[]): (number[] | null)[] {
-  const geographic = exif.flatMap((image) => {
-    const position = image?.position ?? null;
-    return position === null ? [NaN, NaN, NaN] : [position.longitude_deg, position.latitude_deg, position.height_m ?? 0];
-  });
+function recordedPlaces(recordings: readonly (ExifPosition | null)[]): (number[] | null)[] {
+  const geographic = recordings.flatMap((position) => (position === null ? [NaN, NaN, NaN] : [position.longitude_deg, position.latitude_deg, position.height_m ?? 0]));
   const local = local_positions(Float64Array.from(geographic));
-  return exif.map((_, i) => {
+  return recordings.map((_, i) => {
     const place = [...local.subarray(3 * i, 3 * i + 2)];
     return place.every(Number.isFinite) ? place : null;
   });

@@ -1,26 +1,28 @@
 /** The files that a block is saved as: one by itself, several as one archive. */
 import { Zip, ZipDeflate } from 'fflate';
-import { PROJECT_FILE, writing } from '../../../pkg/block/index.js';
-import { export_block, export_formats, write_project } from '../../../pkg/wasm/tiepoint.js';
+import { export_formats } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockWriting, Emit, FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
 import type { ExportKind, MadeFile } from './calls';
-import type { Held } from './outcome';
 
 /** The time in archives: that of their making would give the same block other bytes. */
 const TIME = '1980-01-01T00:00:00';
 
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
-export async function made({ run, project }: Held, kind: ExportKind, name: string, signal: AbortSignal): Promise<MadeFile> {
+export async function made(block: FinishedBlock, kind: ExportKind, name: string, signal: AbortSignal): Promise<MadeFile> {
   const files = new Map<string, string>();
-  const write = (path: string, text: string) => { files.set(path, text); };
-  if (kind === 'project') write(`${name}-${PROJECT_FILE}`, write_project(project));
-  else if (kind !== 'everything') export_block(project.block, kind, write);
-  else if (run !== null) await inSteps(writing(run, export_formats(), write), signal);
-  else throw new Error('a block that was opened has no run behind it: run it again to save everything');
+  const write: Emit = (path, text) => { files.set(path, text); };
+  if (kind === 'project') write(`${name}-project.tiepoint`, block.project());
+  else if (kind === 'everything') await inSteps(block.files(export_formats()), write, signal);
+  else block.export(kind, write);
   return packed(files, `${name}-${kind}`, signal);
 }
 
-async function inSteps(steps: Generator<void, object>, signal: AbortSignal): Promise<void> {
-  while (steps.next().done !== true) await pause(signal);
+async function inSteps(writing: BlockWriting, write: Emit, signal: AbortSignal): Promise<void> {
+  try {
+    while (writing.step(write) === null) await pause(signal);
+  } finally {
+    writing.free();
+  }
 }
 
 /** Lets messages in, of which one may end it all. */

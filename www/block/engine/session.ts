@@ -1,19 +1,18 @@
 /** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
 import { runBlock } from '../../../pkg/block/index.js';
-import type { BlockRun, Jobs, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
-import { read_project, score_block } from '../../../pkg/wasm/tiepoint.js';
+import type { Jobs, Pool, Store as RecordStore } from '../../../pkg/block/index.js';
+import { FinishedBlock } from '../../../pkg/wasm/tiepoint.js';
 import type { ExportKind, FromRun, JobAnswer, JobRequest, MadeFile, Refusal, RunInput, ToRun } from './calls';
 import type { BlockFile } from '../state/state';
 import { Coming } from './coming';
 import { made } from './made';
-import { viewOfProject, viewOfRun } from './outcome';
-import type { Held } from './outcome';
+import { viewOf } from './outcome';
 import type { BlockView } from '../state/view';
 
-let held: Held | null = null;
+let held: FinishedBlock | null = null;
 
 /** The block that was run or opened last. */
-export function heldBlock(): Held {
+export function heldBlock(): FinishedBlock {
   if (held === null) throw new Error('no block is held: run it again');
   return held;
 }
@@ -22,15 +21,14 @@ export async function blockRun({ files, options, masks, truth, workers, kept, po
   const link = new Link(port);
   const coming = new Coming(options.cameras?.text, (view) => { link.send({ kind: 'part', view }); });
   try {
-    const run: BlockRun = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
+    const { finished } = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
       pool: link.pool(workers),
       store: storeOf(kept, link),
       progress: (step) => { link.send({ kind: 'step', step }); },
       news: (news) => { coming.take(news); },
       signal: link.stopped.signal,
     });
-    held = { run, project: run.project };
-    return { ...viewOfRun(run), score: truth === null ? null : score_block(run.model, truth) };
+    return { ...hold(finished), score: truth === null ? null : finished.score(truth) };
   } catch (error) {
     coming.tell();
     throw error;
@@ -41,9 +39,13 @@ export async function blockRun({ files, options, masks, truth, workers, kept, po
 }
 
 export function blockOpen({ bytes }: { bytes: Uint8Array }): BlockView {
-  const project = read_project(bytes);
-  held = { run: null, project };
-  return viewOfProject(project);
+  return hold(FinishedBlock.open(bytes));
+}
+
+function hold(block: FinishedBlock): BlockView {
+  held?.free();
+  held = block;
+  return viewOf(block);
 }
 
 export async function blockExport({ kind, name, stop }: { kind: ExportKind; name: string; stop: MessagePort }): Promise<MadeFile> {

@@ -24,8 +24,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   });
   store.watch((s) => [s.shown] as const, ([shown]) => {
     const formats = shown?.view.formats ?? [];
-    // Everything holds tables that only a run can fill.
-    const kinds: ExportKind[] = ['project', ...(shown !== null && shown.files.length > 0 ? (['everything'] as const) : []), ...formats];
+    const kinds: ExportKind[] = ['project', 'everything', ...formats];
     const { value } = select;
     fill(select, ...kinds.map((kind) => new Option(NAMES[kind], kind)));
     if (kinds.includes(value as ExportKind)) select.value = value;

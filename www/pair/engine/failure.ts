@@ -35,8 +35,8 @@ export function plainMessage(stage: StageName, error: unknown, catalogue: Catalo
       return error.failure.code === 'image-too-small' ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
     case 'memory':
       return `Memory ran out while ${STAGES[stage].label} (${text}). ${KEPT} ${advice(stage)}`;
-    case 'trap':
-      return `The worker stopped while ${STAGES[stage].label} (${text}): most often memory ran out. ${KEPT} ${advice(stage)}`;
+    case 'fault':
+      return `The program broke off while ${STAGES[stage].label} (${text}): a fault of its own, please report it. ${KEPT} ${advice(stage)}`;
     case 'other':
       return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT} ${advice(stage)}`;
   }

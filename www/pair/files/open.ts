@@ -1,5 +1,5 @@
 /** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
-import { CallError, Cancelled } from '../../shared/engine/client';
+import { breakdownOf, Cancelled } from '../../shared/engine/client';
 import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { messageOf, sentence } from '../../shared/text/format';
@@ -160,9 +160,8 @@ export class Files {
   }
 
   private failedImage(name: string, error: unknown): Told {
-    if (error instanceof CallError && error.ended) {
-      return problem(`${name} could not be opened: the worker ran out of memory (${error.message}). Try a smaller image, or close other tabs.`);
-    }
+    const breakdown = breakdownOf(error);
+    if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
     return this.failed(`${name} cannot be opened`, error);
   }
 

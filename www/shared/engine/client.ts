@@ -11,6 +11,12 @@ export class CallError extends Error {
   }
 }
 
+/** What ended the worker, in words; null where it lives on.  */
+export function breakdownOf(error: unknown): string | null {
+  if (!(error instanceof CallError) || !error.ended) return null;
+  return error.failure.kind === 'memory' ? `the worker ran out of memory (${error.message})` : `the worker broke off at a fault of the program (${error.message}): please report it`;
+}
+
 /** A call that the user cancelled. */
 export class Cancelled extends Error {
   override readonly name = 'Cancelled';
@@ -55,7 +61,7 @@ export class WorkerClient<C extends Table<C>> {
     handle.onmessage = (event: MessageEvent<ResponseMessage>) => { this.receive(event.data); };
     handle.onerror = (event) => {
       event.preventDefault();
-      this.end(new CallError({ kind: 'trap', code: null, message: event.message || 'the worker could not start' }, true));
+      this.end(new CallError({ kind: 'fault', code: null, message: event.message || 'the worker could not start' }, true));
     };
     const ready = wasmModule().then((module) => {
       const start: StartMessage = { module };
@@ -72,7 +78,7 @@ export class WorkerClient<C extends Table<C>> {
       waiting.resolve(response.output as never);
       return;
     }
-    const ended = response.failure.kind === 'trap' || response.failure.kind === 'memory';
+    const ended = response.failure.kind === 'fault' || response.failure.kind === 'memory';
     const error = new CallError(response.failure, ended);
     waiting.reject(error);
     if (ended) this.end(error);

@@ -17,9 +17,9 @@ export interface RequestMessage {
   input: unknown;
 }
 
-/** Why a call failed. After `trap` and `memory` the worker must be ended: its wasm memory is no longer to be trusted. */
+/** Why a call failed. After `fault`, a bug of the program, and `memory` the worker must be ended: its wasm memory is no longer to be trusted. */
 export interface WireFailure {
-  kind: 'refused' | 'trap' | 'memory' | 'other';
+  kind: 'refused' | 'fault' | 'memory' | 'other';
   /** The crate's stable code, where it refused. */
   code: string | null;
   message: string;

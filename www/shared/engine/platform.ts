@@ -5,6 +5,7 @@
  *
  * The module is compiled once and handed to each worker in its first message: a worker loads nothing by itself.
  */
+import { scriptAddress } from './trusted';
 
 /** As `tools/lib/page.mjs` names the files and `tools/lib/compose.mjs` the elements. */
 const WORKER = { file: 'worker.js', element: 'tiepoint-worker' };
@@ -22,7 +23,7 @@ export function spawnWorker(name: string): Worker {
   const code = embedded(WORKER.element);
   workerUrl ??= code === null ? new URL(WORKER.file, document.baseURI).href : URL.createObjectURL(new Blob([code], { type: 'text/javascript' }));
   // The development server gives modules.
-  return new Worker(workerUrl, { name, type: import.meta.env.DEV ? 'module' : 'classic' });
+  return new Worker(scriptAddress(workerUrl), { name, type: import.meta.env.DEV ? 'module' : 'classic' });
 }
 
 let compiled: Promise<WebAssembly.Module> | undefined;

@@ -14,8 +14,8 @@ function transferables(value: unknown): Transferable[] {
 function failureOf(error: unknown): WireFailure {
   const message = messageOf(error);
   const code = error instanceof Error && 'code' in error && typeof error.code === 'string' ? error.code : null;
-  if (error instanceof WebAssembly.RuntimeError) return { kind: 'trap', code, message };
-  if (error instanceof RangeError) return { kind: 'memory', code, message };
+  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) return { kind: 'memory', code, message };
+  if (error instanceof Error && error.name === 'Panic') return { kind: 'fault', code, message };
   return { kind: code === null ? 'other' : 'refused', code, message };
 }
 

@@ -1,9 +1,27 @@
 //! What EXIF tells of an image: its camera, how it is to be turned, where it was taken.
 
-use std::io::Cursor;
+mod fields;
 
-use exif::{Exif, In, Reader, Tag, Value};
 use serde::{Deserialize, Serialize};
+
+use self::fields::{Directory, Fields, Tag};
+
+const MAKE: Tag = (Directory::Main, 0x010f);
+const MODEL: Tag = (Directory::Main, 0x0110);
+const ORIENTATION: Tag = (Directory::Main, 0x0112);
+const FOCAL_LENGTH: Tag = (Directory::Exif, 0x920a);
+const PIXEL_X_DIMENSION: Tag = (Directory::Exif, 0xa002);
+const PIXEL_Y_DIMENSION: Tag = (Directory::Exif, 0xa003);
+const FOCAL_PLANE_X_RESOLUTION: Tag = (Directory::Exif, 0xa20e);
+const FOCAL_PLANE_RESOLUTION_UNIT: Tag = (Directory::Exif, 0xa210);
+const FOCAL_LENGTH_IN_35_MM_FILM: Tag = (Directory::Exif, 0xa405);
+const LATITUDE_REF: Tag = (Directory::Gps, 1);
+const LATITUDE: Tag = (Directory::Gps, 2);
+const LONGITUDE_REF: Tag = (Directory::Gps, 3);
+const LONGITUDE: Tag = (Directory::Gps, 4);
+const ALTITUDE_REF: Tag = (Directory::Gps, 5);
+const ALTITUDE: Tag = (Directory::Gps, 6);
+const H_POSITIONING_ERROR: Tag = (Directory::Gps, 31);
 
 /// Camera data of an EXIF block.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -54,12 +72,12 @@ impl ExifImage {
     /// # Source
     /// CIPA DC-008-2019, Exif 2.32, sections 4.6.4 to 4.6.6.
     pub fn read(file: &[u8], width: u64, height: u64) -> Self {
-        let Some(exif) = read_exif(file) else { return Self::default() };
+        let Some(exif) = Fields::of(file) else { return Self::default() };
         let (position, impossible) = position(&exif);
-        let orientation = number(&exif, Tag::Orientation).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);
+        let orientation = exif.number(ORIENTATION).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);
         Self {
-            make: text(&exif, Tag::Make),
-            model: text(&exif, Tag::Model),
+            make: exif.text(MAKE),
+            model: exif.text(MODEL),
             camera: ExifCamera::of(&exif, width, height),
             orientation,
             position,
@@ -76,42 +94,35 @@ impl ExifCamera {
     ///
     /// Absent where the file has no EXIF, where it is damaged, or where it does not name the focal length.
     pub fn read(file: &[u8], width: u64, height: u64) -> Option<Self> {
-        Self::of(&read_exif(file)?, width, height)
+        Self::of(&Fields::of(file)?, width, height)
     }
 
-    fn of(exif: &Exif, width: u64, height: u64) -> Option<Self> {
-        let focal_mm = positive(exif, Tag::FocalLength)?;
+    fn of(exif: &Fields<'_>, width: u64, height: u64) -> Option<Self> {
+        let focal_mm = positive(exif, FOCAL_LENGTH)?;
         let pixel_mm = focal_plane_pixel_mm(exif, width, height).or_else(|| equivalent_pixel_mm(exif, focal_mm, width, height));
-        Some(Self { make: text(exif, Tag::Make), model: text(exif, Tag::Model), focal_mm, pixel_mm })
+        Some(Self { make: exif.text(MAKE), model: exif.text(MODEL), focal_mm, pixel_mm })
     }
-}
-
-/// What can be read of the file's EXIF; fields that are damaged are left out.
-fn read_exif(file: &[u8]) -> Option<Exif> {
-    let mut reader = Reader::new();
-    reader.continue_on_error(true);
-    reader.read_from_container(&mut Cursor::new(file)).or_else(|error| error.distill_partial_result(|_| {})).ok()
 }
 
 /// Pixel side from the focal-plane resolution, which counts pixels of the image as the camera took it.
-fn focal_plane_pixel_mm(exif: &Exif, width: u64, height: u64) -> Option<f64> {
-    let unit_mm = match number(exif, Tag::FocalPlaneResolutionUnit).map_or(2, |unit| unit as u32) {
+fn focal_plane_pixel_mm(exif: &Fields<'_>, width: u64, height: u64) -> Option<f64> {
+    let unit_mm = match exif.number(FOCAL_PLANE_RESOLUTION_UNIT).map_or(2, |unit| unit as u32) {
         2 => 25.4,
         3 => 10.0,
         4 => 1.0,
         5 => 0.001,
         _ => return None,
     };
-    let taken_pixel_mm = unit_mm / positive(exif, Tag::FocalPlaneXResolution)?;
+    let taken_pixel_mm = unit_mm / positive(exif, FOCAL_PLANE_X_RESOLUTION)?;
     // The longer sides are compared, since software that turns an image upright may leave the EXIF as it was.
-    let taken_side = positive(exif, Tag::PixelXDimension).map(|x| x.max(positive(exif, Tag::PixelYDimension).unwrap_or(0.0)));
+    let taken_side = positive(exif, PIXEL_X_DIMENSION).map(|x| x.max(positive(exif, PIXEL_Y_DIMENSION).unwrap_or(0.0)));
     let stored_side = width.max(height) as f64;
     plausible(taken_pixel_mm * taken_side.map_or(1.0, |taken| taken / stored_side))
 }
 
 /// Pixel side from the focal length that has the same angle of view on the 35 mm frame, diagonal to diagonal.
-fn equivalent_pixel_mm(exif: &Exif, focal_mm: f64, width: u64, height: u64) -> Option<f64> {
-    let equivalent_mm = positive(exif, Tag::FocalLengthIn35mmFilm)?;
+fn equivalent_pixel_mm(exif: &Fields<'_>, focal_mm: f64, width: u64, height: u64) -> Option<f64> {
+    let equivalent_mm = positive(exif, FOCAL_LENGTH_IN_35_MM_FILM)?;
     let diagonal_px = (width as f64 * width as f64 + height as f64 * height as f64).sqrt();
     plausible(focal_mm / equivalent_mm * FRAME_DIAGONAL_MM / diagonal_px)
 }
@@ -126,9 +137,9 @@ const MOST_HEIGHT_M: f64 = 1e5;
 
 /// The place, and what of it cannot be: an angle or a height out of range, or (0, 0), which receivers without a fix write. Absent where its
 /// hemisphere is not told.
-fn position(exif: &Exif) -> (Option<ExifPosition>, Option<String>) {
-    let longitude = angle(exif, Tag::GPSLongitude, Tag::GPSLongitudeRef, ["E", "W"]);
-    let latitude = angle(exif, Tag::GPSLatitude, Tag::GPSLatitudeRef, ["N", "S"]);
+fn position(exif: &Fields<'_>) -> (Option<ExifPosition>, Option<String>) {
+    let longitude = angle(exif, LONGITUDE, LONGITUDE_REF, ["E", "W"]);
+    let latitude = angle(exif, LATITUDE, LATITUDE_REF, ["N", "S"]);
     let (Some(longitude_deg), Some(latitude_deg)) = (longitude, latitude) else { return (None, None) };
     if latitude_deg.abs() > 90.0 {
         return (None, Some(format!("latitude {latitude_deg}")));
@@ -140,47 +151,27 @@ fn position(exif: &Exif) -> (Option<ExifPosition>, Option<String>) {
         return (None, Some("longitude 0, latitude 0".into()));
     }
     // The reference 1 says below sea level.
-    let sign = if number(exif, Tag::GPSAltitudeRef) == Some(1.0) { -1.0 } else { 1.0 };
-    let height = number(exif, Tag::GPSAltitude).filter(|v| v.is_finite()).map(|v| sign * v + 0.0);
+    let sign = if exif.number(ALTITUDE_REF) == Some(1.0) { -1.0 } else { 1.0 };
+    let height = exif.number(ALTITUDE).filter(|v| v.is_finite()).map(|v| sign * v + 0.0);
     let height_m = height.filter(|v| v.abs() <= MOST_HEIGHT_M);
     let impossible = height.filter(|_| height_m.is_none()).map(|v| format!("height {v} m"));
-    (Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, Tag::GPSHPositioningError) }), impossible)
+    (Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, H_POSITIONING_ERROR) }), impossible)
 }
 
 /// Degrees, minutes and seconds with the hemisphere: positive in the first one.
-fn angle(exif: &Exif, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2]) -> Option<f64> {
-    let Value::Rational(parts) = &exif.get_field(tag, In::PRIMARY)?.value else { return None };
-    let sign = match text(exif, hemisphere)?.to_ascii_uppercase() {
+fn angle(exif: &Fields<'_>, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2]) -> Option<f64> {
+    let [degrees, minutes, seconds] = exif.three_ratios(tag)?;
+    let sign = match exif.text(hemisphere)?.to_ascii_uppercase() {
         side if side == first => 1.0,
         side if side == second => -1.0,
         _ => return None,
     };
-    let part = |k: usize| parts.get(k).map_or(0.0, |r| f64::from(r.num) / f64::from(r.denom));
-    let degrees = part(0) + part(1) / 60.0 + part(2) / 3600.0;
+    let degrees = degrees + minutes / 60.0 + seconds / 3600.0;
     degrees.is_finite().then_some(sign * degrees + 0.0)
 }
 
-fn positive(exif: &Exif, tag: Tag) -> Option<f64> {
-    number(exif, tag).filter(|n| n.is_finite() && *n > 0.0)
-}
-
-fn number(exif: &Exif, tag: Tag) -> Option<f64> {
-    match &exif.get_field(tag, In::PRIMARY)?.value {
-        Value::Rational(v) => v.first().map(|r| f64::from(r.num) / f64::from(r.denom)),
-        Value::SRational(v) => v.first().map(|r| f64::from(r.num) / f64::from(r.denom)),
-        // Not what the standard asks for, but written by software that rescales images.
-        Value::Float(v) => v.first().map(|&n| f64::from(n)),
-        Value::Double(v) => v.first().copied(),
-        value => value.get_uint(0).map(f64::from),
-    }
-}
-
-fn text(exif: &Exif, tag: Tag) -> Option<String> {
-    let Value::Ascii(lines) = &exif.get_field(tag, In::PRIMARY)?.value else {
-        return None;
-    };
-    let text = String::from_utf8_lossy(lines.first()?).trim_matches(|c: char| c.is_whitespace() || c == '\0').to_owned();
-    (!text.is_empty()).then_some(text)
+fn positive(exif: &Fields<'_>, tag: Tag) -> Option<f64> {
+    exif.number(tag).filter(|n| n.is_finite() && *n > 0.0)
 }
 
 #[cfg(test)]

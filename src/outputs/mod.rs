@@ -1,0 +1,21 @@
+//! What a finished run writes and shows: tables, summary, overview, files for other programs; and the project file, which keeps all of it.
+//!
+//! Data flow: [`BlockRun`](crate::BlockRun) → rows of images and pairs → tables, [`Summary`], [`BlockOverview`] → [`block_files`].
+
+mod coverage;
+mod files;
+mod images;
+mod overview;
+mod pairs;
+mod project;
+mod refined;
+mod summary;
+mod tables;
+
+pub use coverage::{Coverage, coverage};
+pub use files::{BlockFiles, block_files, planned_files};
+pub use images::ImageRow;
+pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
+pub use pairs::PairRow;
+pub use project::{PROJECT_VERSION, Project, read_project, write_block_project};
+pub use summary::{ExportOutcome, Summary};

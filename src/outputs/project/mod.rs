@@ -1,0 +1,250 @@
+//! The project file: one line that says what it is, and one of JSON that is checked against it.
+
+mod version_1;
+
+use crate::json;
+use crate::text::shorten;
+use crate::{BlockRun, Error};
+use serde::{Deserialize, Serialize};
+
+/// The version that is written, and the newest one that is read.
+pub const PROJECT_VERSION: u32 = 2;
+
+const FORMAT: &str = "tiepoint-project";
+const WHAT: &str = "the project file";
+
+/// All that is known of what was oriented, what was given for it included: it is shown as it was before it was saved.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Project {
+    Block(Box<BlockRun>),
+}
+
+/// The first line.
+#[derive(Debug, PartialEq, Serialize, Deserialize)]
+struct Header {
+    format: String,
+    version: u32,
+    /// Length of all that follows the first line.
+    bytes: usize,
+    /// Its CRC-32 (ISO 3309) in hexadecimal digits.
+    crc32: String,
+}
+
+/// Writes the project of a block: the same block gives the same text.
+///
+/// # Errors
+/// As [`BlockModel::check`](crate::BlockModel::check); [`Error::InvalidInput`] for parts of the block that do not fit together.
+pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
+    check(run)?;
+    written("block", run)
+}
+
+/// Reads a project; one of an older version is brought forward. Nothing is passed over: a file that this version does not understand in full is
+/// refused whole, so that nothing is lost by writing it again.
+///
+/// # Errors
+/// [`Error::UnreadableFile`] for another kind of file, a newer version, a damaged or shortened file, and what does not belong there; as
+/// [`write_block_project`].
+pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
+    let refused = |place: &str, reason: String| Err(Error::UnreadableFile { what: WHAT, place: place.into(), reason });
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) => text,
+        Err(error) => return refused(&format!("byte {}", error.valid_up_to()), "it is not text (UTF-8)".into()),
+    };
+    let Some((line, body)) = text.split_once('\n') else {
+        return refused("line 1", format!("'{}' is not the first line of a project, or the only one", shorten(text)));
+    };
+    let header: Header = match json::from_text(line) {
+        Ok(header) => header,
+        Err(reason) => return refused("line 1", format!("'{}' is not the first line of a project ({reason})", shorten(line))),
+    };
+    if header.format != FORMAT {
+        return refused("line 1", format!("its format is '{}', not '{FORMAT}'", shorten(&header.format)));
+    }
+    if !(1..=PROJECT_VERSION).contains(&header.version) {
+        let reason = format!("it is of version {}; this program reads versions 1 to {PROJECT_VERSION}", header.version);
+        return refused("line 1", reason);
+    }
+    if header.bytes != body.len() {
+        return refused(
+            "length",
+            format!("{} bytes follow the first line, which says {}: the file is cut off or was changed", body.len(), header.bytes),
+        );
+    }
+    if header_line(header.version, body)?.trim_end() != line {
+        return refused("checksum", "what the first line says does not fit the rest: the file is damaged or was changed by hand".into());
+    }
+    // With the end of the first line, so that places count as in the file.
+    let rest = &text[line.len()..];
+    let read = match header.version {
+        1 => json::from_text(rest).map(|older: version_1::Project| Project::Block(Box::new(older.into()))),
+        _ => json::from_text(rest),
+    };
+    match read {
+        Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
+        Err(reason) => refused("content", reason),
+    }
+}
+
+fn written(kind: &str, content: &impl Serialize) -> Result<String, Error> {
+    let content = serde_json::to_string(content).map_err(|error| Error::InvalidJson { what: WHAT, reason: error.to_string() })?;
+    let body = format!("{{\"{kind}\":{content}}}\n");
+    Ok(header_line(PROJECT_VERSION, &body)? + &body)
+}
+
+fn header_line(version: u32, body: &str) -> Result<String, Error> {
+    let header = Header { format: FORMAT.into(), version, bytes: body.len(), crc32: format!("{:08x}", crc32fast::hash(body.as_bytes())) };
+    Ok(serde_json::to_string(&header).map_err(|e| Error::InvalidJson { what: WHAT, reason: e.to_string() })? + "\n")
+}
+
+/// Refuses a block whose parts do not fit together.
+fn check(run: &BlockRun) -> Result<(), Error> {
+    run.model.check()?;
+    let (images, cameras) = (run.images.len(), run.cameras.len());
+    same("images of the project", images, run.model.images.len())?;
+    same("cameras of the project", cameras, run.model.cameras.len())?;
+    same("geometries of the project", run.geometries.len(), run.connections.len())?;
+    let refused = |what: &'static str, got: String, allowed: String| Err(Error::InvalidInput { what, got, allowed });
+    let differs =
+        run.images.iter().zip(&run.model.images).find(|(image, modelled)| (&image.name, image.camera) != (&modelled.name, modelled.camera));
+    if let Some((image, modelled)) = differs {
+        return refused(
+            "image of the project",
+            format!("'{}' of camera {}", image.name, image.camera),
+            format!("'{}' of camera {}", modelled.name, modelled.camera),
+        );
+    }
+    if let Some(connection) = run.connections.iter().find(|c| c.images[0] >= c.images[1] || c.images[1] as usize >= images) {
+        let allowed = format!("two images below {images} in ascending order");
+        return refused("connection of the project", format!("{:?}", connection.images), allowed);
+    }
+    for model in run.reconstruction.iter().flat_map(|assembly| &assembly.models) {
+        same("images of a model of the project", model.adjusted.images.len(), model.images.len())?;
+        let beyond = |indices: &[usize], end: usize| indices.iter().copied().find(|index| *index >= end);
+        if let Some(index) = beyond(&model.images, images).or(beyond(&model.cameras, cameras)) {
+            return refused("model of the project", format!("index {index}"), format!("images below {images} and cameras below {cameras}"));
+        }
+    }
+    Ok(())
+}
+
+fn same(what: &'static str, got: usize, wanted: usize) -> Result<(), Error> {
+    if got == wanted { Ok(()) } else { Err(Error::InvalidInput { what, got: got.to_string(), allowed: wanted.to_string() }) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Random;
+    use crate::model::tiny_block;
+    use crate::{BlockOptions, NoGeometry, PairOutcome, PairRule, SelectOptions};
+
+    /// A block as version 1 held it.
+    fn older() -> version_1::Project {
+        let connection = |images, outcome| version_1::OlderConnection { images, rule: PairRule::Near, outcome };
+        version_1::Project {
+            block: tiny_block(),
+            connections: vec![
+                connection([0, 1], version_1::OlderOutcome::Connected { matches: 120 }),
+                connection([0, 2], version_1::OlderOutcome::NotOriented { matches: 30, reason: "9 inliers \"of\" 30".into() }),
+            ],
+            joining: BlockOptions::default(),
+            selection: SelectOptions::default(),
+        }
+    }
+
+    fn run() -> BlockRun {
+        older().into()
+    }
+
+    fn read(text: &str) -> BlockRun {
+        let Project::Block(run) = read_project(text.as_bytes()).unwrap();
+        *run
+    }
+
+    #[test]
+    fn a_project_reads_back_as_it_was_and_gives_the_same_text() {
+        let text = write_block_project(&run()).unwrap();
+        assert_eq!(read(&text), run());
+        assert_eq!(write_block_project(&read(&text)).unwrap(), text);
+        assert!(text.starts_with("{\"format\":\"tiepoint-project\",\"version\":2,\"bytes\":"));
+    }
+
+    #[test]
+    fn numbers_keep_every_bit() {
+        let mut run = run();
+        run.model.points[0].position = Some([1.0 / 3.0, -1e-300, 123_456_789.123_456_78]);
+        assert_eq!(read(&write_block_project(&run).unwrap()), run);
+    }
+
+    #[test]
+    fn a_file_of_version_1_is_brought_forward() {
+        let text = include_str!("../../../tests/project/version-1.tiepoint");
+        let run = read(text);
+        let names: Vec<&str> = run.images.iter().map(|image| &image.name[..]).collect();
+        assert_eq!(names, ["photo_00000.png", "photo_00001.png", "photo_00002.png", "=other, 1.png"]);
+        let oriented: Vec<bool> = run.model.images.iter().map(|image| image.pose.is_some()).collect();
+        assert_eq!(oriented, [true, true, true, false]);
+        let chance = NoGeometry::Chance { agreeing: 4, matches: 61 };
+        assert_eq!(run.connections[2].outcome, PairOutcome::NotOriented { no_geometry: chance });
+        assert_eq!((run.model.points.len(), run.connections.len(), run.input.settings.selection.per_image), (12, 6, 9));
+        assert_eq!(read(&write_block_project(&run).unwrap()), run);
+    }
+
+    /// Bytes of a file, damaged in one of six ways; the same number gives the same damage.
+    fn damaged(text: &str, number: u32) -> Vec<u8> {
+        let mut random = Random::new(number);
+        let mut bytes = text.as_bytes().to_vec();
+        let at = random.below(bytes.len());
+        let other = |random: &mut Random, byte: u8| byte.wrapping_add(1 + random.below(255) as u8);
+        match number % 6 {
+            0 => bytes.truncate(at),
+            1 => bytes[at] = other(&mut random, bytes[at]),
+            2 => drop(bytes.remove(at)),
+            3 => bytes.insert(at, random.below(256) as u8),
+            4 => {
+                let end = (at + 1 + random.below(64)).min(bytes.len());
+                bytes[at..end].iter_mut().for_each(|byte| *byte = other(&mut random, *byte));
+            }
+            _ => {
+                let piece = bytes[at..(at + 1 + random.below(64)).min(bytes.len())].to_vec();
+                bytes.splice(at..at, piece);
+            }
+        }
+        bytes
+    }
+
+    #[test]
+    fn two_hundred_damaged_files_each_give_a_clear_error() {
+        let text = write_block_project(&run()).unwrap();
+        let mut kinds = std::collections::BTreeSet::new();
+        for number in 0..200 {
+            let bytes = damaged(&text, number);
+            assert_ne!(bytes, text.as_bytes(), "{number}");
+            let error = read_project(&bytes).expect_err(&format!("damage {number} was not seen"));
+            assert!(matches!(error, Error::UnreadableFile { .. }), "{number}: {error}");
+            assert!(!error.to_string().contains('\n') && error.to_string().len() < 300, "{number}: {error}");
+            kinds.insert(error.to_string().split(':').nth(1).unwrap_or("").to_string());
+        }
+        assert!(kinds.len() >= 3, "{kinds:?}");
+    }
+
+    #[test]
+    fn text_that_fits_its_checksum_is_still_checked() {
+        let message =
+            |version: u32, body: &str| read_project((header_line(version, body).unwrap() + body).as_bytes()).unwrap_err().to_string();
+        let text = write_block_project(&run()).unwrap();
+        let body = text.split_once('\n').unwrap().1;
+        assert!(message(3, body).contains("version 3; this program reads versions 1 to 2"), "{}", message(3, body));
+        assert!(message(0, body).contains("version 0"), "{}", message(0, body));
+        assert!(message(2, &body.replacen("\"input\"", "\"extra\":1,\"input\"", 1)).contains("block.extra: unknown field `extra`"));
+        assert!(message(2, &body.replacen("\"connections\"", "\"connexions\"", 1)).contains("connexions"));
+        assert!(message(2, &body.replacen("\"images\":[0,1]", "\"images\":[0,7]", 1)).contains("[0, 7]"));
+        assert!(message(2, &body.replacen("\"focal_px\":500.0", "\"focal_px\":-1.0", 1)).contains("focal length of a camera: got -1"));
+        assert!(message(2, "{\"block\":{}}\n").contains("block: missing field"));
+        assert!(message(2, "{\"picture\":{}}\n").contains("unknown variant `picture`"));
+        assert!(read_project(b"").unwrap_err().to_string().contains("first line"));
+        assert!(read_project(b"{\"type\":\"FeatureCollection\"}\n").unwrap_err().to_string().contains("missing field"));
+    }
+}

@@ -1,0 +1,322 @@
+//! The figures of a finished block, as `summary.json` holds them and the command prints them.
+
+use super::coverage::coverage;
+use super::pairs::PairRow;
+use crate::{
+    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts,
+    ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
+    UnorientedReason,
+};
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::fmt::Display;
+
+/// The figures of a finished block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Summary {
+    pub images: ImageCounts,
+    /// What of the input was not taken as it was given, or is hardly right, in words.
+    pub remarks: Vec<String>,
+    pub cameras: Vec<CameraSummary>,
+    pub pairs: PairCounts,
+    /// The names of the images that are connected with each other, the largest group first.
+    pub groups: Vec<Vec<String>>,
+    /// Absent where an older project file does not say.
+    pub points: Option<TiePointCounts>,
+    pub selection: SelectionCounts,
+    /// Absent where observations are not refined.
+    pub refinement: Option<RefinementCounts>,
+    pub orientation: OrientationSummary,
+    pub exports: Vec<ExportOutcome>,
+    pub settings: BlockSettings,
+    /// How near a simulated block is to its truth.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub score: Option<BlockScore>,
+}
+
+/// Images that were read and those that were not.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ImageCounts {
+    pub read: usize,
+    pub left_out: Vec<NamedReason>,
+    pub masked: usize,
+    /// Masks that belong to no image.
+    pub stray_masks: Vec<String>,
+    /// Images that image measurements name and that are not in the block.
+    pub stray_marks: Vec<String>,
+    /// Absent where an older project file does not say.
+    pub features: Option<u64>,
+}
+
+/// An image by its name, and why it is not in the block or not oriented.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct NamedReason {
+    pub name: String,
+    pub reason: String,
+}
+
+/// An image that is in no model, and why.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct NotOriented {
+    pub name: String,
+    pub reason: WithText<UnorientedReason>,
+}
+
+/// A message and its text.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WithText<M> {
+    #[serde(flatten)]
+    pub message: M,
+    pub text: String,
+}
+
+impl<M: Display> WithText<M> {
+    fn of(message: M) -> Self {
+        Self { text: message.to_string(), message }
+    }
+}
+
+/// A camera before its calibration.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CameraSummary {
+    #[serde(flatten)]
+    pub camera: InitialCamera,
+    pub images: usize,
+}
+
+/// Pairs by their outcomes.
+#[derive(Debug, Clone, PartialEq, Default, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairCounts {
+    pub tried: usize,
+    pub connected: usize,
+    pub too_few_matches: usize,
+    pub not_oriented: usize,
+    pub failed: usize,
+    /// Verified matches of all connected pairs.
+    pub matches: u64,
+}
+
+/// Tie points before some are chosen.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct TiePointCounts {
+    pub found: usize,
+    pub rays: usize,
+    /// How many points have so many rays.
+    pub with_rays: BTreeMap<usize, u32>,
+    pub joining: JoinCounts,
+}
+
+/// The model that is written.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SelectionCounts {
+    pub points: usize,
+    pub rays: usize,
+    /// Of the oriented images, or of all where none is.
+    pub least_rays_of_an_image: usize,
+    pub least_places_of_an_image: usize,
+}
+
+/// What became of the observations that were refined.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct RefinementCounts {
+    pub method: RefinementMethod,
+    pub points: usize,
+    pub rays: usize,
+    pub references: usize,
+    pub refined: usize,
+    /// Those that keep their positions, by the reason.
+    pub kept: BTreeMap<RefinementOutcome, usize>,
+}
+
+/// The orientation of a block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum OrientationSummary {
+    Failed { oriented: usize, reason: String },
+    Done(Box<Oriented>),
+}
+
+/// The orientation of a block that has one.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Oriented {
+    pub oriented: usize,
+    pub points: usize,
+    pub rays: usize,
+    pub models: Vec<ModelSummary>,
+    pub cameras: Vec<Camera>,
+    pub unoriented: Vec<NotOriented>,
+    pub origin: Option<GeographicOrigin>,
+}
+
+/// A model of a block.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ModelSummary {
+    pub images: usize,
+    pub names: Vec<String>,
+    pub in_system: bool,
+    pub datum: Datum,
+    pub sigma0_px: Option<f64>,
+    pub rmse_px: f64,
+    pub rmse_by_rays: Vec<RayCountRmse>,
+    pub degrees_of_freedom: usize,
+    pub rays_rejected: usize,
+    /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
+    pub position_rmse_m: Option<[f64; 3]>,
+    pub warnings: Vec<WithText<BlockWarning>>,
+}
+
+/// A format that was asked for.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct ExportOutcome {
+    pub format: ExportFormat,
+    /// Why the block cannot be written so; absent where it was.
+    pub refused: Option<String>,
+}
+
+pub(super) fn summary(
+    run: &BlockRun,
+    pairs: &[PairRow],
+    groups: &[Vec<u32>],
+    exports: &[ExportOutcome],
+    score: Option<BlockScore>,
+) -> Summary {
+    let name = |image: usize| run.images.get(image).map_or(String::new(), |image| image.name.clone());
+    Summary {
+        images: image_counts(run),
+        remarks: run.remarks.iter().map(ToString::to_string).collect(),
+        cameras: cameras(run),
+        pairs: pair_counts(pairs),
+        groups: groups.iter().map(|group| group.iter().map(|image| name(*image as usize)).collect()).collect(),
+        points: run.points.as_ref().map(|points| TiePointCounts {
+            found: points.count,
+            rays: points.rays,
+            with_rays: (0..).zip(points.histogram.iter().copied()).filter(|(_, points)| *points > 0).collect(),
+            joining: points.join.clone(),
+        }),
+        selection: selection(run),
+        refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.input.settings.refinement.method)),
+        orientation: orientation(run, name),
+        exports: exports.to_vec(),
+        settings: run.input.settings.clone(),
+        score,
+    }
+}
+
+fn image_counts(run: &BlockRun) -> ImageCounts {
+    ImageCounts {
+        read: run.images.len(),
+        left_out: run.skipped.iter().map(|image| NamedReason { name: image.name.clone(), reason: image.reason.to_string() }).collect(),
+        masked: run.images.iter().filter(|image| image.masked).count(),
+        stray_masks: run.unused_masks.clone(),
+        stray_marks: run.unknown_images.clone(),
+        features: run.images.iter().map(|image| image.features.map(u64::from)).sum(),
+    }
+}
+
+fn cameras(run: &BlockRun) -> Vec<CameraSummary> {
+    let images = |index: usize| run.images.iter().filter(|image| image.camera == index).count();
+    run.cameras.iter().enumerate().map(|(index, camera)| CameraSummary { camera: camera.clone(), images: images(index) }).collect()
+}
+
+fn pair_counts(pairs: &[PairRow]) -> PairCounts {
+    let mut counts = PairCounts { tried: pairs.len(), ..PairCounts::default() };
+    for pair in pairs {
+        match pair.outcome {
+            PairOutcome::Waiting => {}
+            PairOutcome::Connected { matches } => {
+                counts.connected += 1;
+                counts.matches += u64::from(matches);
+            }
+            PairOutcome::TooFewMatches { .. } => counts.too_few_matches += 1,
+            PairOutcome::NotOriented { .. } => counts.not_oriented += 1,
+            PairOutcome::Failed { .. } => counts.failed += 1,
+        }
+    }
+    counts
+}
+
+fn selection(run: &BlockRun) -> SelectionCounts {
+    let covered = coverage(&run.model);
+    let is_oriented = run.model.images.iter().any(|image| image.pose.is_some());
+    // Images that are not oriented have no observations in a model that has others.
+    let counted =
+        || run.model.images.iter().zip(&covered).filter(|(image, _)| image.pose.is_some() || !is_oriented).map(|(_, covered)| covered);
+    SelectionCounts {
+        points: run.model.points.len(),
+        rays: covered.iter().map(|image| image.observations).sum(),
+        least_rays_of_an_image: counted().map(|image| image.observations).min().unwrap_or(0),
+        least_places_of_an_image: counted().map(|image| image.positions).min().unwrap_or(0),
+    }
+}
+
+/// How many observations had each outcome; 0 where none had.
+pub(super) fn outcome_counts(refinement: &RefinementTable) -> BTreeMap<RefinementOutcome, usize> {
+    let mut counts: BTreeMap<RefinementOutcome, usize> = RefinementOutcome::ALL.iter().map(|outcome| (*outcome, 0)).collect();
+    refinement.observations.iter().for_each(|observation| *counts.entry(observation.outcome).or_default() += 1);
+    counts
+}
+
+fn refinement_counts(refinement: &RefinementTable, method: RefinementMethod) -> RefinementCounts {
+    let mut kept = outcome_counts(refinement);
+    let mut taken = |outcome| kept.remove(&outcome).unwrap_or(0);
+    let (references, refined) = (taken(RefinementOutcome::Reference), taken(RefinementOutcome::Refined));
+    RefinementCounts {
+        method,
+        points: refinement.starts.len().saturating_sub(1),
+        rays: refinement.observations.len(),
+        references,
+        refined,
+        kept,
+    }
+}
+
+fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSummary {
+    let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
+    let assembly = match &run.reconstruction {
+        Ok(assembly) => assembly,
+        Err(failure) => return OrientationSummary::Failed { oriented: 0, reason: failure.to_string() },
+    };
+    let unoriented = assembly.unoriented.iter().map(|image| NotOriented { name: name(image.image), reason: WithText::of(image.reason) });
+    OrientationSummary::Done(Box::new(Oriented {
+        oriented,
+        points: run.model.points.len(),
+        rays: run.model.points.iter().map(|point| point.rays.len()).sum(),
+        models: assembly.models.iter().map(|model| model_summary(model, &name)).collect(),
+        cameras: run.model.cameras.clone(),
+        unoriented: unoriented.collect(),
+        origin: run.model.origin,
+    }))
+}
+
+fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> ModelSummary {
+    let adjusted = &model.adjusted;
+    let residuals: Vec<[f64; 3]> =
+        adjusted.images.iter().filter_map(|image| image.gnss.filter(|gps| gps.accepted).map(|gps| gps.residual)).collect();
+    let root_mean_square = |axis: usize| (residuals.iter().map(|r| r[axis] * r[axis]).sum::<f64>() / residuals.len() as f64).sqrt();
+    ModelSummary {
+        images: model.images.len(),
+        names: model.images.iter().map(|image| name(*image)).collect(),
+        in_system: model.in_system,
+        datum: adjusted.datum,
+        sigma0_px: adjusted.sigma0_px,
+        rmse_px: adjusted.rmse_px,
+        rmse_by_rays: adjusted.rmse_by_rays.clone(),
+        degrees_of_freedom: adjusted.degrees_of_freedom,
+        rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
+        position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
+        warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
+    }
+}
