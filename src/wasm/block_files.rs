@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, emitting, pack, read, thrown};
 use crate::{
-    BlockModel, CameraRule, Connection, ConnectionGraph, ExifImage, ExportFormat, export_block as write_block,
+    BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block,
     parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use js_sys::Function;
