@@ -15,9 +15,6 @@ const PROJECT: &str = "project.tiepoint";
 /// What is written of each block.
 const FIXED: [&str; 7] = [PROJECT, "images.csv", "points.csv", "rays.csv", "orientation.json", "pairs.csv", "summary.json"];
 
-/// Longest name of a file or folder in bytes, as most systems have it.
-const LONGEST_NAME: usize = 255;
-
 /// Takes the path, relative to the folder of the block and with slashes, and the text of a file.
 type Emit<'a> = &'a mut dyn FnMut(&str, &str) -> Result<(), Error>;
 
@@ -105,23 +102,16 @@ fn json(value: &impl Serialize, indented: bool) -> Result<String, Error> {
 /// anything is computed.
 ///
 /// # Errors
-/// [`Error::NotExportable`] where formats cannot hold the names, or a name of a file would be longer than 255 bytes.
+/// [`Error::NotExportable`] where formats cannot hold the names.
 pub fn planned_files(names: &[String], formats: &[ExportFormat]) -> Result<Vec<String>, Error> {
     let mut paths: Vec<String> = FIXED.iter().map(ToString::to_string).collect();
     let mut refused: Vec<(String, String)> = Vec::new();
     let model = bare(names);
     for format in formats {
         let folder = word(format);
-        let written = export_block(&model, *format, &mut |path, _| match path.split('/').find(|name| name.len() > LONGEST_NAME) {
-            None => {
-                paths.push(format!("{folder}/{path}"));
-                Ok(())
-            }
-            Some(name) => Err(Error::InvalidInput {
-                what: "name of a file",
-                got: format!("{} bytes of '{}'", name.len(), crate::text::shorten(name)),
-                allowed: format!("up to {LONGEST_NAME} bytes"),
-            }),
+        let written = export_block(&model, *format, &mut |path, _| {
+            paths.push(format!("{folder}/{path}"));
+            Ok(())
         });
         if let Err(error) = written {
             refused.push((folder, error.to_string()));
@@ -156,7 +146,7 @@ mod tests {
         let formats = [ExportFormat::Csv, ExportFormat::Micmac, ExportFormat::Colmap];
         assert!(refused("b c.jpg", &formats).contains("exported as micmac, colmap ("), "{}", refused("b c.jpg", &formats));
         let long = "x".repeat(252);
-        assert!(refused(&long, &formats[2..]).contains("256 bytes"), "{}", refused(&long, &formats[2..]));
+        assert!(refused(&long, &formats[2..]).contains("bytes"), "{}", refused(&long, &formats[2..]));
         planned_files(&names(&["a.jpg", &long]), &formats[..1]).unwrap();
     }
 }
