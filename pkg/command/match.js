@@ -1,6 +1,6 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { defaults, matches_csv, message, points_csv } from '../node.js';
+import { defaults, matches_csv, message, points_csv, resolved } from '../node.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
@@ -77,7 +77,7 @@ function resultOf(output, settings) {
     no_geometry: output.match.no_geometry && withText('no_geometry', output.match.no_geometry),
     interior: output.interior,
     pixel_mm: output.pixel_mm,
-    settings,
+    settings: resolved(settings),
   };
 }
 

@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, emitting, pack, read, thrown};
 use crate::{
-    BlockModel, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block, parse_camera_rules as read_rules,
-    parse_ground_control_points as read_points, parse_image_measurements as read_marks,
+    BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block,
+    parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -21,7 +21,18 @@ pub fn parse_camera_rules(json: &str) -> JsResult<JsValue> {
     read_rules(json).map(|rules| pack(&rules)).map_err(thrown)
 }
 
-/// Reads ground control points: lines of name, x, y, z and perhaps two standard errors.
+/// For each name of an image the index of the first rule that it fits, -1 without one.
+#[wasm_bindgen]
+pub fn camera_rules_of(
+    #[wasm_bindgen(unchecked_param_type = "CameraRule[]")] rules: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "string[]")] names: &JsValue,
+) -> JsResult<Vec<i32>> {
+    let (rules, names): (Vec<CameraRule>, Vec<String>) = (read("camera rules", rules)?, read("names", names)?);
+    let of = |name: &String| rules.iter().position(|rule| rule.fits(name)).map_or(-1, |index| index as i32);
+    Ok(names.iter().map(of).collect())
+}
+
+/// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
 #[wasm_bindgen(unchecked_return_type = "GroundControlRow[]")]
 pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
     read_points(text).map(|points| pack(&points)).map_err(thrown)
@@ -60,7 +71,7 @@ pub fn connected_groups(images: u32, #[wasm_bindgen(unchecked_param_type = "Conn
     // What is no number of images, as -1, arrives as a number beyond all memory.
     if images > MOST_IMAGES {
         let (got, allowed) = (images.to_string(), format!("0 to {MOST_IMAGES}"));
-        return Err(thrown(Error::InvalidInput { what: "number of images", got, allowed }));
+        return Err(thrown(crate::Error::InvalidInput { what: "number of images", got, allowed }));
     }
     let mut graph = ConnectionGraph::new(images);
     for connection in &connections {

@@ -1,5 +1,5 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
-import { message } from '../../shared/crate';
+import { message, resolved } from '../../shared/crate';
 import type { Paper, PointCounts } from '../../shared/crate';
 import { comparesMoments, isCurrent, isStale } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
@@ -22,8 +22,8 @@ const PHASES: readonly [keyof PointCounts, string][] = [
 ];
 
 /** The settings by which the paper counted, whose Table 1 says nothing of others. */
-function countsAsPaper({ settings, catalogue }: State): boolean {
-  return settings !== null && comparesMoments(settings) && settings.points.operator === catalogue?.defaults.points.operator;
+function countsAsPaper({ settings }: State): boolean {
+  return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({}).points.operator;
 }
 
 /** Rules that only some strategies have. */
