@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, emitting, pack, read, thrown};
 use crate::{
-    BlockModel, CameraRule, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block,
-    parse_camera_rules as read_rules, parse_ground_control_points as read_points, parse_image_measurements as read_marks,
+    BlockModel, Connection, ConnectionGraph, Error, ExifImage, ExportFormat, export_block as write_block, parse_camera_rules as read_rules,
+    parse_ground_control_points as read_points, parse_image_measurements as read_marks,
 };
 use js_sys::Function;
 use wasm_bindgen::JsValue;
@@ -19,17 +19,6 @@ pub fn read_exif(file: &[u8], width: u32, height: u32) -> JsValue {
 #[wasm_bindgen(unchecked_return_type = "CameraRule[]")]
 pub fn parse_camera_rules(json: &str) -> JsResult<JsValue> {
     read_rules(json).map(|rules| pack(&rules)).map_err(thrown)
-}
-
-/// For each name of an image the index of the first rule that it fits, -1 without one.
-#[wasm_bindgen]
-pub fn camera_rules_of(
-    #[wasm_bindgen(unchecked_param_type = "CameraRule[]")] rules: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "string[]")] names: &JsValue,
-) -> JsResult<Vec<i32>> {
-    let (rules, names): (Vec<CameraRule>, Vec<String>) = (read("camera rules", rules)?, read("names", names)?);
-    let of = |name: &String| rules.iter().position(|rule| rule.fits(name)).map_or(-1, |index| index as i32);
-    Ok(names.iter().map(of).collect())
 }
 
 /// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
