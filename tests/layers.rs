@@ -136,7 +136,12 @@ fn files_of(source: &Path, module: &str) -> Vec<PathBuf> {
     let mut folders = vec![source.join(module)];
     while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path()) {
-            if entry.is_dir() { folders.push(entry) } else { files.push(entry) }
+            if entry.is_dir() {
+                folders.push(entry);
+            } else if !entry.ends_with("tests.rs") {
+                // Tests in a file of their own are not shipped either.
+                files.push(entry);
+            }
         }
     }
     files

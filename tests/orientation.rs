@@ -6,6 +6,7 @@ mod calibration;
 mod fiducials;
 #[path = "orientation/refusals.rs"]
 mod refusals;
+mod sampling;
 #[path = "orientation/scene.rs"]
 mod scene;
 #[path = "orientation/simulated_pair.rs"]

@@ -1,10 +1,9 @@
 // @ts-check
-import { flight_parameters, flight_preset, flight_presets, simulate as fly } from '../node.js';
+import { flight_parameters, flight_preset, flight_presets, grey_png, simulate as fly } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, writeInto } from './files.js';
 import { flag, JSON_FLAG, optionsOf, path, settingsOf, word } from './options.js';
 import { print, printJson } from './output.js';
-import { greyPng } from './png.js';
 import { Progress } from './progress.js';
 import { simulateBlock } from './simulate-block.js';
 import { shellCommand } from './text.js';
@@ -76,14 +75,14 @@ function write(folder, made, flight) {
   const { map, visible } = denseMap(made.right_position, made.right.width, made.right.height);
   /** @type {Record<string, string | Uint8Array>} */
   const contents = {
-    left: greyPng(made.left.width, made.left.height, made.left.grey),
-    right: greyPng(made.right.width, made.right.height, made.right.grey),
+    left: grey_png(made.left.width, made.left.height, made.left.grey),
+    right: grey_png(made.right.width, made.right.height, made.right.grey),
     left_fiducials: fiducialCsv(made.left_fiducials),
     right_fiducials: fiducialCsv(made.right_fiducials),
     camera: `${JSON.stringify(made.camera, null, 2)}\n`,
     truth: `${JSON.stringify(truthOf(made, flight), null, 2)}\n`,
     map,
-    visible: greyPng(made.left.width, made.left.height, visible),
+    visible: grey_png(made.left.width, made.left.height, visible),
   };
   return Object.fromEntries(Object.entries(contents).map(([key, content]) => [key, writeInto(folder, FILES[key] ?? key, content)]));
 }

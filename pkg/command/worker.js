@@ -5,10 +5,10 @@ import { parentPort } from 'node:worker_threads';
 import '../node.js';
 import { jobs } from '../block/jobs.js';
 import * as pairJobs from './pair-jobs.js';
-import { photo } from './photo-job.js';
+import { photoFile } from '../block/photo.js';
 
 /** @type {Record<string, (input: any) => Promise<any>>} */
-const ALL = { ...jobs, ...pairJobs, photo };
+const ALL = { ...jobs, ...pairJobs, photo: async (/** @type {any} */ job) => photoFile(job) };
 
 parentPort?.on('message', async ({ name, input }) => {
   try {

@@ -80,7 +80,7 @@ impl Camera {
     ///
     /// The correction has the three radial terms that come nearest to the inverse of this camera's radial distortion, by least squares over
     /// all radii of the image, and the two tangential ones that come nearest to the rest; for lenses of aerial cameras it is within some
-    /// hundredths of a pixel. A pixel is taken to be 0.001 mm where its side is not known.
+    /// hundredths of a pixel, with tangential terms within a tenth. A pixel is taken to be 0.001 mm where its side is not known.
     ///
     /// # Errors
     /// [`Error::NotConverged`] where the distortion folds the image, so that it has no inverse; [`Error::InvalidOption`] where the camera is
@@ -174,14 +174,15 @@ mod tests {
     #[test]
     fn a_photo_sees_the_same_rays_as_the_block() {
         let bent = Camera { tangential: [6e-4, -4e-4], ..camera() };
-        for camera in [camera(), Camera { radial: [0.0; 3], pixel_mm: None, ..camera() }, bent] {
+        let straight = Camera { radial: [0.0; 3], pixel_mm: None, ..camera() };
+        for (camera, within_px) in [(camera(), 0.02), (straight, 0.02), (bent, 0.1)] {
             let own = camera.photo_camera().unwrap();
             let interior = Interior::from_pixel_size(&own, 4000, 3000).unwrap();
             for (x, y) in [(0.0, 0.0), (4000.0, 3000.0), (2010.0, 1490.0), (1000.0, 2500.0), (3999.0, 10.0)] {
                 let [x_mm, y_mm] = interior.photo_mm(x, y);
                 let [u, v] = camera.undistorted_px([x, y]).unwrap();
                 let [dx, dy] = [x_mm / own.focal_mm - (u - 2010.0) / 3500.0, y_mm / own.focal_mm + (v - 1490.0) / 3500.0];
-                assert!((dx * dx + dy * dy).sqrt() * 3500.0 < 0.05, "{dx} {dy} at {x}, {y}");
+                assert!((dx * dx + dy * dy).sqrt() * 3500.0 < within_px, "{dx} {dy} at {x}, {y}");
                 let [back_x, back_y] = interior.undistorted_px(x, y);
                 let [px, py] = interior.image_px(back_x, back_y).unwrap();
                 assert!((px - x).abs() < 1e-6 && (py - y).abs() < 1e-6, "{px} {py} of {x}, {y}");

@@ -2,6 +2,7 @@
 
 mod distortion;
 mod exif;
+mod exif_block;
 mod fiducials;
 mod interior;
 mod mm;

@@ -10,7 +10,9 @@ mod pnm;
 mod pyramid;
 mod tiff;
 mod webp;
+mod write;
 
 pub use decode::{DecodeLimits, Decoded, Header, decode, read_header};
 pub use grey::{GreyImage, GreyView};
 pub use pyramid::{Reduced, halve, reduce_to};
+pub use write::write_png;

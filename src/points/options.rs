@@ -2,7 +2,7 @@
 
 use super::Selection;
 use crate::Error;
-use crate::catalogue::{choices, options, refuse};
+use crate::catalogue::{check, choices, options, refuse};
 
 choices! {
     /// The published interest operators, and points of many scales.
@@ -66,6 +66,18 @@ options! {
 
         /// Whether all of several equal values in the suppression window survive, or the first in raster order.
         ties: Ties = Ties::Keep, "Equal values", acts "points.operator is not multiscale";
+    }
+}
+
+impl Selection {
+    /// Refuses values outside their ranges.
+    pub(crate) fn check(self) -> Result<(), Error> {
+        match self {
+            Selection::Threshold(threshold) | Selection::Adaptive(threshold) => {
+                check(PointOptions::PARAMETERS, "points.threshold", threshold)
+            }
+            Selection::Fraction(fraction) => check(PointOptions::PARAMETERS, "points.fraction", fraction),
+        }
     }
 }
 

@@ -1,9 +1,5 @@
 //! The threshold that leaves a wanted fraction of the pixels as candidates.
 
-use super::PointOptions;
-use crate::Error;
-use crate::catalogue::check;
-
 /// How the candidates of an operator are chosen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Selection {
@@ -21,16 +17,6 @@ pub enum Selection {
 pub const LEAST_FRACTION: f64 = 0.05;
 
 impl Selection {
-    /// Refuses values outside their ranges.
-    pub(crate) fn check(self) -> Result<(), Error> {
-        match self {
-            Selection::Threshold(threshold) | Selection::Adaptive(threshold) => {
-                check(PointOptions::PARAMETERS, "points.threshold", threshold)
-            }
-            Selection::Fraction(fraction) => check(PointOptions::PARAMETERS, "points.fraction", fraction),
-        }
-    }
-
     /// The threshold to apply, where `of_fraction` finds the one that leaves a fraction.
     pub(super) fn resolve(self, of_fraction: impl FnOnce(f64) -> f64) -> f64 {
         match self {

@@ -38,6 +38,11 @@ impl BlockScene {
         ]))
     }
 
+    /// Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+    pub fn photo_file(&self, index: usize) -> JsResult<Vec<u8>> {
+        self.scene.photo_file(index).map_err(thrown)
+    }
+
     /// The true cameras and exterior orientations.
     #[wasm_bindgen(unchecked_return_type = "BlockModel")]
     pub fn truth(&self) -> JsValue {

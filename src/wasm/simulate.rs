@@ -1,7 +1,9 @@
 //! Simulated flights, and the score of matches by their truth.
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
-use crate::{DenseTruth, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly};
+use crate::{
+    DenseTruth, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly, write_png,
+};
 use js_sys::{Float32Array, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -88,6 +90,19 @@ pub fn simulate(#[wasm_bindgen(unchecked_param_type = "Given<Flight>")] flight: 
         ("truth", pack(&sample.truth)),
         ("right_position", Float32Array::from(sample.right_position.as_flattened()).into()),
     ]))
+}
+
+/// Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
+#[wasm_bindgen]
+pub fn grey_png(
+    width: usize,
+    height: usize,
+    grey: Vec<u8>,
+    #[wasm_bindgen(unchecked_optional_param_type = "ExifImage")] exif: &JsValue,
+) -> JsResult<Vec<u8>> {
+    let image = GreyImage::new(width, height, grey).map_err(thrown)?;
+    let exif = if exif.is_undefined() { None } else { Some(read("exif", exif)?) };
+    Ok(write_png(image.view(), exif.as_ref()))
 }
 
 /// Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.

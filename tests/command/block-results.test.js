@@ -4,10 +4,7 @@ import assert from 'node:assert/strict';
 import { copyFileSync, existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { deflateSync } from 'node:zlib';
-import { exifBlock } from '../../pkg/block/exif.js';
-import { pngOf } from '../../pkg/block/png.js';
-import { FinishedBlock, Photo, read_exif } from '../../pkg/node.js';
+import { FinishedBlock, grey_png, Photo, read_exif } from '../../pkg/node.js';
 import { photographed } from './blocks.js';
 import { file, folder, image, json, speckle, tiepoint } from './command.js';
 
@@ -30,11 +27,9 @@ function recorded(changes) {
     }
     const bytes = readFileSync(join(BLOCK.photos, name));
     const photo = Photo.decode(bytes);
-    const { camera, position, make, model } = read_exif(bytes, photo.width, photo.height);
-    assert.ok(camera && position);
-    const { longitude_deg, latitude_deg, height_m } = { ...position, ...change };
-    const exif = exifBlock({ make: make ?? '', model: model ?? '', focalMm: camera.focal_mm, pixelMm: camera.pixel_mm ?? 0, longitude: longitude_deg, latitude: latitude_deg, height: height_m ?? 0 });
-    file(at, name, pngOf(photo.width, photo.height, photo.grey(), deflateSync, exif));
+    const exif = read_exif(bytes, photo.width, photo.height);
+    assert.ok(exif.camera && exif.position);
+    file(at, name, grey_png(photo.width, photo.height, photo.grey(), { ...exif, position: { ...exif.position, ...change } }));
   }
   return at;
 }

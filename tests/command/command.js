@@ -6,7 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { after } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { greyPng } from '../../pkg/command/png.js';
+import { grey_png } from '../../pkg/node.js';
 
 export const PROGRAM = fileURLToPath(new URL('../../pkg/bin/tiepoint.js', import.meta.url));
 
@@ -46,7 +46,7 @@ export function file(within, name, content) {
  */
 export function image(within, name, width, height, grey) {
   const pixels = Uint8Array.from({ length: width * height }, (_, i) => grey(i % width, Math.floor(i / width)));
-  return file(within, name, greyPng(width, height, pixels));
+  return file(within, name, grey_png(width, height, pixels));
 }
 
 /** Grey values without order, the same at every call.  @param {number} col @param {number} row */

@@ -2,6 +2,7 @@
 //!
 //! `cargo test --test orientation calibration -- --nocapture` prints the figures.
 
+use crate::sampling::{about_one, runs};
 use crate::scene::{ALONG_Y, Dice, FOCAL_MM, NADIR, OBLIQUE, Pair, UPSIDE_DOWN, spoil, standard_errors};
 use tiepoint::{Observation, OrientationOptions, RelativeOrientation, Weighting, orient_relative, rotation_from_angles};
 
@@ -18,8 +19,8 @@ fn ratios(pair: &Pair, found: &RelativeOrientation) -> [f64; 5] {
 }
 
 /// Variances of errors / standard errors over many sets.
-fn variances(sets: u64, pair: &Pair, options: &OrientationOptions, make: impl Fn(u64) -> Vec<Observation>) -> [f64; 5] {
-    let mut sums = [0.0; 5];
+fn variances(all_sets: u64, pair: &Pair, options: &OrientationOptions, make: impl Fn(u64) -> Vec<Observation>) -> [f64; 5] {
+    let (mut sums, sets) = ([0.0; 5], runs(all_sets));
     for seed in 0..sets {
         let found = orient_relative(&make(seed), FOCAL_MM, options).unwrap();
         sums.iter_mut().zip(ratios(pair, &found)).for_each(|(sum, ratio)| *sum += ratio * ratio / sets as f64);
@@ -27,7 +28,8 @@ fn variances(sets: u64, pair: &Pair, options: &OrientationOptions, make: impl Fn
     sums
 }
 
-fn print(what: &str, sets: u64, variances: [f64; 5]) {
+fn print(what: &str, all_sets: u64, variances: [f64; 5]) {
+    let sets = runs(all_sets);
     let figures: Vec<String> = NAMES.iter().zip(variances).map(|(name, v)| format!("{name} {v:.3}")).collect();
     println!("variance of error / standard error, {what}, {sets} sets: {}", figures.join(", "));
 }
@@ -48,7 +50,7 @@ fn errors_have_the_size_of_their_standard_errors() {
                 continue;
             }
             let options = OrientationOptions { base_mm: Some(pair.base[0]), ..options };
-            let (sets, bounds) = if (name, way) == ("nadir", "robust") { (SETS, 0.9..1.1) } else { (FEWER_SETS, 0.75..1.25) };
+            let (sets, bounds) = if (name, way) == ("nadir", "robust") { (SETS, about_one(0.1)) } else { (FEWER_SETS, about_one(0.25)) };
             let found = variances(sets, &pair, &options, |seed| pair.observe(150, SIGMA_MM, 1000 + seed));
             print(&format!("{name}, {way}"), sets, found);
             assert!(found.iter().all(|v| bounds.contains(v)), "{name}, {way}: {found:?}");
@@ -72,7 +74,7 @@ fn unequal(pair: &Pair, count: usize, seed: u64) -> Vec<Observation> {
 fn weights_tell_the_precision_of_observations() {
     let found = variances(FEWER_SETS, &NADIR, &NADIR.options(), |seed| unequal(&NADIR, 150, 3000 + seed));
     print("nadir, unequal weights", FEWER_SETS, found);
-    assert!(found.iter().all(|v| (0.75..1.25).contains(v)), "{found:?}");
+    assert!(found.iter().all(|v| about_one(0.25).contains(v)), "{found:?}");
     let observations = unequal(&NADIR, 600, 5);
     let weighted = orient_relative(&observations, FOCAL_MM, &NADIR.options()).unwrap();
     let sigma0 = weighted.sigma0_mm.unwrap();
@@ -97,7 +99,7 @@ fn good_observations_are_suspected_as_often_as_the_significance_says() {
     for (alpha0, limit) in [(0.05, 1.959_964), (0.01, 2.575_829), (0.001, 3.290_527)] {
         let options = OrientationOptions { alpha0, sigma0_mm: Some(SIGMA_MM), robust: false, ..NADIR.options() };
         let (mut suspected, mut number) = (0, 0);
-        for seed in 0..FEWER_SETS {
+        for seed in 0..runs(FEWER_SETS) {
             let found = orient_relative(&NADIR.observe(60, SIGMA_MM, 7000 + seed), FOCAL_MM, &options).unwrap();
             suspected += found.points.iter().flatten().filter(|p| p.w.abs() > limit).count();
             number += found.points.len();

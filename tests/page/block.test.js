@@ -4,7 +4,7 @@ import { join } from 'node:path';
 import { test } from 'node:test';
 import { unzipSync } from 'fflate';
 import { chromium } from 'playwright-core';
-import { greyPng } from '../../pkg/command/png.js';
+import { grey_png } from '../../pkg/node.js';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
 import { block, drop, photoFolder, photograph, status } from './blocks.js';
@@ -150,7 +150,7 @@ function strangers(count) {
     state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
     return state >>> 24;
   };
-  return Array.from({ length: count }, (_, i) => upload(`stranger_${i}.png`, greyPng(160, 120, Uint8Array.from({ length: 160 * 120 }, noise)), 'image/png'));
+  return Array.from({ length: count }, (_, i) => upload(`stranger_${i}.png`, grey_png(160, 120, Uint8Array.from({ length: 160 * 120 }, noise)), 'image/png'));
 }
 
 test('a block of which nothing could be oriented is no success', { skip: SKIP }, async () => {
@@ -168,7 +168,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
   const { page, complaints, close } = await block();
   const folder = photoFolder(2);
   await part(page, 'block-folder-input').setInputFiles(folder);
-  const half = greyPng(480, 360, Uint8Array.from({ length: 480 * 360 }, (_, i) => (i % 480 < 240 ? 255 : 0)));
+  const half = grey_png(480, 360, Uint8Array.from({ length: 480 * 360 }, (_, i) => (i % 480 < 240 ? 255 : 0)));
   await part(page, 'block-masks-input').setInputFiles([upload('photo_0_mask.png', half, 'image/png'), upload('other.png', half, 'image/png')]);
   assert.match((await part(page, 'block-masks-name').textContent()) ?? '', /2 masks: photo_0_mask\.png, other\.png/);
   await part(page, 'block-run').click();

@@ -3,8 +3,7 @@
 import { mkdtempSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { greyPng } from '../../pkg/command/png.js';
-import { BlockScene } from '../../pkg/node.js';
+import { BlockScene, grey_png } from '../../pkg/node.js';
 import { open, part } from './page.js';
 
 /** Small photos: six of them are rendered and matched in a few seconds. */
@@ -40,7 +39,7 @@ export function photoFolder(count) {
   const scene = new BlockScene(FLIGHT);
   for (let index = 0; index < count; index++) {
     const { width, height, grey } = scene.photo(index);
-    writeFileSync(join(folder, `photo_${index}.png`), greyPng(width, height, grey));
+    writeFileSync(join(folder, `photo_${index}.png`), grey_png(width, height, grey));
   }
   scene.free();
   writeFileSync(join(folder, 'truth.json'), '{}');

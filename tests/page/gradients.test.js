@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { existsSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { greyPng } from '../../pkg/command/png.js';
+import { grey_png } from '../../pkg/node.js';
 import { again, choose, done, hosted, number, open, part, pngs, ROOT, sample, saved, SHOTS, SKIP, upload } from './page.js';
 
 hosted();
@@ -114,11 +114,11 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
     const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'replace-right').click()]);
     await chooser.setFiles([file]);
   };
-  await replace(upload('noise.png', greyPng(450, 700, noise), 'image/png'));
+  await replace(upload('noise.png', grey_png(450, 700, noise), 'image/png'));
   await again(page);
   assert.match(await text(page, 'status'), /Not oriented: .*Do both photos show the same ground\?/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'partial');
-  await replace(upload('tiny.png', greyPng(1, 1, new Uint8Array(1)), 'image/png'));
+  await replace(upload('tiny.png', grey_png(1, 1, new Uint8Array(1)), 'image/png'));
   await page.waitForFunction(() => /^Right image: the image has 1 × 1 px/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   await replace(right);
   await again(page);
@@ -148,12 +148,12 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   await part(page, 'file-input').setInputFiles(pngs());
   await done(page);
   const all = await number(page, 'count-left-after_suppression');
-  await part(page, 'file-input').setInputFiles([upload('left-mask.png', greyPng(40, 30, new Uint8Array(1200)), 'image/png')]);
+  await part(page, 'file-input').setInputFiles([upload('left-mask.png', grey_png(40, 30, new Uint8Array(1200)), 'image/png')]);
   await page.waitForFunction(() => /as large as its image/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   assert.equal(await number(page, 'count-left-after_suppression'), all);
   const half = Uint8Array.from({ length: 450 * 700 }, (_, i) => (i % 450 < 225 ? 0 : 255));
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-left').click()]);
-  await chooser.setFiles([upload('half.png', greyPng(450, 700, half), 'image/png')]);
+  await chooser.setFiles([upload('half.png', grey_png(450, 700, half), 'image/png')]);
   await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before, all);
   assert.match(await done(page), /masks 50\.0 % of the left image/);
   const { points, images } = await everything(page);

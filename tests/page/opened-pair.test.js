@@ -2,8 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { BlockScene, photo_camera, FinishedBlock } from '../../pkg/node.js';
-import { greyPng } from '../../pkg/command/png.js';
+import { BlockScene, FinishedBlock, grey_png, photo_camera } from '../../pkg/node.js';
 import { done, hosted, open, part, saved, SKIP, upload } from './page.js';
 
 hosted();
@@ -20,7 +19,7 @@ async function openedPair(page, camera) {
   const scene = new BlockScene(FLIGHT);
   const photos = Array.from({ length: FLIGHT.strips * FLIGHT.exposures }, (_, index) => {
     const { width, height, grey } = scene.photo(index);
-    return upload(`photo_${index}.png`, greyPng(width, height, grey), 'image/png');
+    return upload(`photo_${index}.png`, grey_png(width, height, grey), 'image/png');
   });
   scene.free();
   await part(page, 'block-files-input').setInputFiles(photos);

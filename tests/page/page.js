@@ -6,8 +6,7 @@ import { join } from 'node:path';
 import { after, before } from 'node:test';
 import { fileURLToPath, pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
-import { greyPng } from '../../pkg/command/png.js';
-import { simulate } from '../../pkg/node.js';
+import { grey_png, simulate } from '../../pkg/node.js';
 import { writeSingle } from '../../tools/lib/compose.mjs';
 import { findChromium } from '../../tools/lib/setup.mjs';
 import { servePage } from '../../tools/lib/page-server.mjs';
@@ -106,7 +105,7 @@ export const upload = (name, content, mimeType = 'application/octet-stream') => 
 /** The sample pair as two PNG files. */
 export function pngs() {
   const { left, right } = simulate({});
-  const png = (/** @type {{ width: number, height: number, grey: Uint8Array }} */ i) => greyPng(i.width, i.height, i.grey);
+  const png = (/** @type {{ width: number, height: number, grey: Uint8Array }} */ i) => grey_png(i.width, i.height, i.grey);
   return [upload('left.png', png(left), 'image/png'), upload('right.png', png(right), 'image/png')];
 }
 

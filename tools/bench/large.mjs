@@ -2,10 +2,8 @@
 
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { deflateSync } from 'node:zlib';
 import { photoFile } from '../../pkg/block/photo.js';
-import { greyPng } from '../../pkg/command/png.js';
-import { block_flight_defaults, BlockScene } from '../../pkg/node.js';
+import { block_flight_defaults, BlockScene, grey_png } from '../../pkg/node.js';
 import { DATA, TARGET } from '../lib/paths.mjs';
 import { processOfPage, watchMemory } from './page-memory.mjs';
 
@@ -95,7 +93,7 @@ async function made(name, make) {
 export async function pairFiles() {
   if (PHOTOGRAPHS.every((file) => existsSync(file))) return PHOTOGRAPHS;
   console.log('    simulated: no photographs are there (TIEPOINT_DATA names their place)');
-  return [await made('pair-12mp-0.png', () => photoFile(FLIGHT, 0, deflateSync)), await made('pair-12mp-1.png', () => photoFile(FLIGHT, 1, deflateSync))];
+  return [await made('pair-12mp-0.png', () => photoFile({ flight: FLIGHT, index: 0 })), await made('pair-12mp-1.png', () => photoFile({ flight: FLIGHT, index: 1 }))];
 }
 
 /** A simulated photo beside its mirror images, so that it goes on without an edge. */
@@ -109,7 +107,7 @@ function mosaic() {
     const from = folded(row) * TILE;
     for (let col = 0; col < SIDE; col += 1) large[row * SIDE + col] = grey[from + folded(col)] ?? 0;
   }
-  return greyPng(SIDE, SIDE, large);
+  return grey_png(SIDE, SIDE, large);
 }
 
 /** The same image as a browser writes it.  @param {string} png @param {Launch} launch @returns {Promise<Buffer>} */

@@ -10,7 +10,10 @@ use crate::simulate::render::render;
 use crate::simulate::scene::{Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
-use crate::{BlockModel, Camera, Error, GeographicOrigin, GreyImage, ModelImage, Pose, geographic_from_local};
+use crate::{
+    BlockModel, Camera, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, ModelImage, Pose, geographic_from_local,
+    write_png,
+};
 
 /// The scene below a block, ready to be photographed.
 ///
@@ -73,6 +76,25 @@ impl BlockScene {
         // Noise that all photos shared would be a texture of its own: each has another seed.
         let noise = || Random::new(self.flight.seed ^ (index as u32 + 1).wrapping_mul(0x9E37_79B9), Stream::BlockNoise);
         sensor.record(&render(&view, width, height, psf_px), width, height, [noise(), noise()])
+    }
+
+    /// Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+    ///
+    /// # Errors
+    /// As [`photo`](Self::photo).
+    pub fn photo_file(&self, index: usize) -> Result<Vec<u8>, Error> {
+        let Exposure { focal_px, camera, .. } = *self.exposure(index)?;
+        let pixel_mm = self.flight.pixel_mm;
+        let [longitude_deg, latitude_deg, height_m] = self.recorded_position(index)?;
+        let [make, model] = ["Tiepoint".to_string(), format!("Simulated {camera}")].map(Some);
+        let exif = ExifImage {
+            camera: Some(ExifCamera { make: make.clone(), model: model.clone(), focal_mm: focal_px * pixel_mm, pixel_mm: Some(pixel_mm) }),
+            position: Some(ExifPosition { longitude_deg, latitude_deg, height_m: Some(height_m), error_m: None }),
+            make,
+            model,
+            ..ExifImage::default()
+        };
+        Ok(write_png(self.photo(index)?.view(), Some(&exif)))
     }
 
     /// The places in m on the first surface that a photo sees at positions in px, the centre of its top-left pixel at (0.5, 0.5).
@@ -280,7 +302,14 @@ mod tests {
         assert_eq!(scene.photo(1).unwrap(), again.photo(1).unwrap());
         assert_eq!(scene.recorded_position(1).unwrap(), again.recorded_position(1).unwrap());
         assert_eq!((scene.photos(), scene.truth().images.len()), (4, 4));
-        assert!(scene.photo(4).is_err() && scene.recorded_position(4).is_err());
+        let file = scene.photo_file(1).unwrap();
+        let (decoded, read) = (crate::decode(&file, &crate::DecodeLimits::default()).unwrap(), ExifImage::read(&file, 240, 180));
+        assert_eq!((decoded.grey, read.model.as_deref()), (scene.photo(1).unwrap(), Some("Simulated 0")));
+        assert!((read.camera.unwrap().focal_mm - scene.exposures[1].focal_px * 0.1).abs() < 1e-5);
+        let (read, recorded) = (read.position.unwrap(), scene.recorded_position(1).unwrap());
+        assert!((read.longitude_deg - recorded[0]).abs() < 1e-9 && (read.latitude_deg - recorded[1]).abs() < 1e-9);
+        assert!((read.height_m.unwrap() - recorded[2]).abs() < 1e-5);
+        assert!(scene.photo(4).is_err() && scene.photo_file(4).is_err() && scene.recorded_position(4).is_err());
     }
 
     #[test]

@@ -2,5 +2,5 @@
 
 declare module '*/pkg/block/photo.js' {
   export function photoTruth(flight: object): import('../../../pkg/wasm/tiepoint.js').BlockModel;
-  export function photoFile(flight: object, index: number, deflate: (bytes: Uint8Array) => Uint8Array): Uint8Array<ArrayBuffer>;
+  export function photoFile(job: { flight: object; index: number }): Uint8Array<ArrayBuffer>;
 }

@@ -1,5 +1,4 @@
 /** Photos of a simulated block, taken one at a time. */
-import { zlibSync } from 'fflate';
 import { photoFile, photoTruth } from '../../../pkg/block/photo.js';
 import type { BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
 
@@ -8,7 +7,6 @@ export function blockPlan(flight: BlockFlight): BlockModel {
   return photoTruth(flight);
 }
 
-export function blockPhoto({ flight, index }: { flight: BlockFlight; index: number }): Uint8Array<ArrayBuffer> {
-  // Noise deflates hardly better the longer it takes.
-  return photoFile(flight, index, (bytes) => zlibSync(bytes, { level: 1 }));
+export function blockPhoto(job: { flight: BlockFlight; index: number }): Uint8Array<ArrayBuffer> {
+  return photoFile(job);
 }

@@ -1,0 +1,21 @@
+//! How many simulations a statistic takes: the tests take a fixed sample, `npm run bench -- calibration` takes them all.
+
+use std::ops::Range;
+
+/// The tests take one simulation in so many.
+const EVERY: u64 = 6;
+
+fn is_full() -> bool {
+    std::env::var("TIEPOINT_STATISTICS").is_ok_and(|value| value == "full")
+}
+
+/// How many of `all` simulations are made.
+pub fn runs(all: u64) -> u64 {
+    if is_full() { all } else { all.div_ceil(EVERY) }
+}
+
+/// What a variance of 1 may be found as: `half` to either side by all simulations, as many standard deviations of it by fewer.
+pub fn about_one(half: f64) -> Range<f64> {
+    let half = if is_full() { half } else { half * (EVERY as f64).sqrt() };
+    1.0 - half..1.0 + half
+}
