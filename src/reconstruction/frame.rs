@@ -74,8 +74,7 @@ impl System {
         let places: Vec<Place> = positions.iter().filter_map(place).collect();
         if !places.is_empty() && places.len() < positions.len() {
             let got = format!("{} geographic and {} local ones", places.len(), positions.len() - places.len());
-            let allowed =
-                format!("either all local or all geographic, or those of images alone and those of {PLACING} or more GCPs");
+            let allowed = format!("either all local or all geographic, or those of images alone and those of {PLACING} or more GCPs");
             return Err(Error::InvalidInput { what: "observed positions", got, allowed });
         }
         let heights = places.iter().filter(|place| place.height.is_some()).count();

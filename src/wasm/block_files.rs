@@ -21,7 +21,7 @@ pub fn parse_camera_rules(json: &str) -> JsResult<JsValue> {
     read_rules(json).map(|rules| pack(&rules)).map_err(thrown)
 }
 
-/// Reads ground control points: lines of name, x, y, z and perhaps two standard errors.
+/// Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
 #[wasm_bindgen(unchecked_return_type = "GroundControlRow[]")]
 pub fn parse_ground_control_points(text: &str) -> JsResult<JsValue> {
     read_points(text).map(|points| pack(&points)).map_err(thrown)
