@@ -54,7 +54,7 @@ function simulatedPair() {
     const score = edgePrecision(output.match.matches, map);
     console.log(`  simulated-a, ${label}: ${output.match.counts.matches} matches, edge precision ${score.share.toFixed(3)}`);
     const o = output.orientation;
-    if (!o) console.log(`    no orientation: ${message('no_orientation', output.no_orientation)}`);
+    if (!o) console.log(`    no orientation: ${output.no_orientation && message('no_orientation', output.no_orientation)}`);
     else console.log(`    ${precisionOf(o, output.pixel_mm ?? null)}; errors ${errorsOf(o, truth)}`);
   }
   const phases = match_pair(left, right, input, settingsWith(() => {}));
@@ -90,7 +90,7 @@ function posedPair(name, a, b, change, label = 'paper settings') {
     const score = sampsonShare(output.match.matches, first, second, rotation, direction);
     console.log(`  ${name} ${a} ${b}, ${label}, ${way}: ${output.match.counts.matches} matches, ${score.share.toFixed(3)} within 1.5 px of the epipolar line`);
     if (!output.orientation) {
-      console.log(`    no orientation: ${message('no_orientation', output.no_orientation)}`);
+      console.log(`    no orientation: ${output.no_orientation && message('no_orientation', output.no_orientation)}`);
       continue;
     }
     const pose = poseOf(output.orientation);

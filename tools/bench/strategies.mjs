@@ -64,7 +64,7 @@ function compare(name, { left, right, input, base_mm, truth, share }) {
     const found = `  ${name}, ${label}: ${output.match.counts.matches} matches, edge precision ${share(output.match.matches).toFixed(3)}`;
     const o = output.orientation;
     if (!o) {
-      console.log(`${found}; no orientation: ${message('no_orientation', output.no_orientation)}`);
+      console.log(`${found}; no orientation: ${output.no_orientation && message('no_orientation', output.no_orientation)}`);
       continue;
     }
     const errors = NAMES.map((n) => `${(o[n] - truth[n]).toFixed(4)} (${((o[n] - truth[n]) / (o.total_standard_errors ?? o.standard_errors ?? o)[n]).toFixed(1)})`);
