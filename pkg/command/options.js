@@ -174,9 +174,10 @@ export const ORIENTING_OPTIONS = PAIR.filter(({ key = '' }) => key === 'matching
  * @template {object} T @param {Option[]} options @param {Map<string, Value>} values @param {T} settings the defaults @returns {T}
  */
 export function settingsOf(options, values, settings) {
-  for (const { name, key, negates } of options) {
+  for (const { name, key, section, negates } of options) {
     const given = values.get(name);
-    if (!key || given === undefined) continue;
+    // What stands in no section, as the focal length of a camera, is no setting.
+    if (!key || !section || given === undefined) continue;
     const [group, field] = placeOf(settings, key);
     group[field] = negates ? !given : given;
   }

@@ -29,7 +29,7 @@ test('help names every command, and every command tells its options', () => {
     assert.match(help.stdout, /--json/);
     assert.equal(help.stdout, tiepoint('help', name).stdout);
   }
-  assert.match(tiepoint('match', '--help').stdout, /--search N\n.*\n?.*allowed: odd whole numbers from 1 to 1023; default: 25/s);
+  assert.match(tiepoint('match', '--help').stdout, /--search PX\n.*\n?.*allowed: odd whole numbers from 1 to 1023; default: 25/s);
 });
 
 test('one version everywhere', () => {
