@@ -1,8 +1,42 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
-use super::{InitialCamera, Remark};
-use crate::{Camera, CameraRule, Error, ExifImage, Pinhole, parse_camera_rules};
+use super::Remark;
+use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
 use serde::{Deserialize, Serialize};
+
+/// A camera before its calibration.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct InitialCamera {
+    /// Make, model, focal length and size, or the pattern of the rule and the size.
+    pub label: String,
+    pub width_px: u32,
+    pub height_px: u32,
+    /// Absent where it is not known.
+    pub focal_px: Option<f64>,
+    pub principal_point_px: [f64; 2],
+    pub radial: [f64; 3],
+    pub tangential: [f64; 2],
+    pub pixel_mm: Option<f64>,
+    /// Whether the block takes it as it is.
+    pub fixed: bool,
+}
+
+impl InitialCamera {
+    /// As a model holds it; absent where its focal length is not known.
+    pub fn known(&self) -> Option<Camera> {
+        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, .. } = *self;
+        let plain = Camera::without_distortion(width_px, height_px, focal_px?);
+        Some(Camera { principal_point_px, radial, tangential, pixel_mm, ..plain })
+    }
+
+    /// As the reconstruction takes it.
+    pub fn to_be_calibrated(&self) -> KnownCamera {
+        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
+        let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
+        KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
+    }
+}
 
 /// Cameras of a file, which take the place of those of EXIF.
 #[derive(Debug, Clone, Default)]

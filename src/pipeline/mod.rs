@@ -27,7 +27,7 @@ mod state;
 mod task;
 mod windows;
 
-pub use cameras::CameraRules;
+pub use cameras::{CameraRules, InitialCamera};
 pub use control::ControlTables;
 pub use execute::execute;
 #[cfg(not(target_arch = "wasm32"))]
@@ -37,6 +37,6 @@ pub use job::{FileNeeded, Job, News, ReadImage, StageName, Step, Work};
 pub use masks::masks_of;
 pub use records::digest;
 pub use remark::{ImpossiblePosition, Remark};
-pub use result::{BlockRun, InitialCamera, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
+pub use result::{BlockRun, JoinedPoints, RefinedObservation, RefinementTable, RunImage, SkippedImage};
 pub use run::Run;
 pub use task::Task;

@@ -1,10 +1,8 @@
 //! What the run of a block finds.
 
+use super::cameras::InitialCamera;
 use super::{Remark, RunInput};
-use crate::{
-    BlockModel, Camera, Connection, ExifImage, Failure, FreeParameters, JoinCounts, KnownCamera, Reconstruction, RefinementOutcome,
-    SharedPoints, TwoView,
-};
+use crate::{BlockModel, Connection, ExifImage, Failure, JoinCounts, Reconstruction, RefinementOutcome, SharedPoints, TwoView};
 use serde::{Deserialize, Serialize};
 
 /// A block from its images to its orientation: all that is written and shown of it.
@@ -64,40 +62,6 @@ pub struct RunImage {
 pub struct SkippedImage {
     pub name: String,
     pub reason: Failure,
-}
-
-/// A camera before its calibration.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct InitialCamera {
-    /// Make, model, focal length and size, or the pattern of the rule and the size.
-    pub label: String,
-    pub width_px: u32,
-    pub height_px: u32,
-    /// Absent where it is not known.
-    pub focal_px: Option<f64>,
-    pub principal_point_px: [f64; 2],
-    pub radial: [f64; 3],
-    pub tangential: [f64; 2],
-    pub pixel_mm: Option<f64>,
-    /// Whether the block takes it as it is.
-    pub fixed: bool,
-}
-
-impl InitialCamera {
-    /// As a model holds it; absent where its focal length is not known.
-    pub fn known(&self) -> Option<Camera> {
-        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, .. } = *self;
-        let plain = Camera::without_distortion(width_px, height_px, focal_px?);
-        Some(Camera { principal_point_px, radial, tangential, pixel_mm, ..plain })
-    }
-
-    /// As the reconstruction takes it.
-    pub fn to_be_calibrated(&self) -> KnownCamera {
-        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, fixed, .. } = *self;
-        let free = if fixed { FreeParameters::default() } else { FreeParameters::USUAL };
-        KnownCamera { width_px, height_px, focal_px, principal_point_px: Some(principal_point_px), radial, tangential, free, pixel_mm }
-    }
 }
 
 /// What came of joining the matches of all pairs.

@@ -66,6 +66,6 @@ fn a_critical_cylinder_is_told_by_the_condition() {
             found.warnings,
             found.condition
         ),
-        Err(refused) => assert!(refused.to_string().contains("condition figure"), "{refused}"),
+        Err(refused) => assert!(refused.to_string().contains("condition"), "{refused}"),
     }
 }
