@@ -1,0 +1,10723 @@
+// pkg/wasm/tiepoint.js
+/**
+* The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
+*/
+var BlockScene = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		BlockSceneFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_blockscene_free(ptr, 0);
+	}
+	/**
+	* Builds the scene of a flight; parameters that are absent take their defaults.
+	* @param {Given<BlockFlight>} flight
+	*/
+	constructor(flight) {
+		const ret = wasm.blockscene_new(flight);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		BlockSceneFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	/**
+	* Takes a photo.
+	* @param {number} index
+	* @returns {SampleImage}
+	*/
+	photo(index) {
+		const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+	* @param {number} index
+	* @returns {Uint8Array}
+	*/
+	photo_file(index) {
+		const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	/**
+	* How many photos the flight takes.
+	* @returns {number}
+	*/
+	get photos() {
+		return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
+	}
+	/**
+	* Longitude and latitude in degrees and height in m as the receiver recorded them.
+	* @param {number} index
+	* @returns {Float64Array}
+	*/
+	recorded_position(index) {
+		const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v1;
+	}
+	/**
+	* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
+	* @param {number} index
+	* @param {Float64Array | number[]} positions
+	* @returns {Float64Array}
+	*/
+	surface_at(index, positions) {
+		const val2 = +index;
+		const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The true cameras and exterior orientations.
+	* @returns {BlockModel}
+	*/
+	truth() {
+		return wasm.blockscene_truth(this.__wbg_ptr);
+	}
+};
+if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
+/**
+* The files of a block, of which each step writes some.
+*/
+var BlockWriting = class BlockWriting {
+	static __wrap(ptr) {
+		const obj = Object.create(BlockWriting.prototype);
+		obj.__wbg_ptr = ptr;
+		BlockWritingFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		BlockWritingFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_blockwriting_free(ptr, 0);
+	}
+	/**
+	* Writes the next files; gives the summary after the last one, null before.
+	* @param {Emit} emit
+	* @returns {Summary | null}
+	*/
+	step(emit) {
+		const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
+/**
+* A block that was run, or opened from its project file; its owner frees it.
+*/
+var FinishedBlock = class FinishedBlock {
+	static __wrap(ptr) {
+		const obj = Object.create(FinishedBlock.prototype);
+		obj.__wbg_ptr = ptr;
+		FinishedBlockFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		FinishedBlockFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_finishedblock_free(ptr, 0);
+	}
+	/**
+	* Writes it in one format.
+	* @param {ExportFormat} format
+	* @param {Emit} emit
+	*/
+	export(format, emit) {
+		const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+	* @param {readonly ExportFormat[]} formats
+	* @param {BlockScore | null} [score]
+	* @returns {BlockWriting}
+	*/
+	files(formats, score) {
+		const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return BlockWriting.__wrap(ret[0]);
+	}
+	/**
+	* The model that is written.
+	* @returns {BlockModel}
+	*/
+	model() {
+		return wasm.finishedblock_model(this.__wbg_ptr);
+	}
+	/**
+	* Opens a project file; one that is damaged or of another kind is refused whole.
+	* @param {Uint8Array | number[]} bytes
+	* @returns {FinishedBlock}
+	*/
+	static open(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.finishedblock_open(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	/**
+	* What is shown of it.
+	* @returns {BlockOverview & { points: PointColumns }}
+	*/
+	overview() {
+		const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The text of its project file.
+	* @returns {string}
+	*/
+	project() {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.finishedblock_project(this.__wbg_ptr);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
+	/**
+	* How near a simulated block is to its truth.
+	* @param {BlockModel} truth
+	* @returns {BlockScore}
+	*/
+	score(truth) {
+		const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+/**
+* A grey image in wasm memory. Call `free` when it is no longer needed.
+*/
+var Photo = class Photo {
+	static __wrap(ptr) {
+		const obj = Object.create(Photo.prototype);
+		obj.__wbg_ptr = ptr;
+		PhotoFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		PhotoFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_photo_free(ptr, 0);
+	}
+	/**
+	* Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
+	* @param {Uint8Array | number[]} bytes
+	* @returns {Photo}
+	*/
+	static decode(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_decode(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return Photo.__wrap(ret[0]);
+	}
+	/**
+	* Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
+	* Empty for the strategies that compare grey values.
+	* @param {Float64Array | number[]} point_list
+	* @param {Given<WindowOptions>} window
+	* @param {Strategy} strategy
+	* @returns {Float64Array}
+	*/
+	describe(point_list, window, strategy) {
+		const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v2;
+	}
+	/**
+	* Finds interest points and describes them as the strategy of the settings needs it.
+	* @param {Given<PairSettings>} settings
+	* @param {Uint8Array | number[] | null} [mask]
+	* @returns {DescribedPoints}
+	*/
+	describe_points(settings, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
+	* and row by row, are left out.
+	* @param {Given<PairSettings>} settings
+	* @param {Uint8Array | number[] | null} [mask]
+	* @returns {DetectedPoints}
+	*/
+	detect(settings, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
+	* of the image's size and row by row, are left out.
+	* @param {Given<FeatureOptions>} options
+	* @param {Uint8Array | number[] | null} [mask]
+	* @returns {Features}
+	*/
+	features(options, mask) {
+		var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Takes grey values 0..255, row by row.
+	* @param {number} width
+	* @param {number} height
+	* @param {Uint8Array | number[]} grey
+	* @returns {Photo}
+	*/
+	static from_grey(width, height, grey) {
+		const val2 = +width;
+		const val3 = +height;
+		const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return Photo.__wrap(ret[0]);
+	}
+	/**
+	* A copy of the grey values, row by row.
+	* @returns {Uint8Array}
+	*/
+	grey() {
+		const ret = wasm.photo_grey(this.__wbg_ptr);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	/**
+	* @returns {number}
+	*/
+	get height() {
+		return wasm.photo_height(this.__wbg_ptr) >>> 0;
+	}
+	/**
+	* Size, format and camera.
+	* @returns {PhotoInfo}
+	*/
+	info() {
+		return wasm.photo_info(this.__wbg_ptr);
+	}
+	/**
+	* The image halved until its longer side is at most `max_side` px.
+	* @param {number} max_side
+	* @returns {ReducedImage}
+	*/
+	reduced(max_side) {
+		return wasm.photo_reduced(this.__wbg_ptr, max_side);
+	}
+	/**
+	* @returns {number}
+	*/
+	get width() {
+		return wasm.photo_width(this.__wbg_ptr) >>> 0;
+	}
+	/**
+	* The window around a pixel (column and row from 0) with its moments.
+	* @param {number} col
+	* @param {number} row
+	* @param {Given<WindowOptions>} window
+	* @returns {WindowReport}
+	*/
+	window_moments(col, row, window) {
+		const ret = wasm.photo_window_moments(this.__wbg_ptr, col, row, window);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
+/**
+* The report of a pair in the making: `step` until it says false, then `html`.
+*/
+var Report = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		ReportFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_report_free(ptr, 0);
+	}
+	/**
+	* The page, which holds everything it shows. Does the steps that are left.
+	* @returns {string}
+	*/
+	html() {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.report_html(this.__wbg_ptr);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
+	/**
+	* Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
+	* and row by row, are left out.
+	* @param {Photo} left
+	* @param {Photo} right
+	* @param {[string, string]} names
+	* @param {Given<PairInput>} input
+	* @param {Given<PairSettings>} settings
+	* @param {ReportTruth | null} truth
+	* @param {Uint8Array | number[] | null} [left_mask]
+	* @param {Uint8Array | number[] | null} [right_mask]
+	*/
+	constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		ReportFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	/**
+	* Does the next step; false when all were done.
+	* @returns {boolean}
+	*/
+	step() {
+		const ret = wasm.report_step(this.__wbg_ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] !== 0;
+	}
+	/**
+	* What each step does, in their order.
+	* @returns {string[]}
+	*/
+	steps() {
+		return wasm.report_steps(this.__wbg_ptr);
+	}
+};
+if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
+/**
+* The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
+* looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
+*/
+var Run = class {
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		RunFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_run_free(ptr, 0);
+	}
+	/**
+	* Takes the bytes that came of a job.
+	* @param {number} id
+	* @param {Uint8Array | number[]} bytes
+	*/
+	complete(id, bytes) {
+		const val2 = +id;
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
+	* @param {number} id
+	* @param {Failure} failure
+	*/
+	failed(id, failure) {
+		const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* What the run has found; frees it.
+	* @returns {FinishedBlock}
+	*/
+	finish() {
+		const ptr = this.__destroy_into_raw();
+		const ret = wasm.run_finish(ptr);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return FinishedBlock.__wrap(ret[0]);
+	}
+	/**
+	* Takes a kept record; one that does not read well is not taken, and the job is still to be done.
+	* @param {number} id
+	* @param {Uint8Array | number[]} record
+	* @returns {boolean}
+	*/
+	found(id, record) {
+		const val2 = +id;
+		const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] !== 0;
+	}
+	/**
+	* A run of which nothing is done; what can be refused before the images are read is refused here.
+	* @param {Given<RunInput>} input
+	*/
+	constructor(input) {
+		const ret = wasm.run_new(input);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		this.__wbg_ptr = ret[0];
+		RunFinalization.register(this, this.__wbg_ptr, this);
+		return this;
+	}
+	/**
+	* What was found since the last call, and how far the stages are.
+	* @returns {News[]}
+	*/
+	news() {
+		return wasm.run_news(this.__wbg_ptr);
+	}
+	/**
+	* Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
+	* @param {number} most
+	* @returns {Job[]}
+	*/
+	next(most) {
+		const ret = wasm.run_next(this.__wbg_ptr, most);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
+	* @param {number} id
+	* @param {string[]} digests
+	* @returns {Work}
+	*/
+	prepare(id, digests) {
+		const val2 = +id;
+		const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
+/**
+* The keys of the options of a block that have an effect with these settings.
+* @param {Given<BlockSettings>} settings
+* @returns {string[]}
+*/
+function acting_block_parameters(settings) {
+	const ret = wasm.acting_block_parameters(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The keys of the options of a pair that have an effect with these settings.
+* @param {Given<PairSettings>} settings
+* @returns {string[]}
+*/
+function acting_parameters(settings) {
+	const ret = wasm.acting_parameters(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The default flight of a block.
+* @returns {BlockFlight}
+*/
+function block_flight_defaults() {
+	return wasm.block_flight_defaults();
+}
+/**
+* Every parameter of a block's flight on which photos depend.
+* @returns {Parameter[]}
+*/
+function block_flight_parameters() {
+	return wasm.block_flight_parameters();
+}
+/**
+* Every option of a block, in the order of the pipeline.
+* @returns {Parameter[]}
+*/
+function block_parameters() {
+	return wasm.block_parameters();
+}
+/**
+* All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
+* @param {Given<BlockSettings>} given
+* @returns {BlockSettings}
+*/
+function block_settings(given) {
+	const ret = wasm.block_settings(given);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
+* @param {string} text
+* @param {string[]} names
+*/
+function check_cameras(text, names) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) {
+			wasm.__externref_drop_slice(ptr1, len1);
+			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+		}
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+/**
+* Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
+* @param {string} points
+* @param {string} marks
+* @param {string[]} names
+* @param {GeoreferencingOptions} placing
+*/
+function check_control(points, marks, names, placing) {
+	let ptr0, len0, ptr1, len1, ptr2, len2;
+	try {
+		ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passStringToWasm0(marks, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr2) {
+			wasm.__externref_drop_slice(ptr2, len2);
+			wasm.__wbindgen_free(ptr2, len2 * 4, 4);
+		}
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+		throw e;
+	}
+	const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+/**
+* Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
+* @param {Given<Flight>} flight
+*/
+function check_flight(flight) {
+	const ret = wasm.check_flight(flight);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+/**
+* Refuses two masks of one image.
+* @param {string[]} names
+* @param {string[]} masks
+*/
+function check_masks(names, masks) {
+	let ptr0, len0, ptr1, len1;
+	try {
+		ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr1) {
+			wasm.__externref_drop_slice(ptr1, len1);
+			wasm.__wbindgen_free(ptr1, len1 * 4, 4);
+		}
+		if (ptr0) {
+			wasm.__externref_drop_slice(ptr0, len0);
+			wasm.__wbindgen_free(ptr0, len0 * 4, 4);
+		}
+		throw e;
+	}
+	const ret = wasm.check_masks(ptr0, len0, ptr1, len1);
+	if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+}
+/**
+* The same offset (right minus left position, px) everywhere.
+* @param {number} dx
+* @param {number} dy
+* @returns {OffsetField}
+*/
+function constant_offset(dx, dy) {
+	const ret = wasm.constant_offset(dx, dy);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The defaults of all options.
+* @returns {PairSettings}
+*/
+function defaults() {
+	return wasm.defaults();
+}
+/**
+* Draws the lines of matches whose two ends are both in view, from the left image's view to the right one's; returns how many.
+*
+* `matches`: stride 5, `x left, y left, x right, y right, measure` in px. `codes`: one a match, the index of its style; a code without
+* a style is not drawn. `widths` and `colours`: one a style. Where more than `most` are in view, evenly many are drawn.
+* @param {CanvasRenderingContext2D} context
+* @param {Float64Array | number[]} matches
+* @param {Uint8Array | number[]} codes
+* @param {Float64Array | number[]} widths
+* @param {string[]} colours
+* @param {Float64Array | number[]} left_view
+* @param {Float64Array | number[]} right_view
+* @param {number} most
+* @returns {number}
+*/
+function draw_match_lines(context, matches, codes, widths, colours, left_view, right_view, most) {
+	const val7 = +most;
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5;
+	try {
+		ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(left_view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+		ptr5 = passArrayF64ToWasm0(right_view, wasm.__wbindgen_malloc);
+		len5 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr5) wasm.__wbindgen_free(ptr5, len5 * 8, 8);
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_match_lines(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4, ptr5, len5, val7);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+/**
+* Draws points; returns how many were drawn.
+*
+* `points`: stride 3, `x, y, value` in px. `codes`: one a point, the index of its style; a code without a style is not drawn.
+* `styles`: stride 3, `shape, half size, line width` in canvas units (shapes: 0 dot, 1 circle, 2 plus, 3 cross, 4 square,
+* 5 triangle up, 6 triangle down, 7 diamond). `colours`: one CSS colour a style. `view`: see [`View::new`]. Styles are drawn in order,
+* the last on top; where points crowd, some are left out.
+* @param {CanvasRenderingContext2D} context
+* @param {Float64Array | number[]} points
+* @param {Uint8Array | number[]} codes
+* @param {Float64Array | number[]} styles
+* @param {string[]} colours
+* @param {Float64Array | number[]} view
+* @returns {number}
+*/
+function draw_points(context, points, codes, styles, colours, view) {
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
+	try {
+		ptr0 = passArrayF64ToWasm0(points, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(styles, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_points(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+/**
+* Draws vectors as arrows from their points, enlarged `factor` times; returns how many.
+*
+* `vectors`: stride 4, `x, y, dx, dy` in px of the image. `codes`: one a vector, the index of its style; a code without a style is not drawn.
+* `widths` and `colours`: one a style.
+* @param {CanvasRenderingContext2D} context
+* @param {Float64Array | number[]} vectors
+* @param {Uint8Array | number[]} codes
+* @param {Float64Array | number[]} widths
+* @param {string[]} colours
+* @param {number} factor
+* @param {Float64Array | number[]} view
+* @returns {number}
+*/
+function draw_vectors(context, vectors, codes, widths, colours, factor, view) {
+	const val6 = +factor;
+	let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, ptr4, len4;
+	try {
+		ptr0 = passArrayF64ToWasm0(vectors, wasm.__wbindgen_malloc);
+		len0 = WASM_VECTOR_LEN;
+		ptr1 = passArray8ToWasm0(codes, wasm.__wbindgen_malloc);
+		len1 = WASM_VECTOR_LEN;
+		ptr2 = passArrayF64ToWasm0(widths, wasm.__wbindgen_malloc);
+		len2 = WASM_VECTOR_LEN;
+		ptr3 = passArrayJsValueToWasm0(colours, wasm.__wbindgen_malloc);
+		len3 = WASM_VECTOR_LEN;
+		ptr4 = passArrayF64ToWasm0(view, wasm.__wbindgen_malloc);
+		len4 = WASM_VECTOR_LEN;
+	} catch (e) {
+		if (ptr4) wasm.__wbindgen_free(ptr4, len4 * 8, 8);
+		if (ptr3) {
+			wasm.__externref_drop_slice(ptr3, len3);
+			wasm.__wbindgen_free(ptr3, len3 * 4, 4);
+		}
+		if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+		if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+		if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+		throw e;
+	}
+	const ret = wasm.draw_vectors(context, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, val6, ptr4, len4);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return ret[0] >>> 0;
+}
+/**
+* Every parameter of a flight.
+* @returns {Parameter[]}
+*/
+function flight_parameters() {
+	return wasm.flight_parameters();
+}
+/**
+* A ready-made flight.
+* @param {Preset} name
+* @returns {Flight}
+*/
+function flight_preset(name) {
+	const ret = wasm.flight_preset(name);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The names of the ready-made flights.
+* @returns {Preset[]}
+*/
+function flight_presets() {
+	return wasm.flight_presets();
+}
+/**
+* The interior orientation of an image: from its fiducials, or from the camera's pixel size.
+* @param {CameraMm} camera
+* @param {PhotoGeometry} photo
+* @returns {Interior}
+*/
+function interior$1(camera, photo) {
+	const ret = wasm.interior(camera, photo);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+* @param {keyof Messages} family
+* @param {Messages[keyof Messages]} message
+* @param {string | null} [attribute]
+* @returns {string}
+*/
+function message(family, message, attribute) {
+	let deferred4_0;
+	let deferred4_1;
+	try {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.message(ptr0, len0, message, ptr1, len1);
+		var ptr3 = ret[0];
+		var len3 = ret[1];
+		if (ret[3]) {
+			ptr3 = 0;
+			len3 = 0;
+			throw takeFromExternrefTable0(ret[2]);
+		}
+		deferred4_0 = ptr3;
+		deferred4_1 = len3;
+		return getStringFromWasm0(ptr3, len3);
+	} finally {
+		wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
+	}
+}
+/**
+* What the paper printed for its own pair.
+* @returns {Paper}
+*/
+function paper() {
+	return wasm.paper();
+}
+/**
+* Every option of a pair, in the order of the pipeline.
+* @returns {Parameter[]}
+*/
+function parameters() {
+	return wasm.parameters();
+}
+/**
+* Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
+* @param {string} json
+* @returns {CameraMm}
+*/
+function parse_camera(json) {
+	const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_camera(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
+* @param {string} text
+* @returns {GroundControlRow[]}
+*/
+function parse_ground_control_points(text) {
+	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_ground_control_points(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* Reads where images show surveyed points: lines of image, point, x, y in px.
+* @param {string} text
+* @returns {ImageMeasurementRow[]}
+*/
+function parse_image_measurements(text) {
+	const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+	const len0 = WASM_VECTOR_LEN;
+	const ret = wasm.parse_image_measurements(ptr0, len0);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
+* @param {Camera} camera
+* @returns {CameraMm}
+*/
+function photo_camera(camera) {
+	const ret = wasm.photo_camera(camera);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
+* @param {Given<PairSettings>} settings
+* @returns {PairSettings}
+*/
+function resolved(settings) {
+	const ret = wasm.resolved(settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The names of the rules, in the order of their codes.
+* @returns {Rule[]}
+*/
+function rule_names() {
+	return wasm.rule_names();
+}
+/**
+* The version of the crate.
+* @returns {string}
+*/
+function version() {
+	let deferred1_0;
+	let deferred1_1;
+	try {
+		const ret = wasm.version();
+		deferred1_0 = ret[0];
+		deferred1_1 = ret[1];
+		return getStringFromWasm0(ret[0], ret[1]);
+	} finally {
+		wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
+	}
+}
+function __wbg_get_imports() {
+	return {
+		__proto__: null,
+		"./tiepoint_bg.js": {
+			__proto__: null,
+			__wbg___wbindgen_debug_string_f249a2a76caa9a55: function(arg0, arg1) {
+				const ptr1 = passStringToWasm0(debugString(arg1), wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				const len1 = WASM_VECTOR_LEN;
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+			},
+			__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
+				return arg0 === null;
+			},
+			__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
+				return arg0 === void 0;
+			},
+			__wbg___wbindgen_number_get_934b640d0889af78: function(arg0, arg1) {
+				const obj = arg1;
+				const ret = typeof obj === "number" ? obj : void 0;
+				getDataViewMemory0().setFloat64((arg0 >>> 0) + 8, isLikeNone(ret) ? 0 : ret, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, !isLikeNone(ret), true);
+			},
+			__wbg___wbindgen_rethrow_d953c34c2e20677f: function(arg0) {
+				throw arg0;
+			},
+			__wbg___wbindgen_string_get_7ce8eee7fd327545: function(arg0, arg1) {
+				const obj = arg1;
+				const ret = typeof obj === "string" ? obj : void 0;
+				var ptr1 = isLikeNone(ret) ? 0 : passStringToWasm0(ret, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				var len1 = WASM_VECTOR_LEN;
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+				getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+			},
+			__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
+				throw new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
+				arg0._wbg_cb_unref();
+			},
+			__wbg_arc_df3f7eb77e59876f: function() {
+				return handleError(function(arg0, arg1, arg2, arg3, arg4, arg5) {
+					arg0.arc(arg1, arg2, arg3, arg4, arg5);
+				}, arguments);
+			},
+			__wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
+				arg0.beginPath();
+			},
+			__wbg_call_fc92fee6137d452d: function() {
+				return handleError(function(arg0, arg1, arg2, arg3) {
+					return arg0.call(arg1, arg2, arg3);
+				}, arguments);
+			},
+			__wbg_closePath_e9e11e034c5d75a3: function(arg0) {
+				arg0.closePath();
+			},
+			__wbg_deleteProperty_3ad7a085da623822: function() {
+				return handleError(function(arg0, arg1) {
+					return Reflect.deleteProperty(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_fill_cb36fe21a8d46cd7: function(arg0) {
+				arg0.fill();
+			},
+			__wbg_from_eac91875c8a5ffa4: function(arg0) {
+				return Array.from(arg0);
+			},
+			__wbg_get_2080c49015e35254: function() {
+				return handleError(function(arg0, arg1) {
+					return Reflect.get(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_get_unchecked_e6325ad374eff861: function(arg0, arg1) {
+				return arg0[arg1 >>> 0];
+			},
+			__wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Float32Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_instanceof_Uint32Array_ba721c3060d01f9a: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Uint32Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_instanceof_Uint8Array_d7aeb0dcb3108fea: function(arg0) {
+				let result;
+				try {
+					result = arg0 instanceof Uint8Array;
+				} catch (_) {
+					result = false;
+				}
+				return result;
+			},
+			__wbg_length_186163212ffe79c3: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_5a8bb8abe1e54e15: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_6e9d2869242cabf3: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_b03a0fabb109b1e9: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_length_c702d06d28b96b72: function(arg0) {
+				return arg0.length;
+			},
+			__wbg_lineTo_91262b25fb37c461: function(arg0, arg1, arg2) {
+				arg0.lineTo(arg1, arg2);
+			},
+			__wbg_moveTo_b4cd3b0b7e1585a5: function(arg0, arg1, arg2) {
+				arg0.moveTo(arg1, arg2);
+			},
+			__wbg_new_13de428334042d26: function(arg0) {
+				return new Uint8Array(arg0);
+			},
+			__wbg_new_22589e9be6cca455: function(arg0) {
+				return new Float64Array(arg0);
+			},
+			__wbg_new_787b9fb330d55d78: function(arg0, arg1) {
+				return new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg_new_cd4348290afae586: function() {
+				return /* @__PURE__ */ new Object();
+			},
+			__wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
+				return new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_3512352010266e02: function(arg0, arg1) {
+				return new Uint32Array(getArrayU32FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_355c10c5d8f2addb: function(arg0, arg1) {
+				return new Float32Array(getArrayF32FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_aaf85a9746711968: function(arg0, arg1) {
+				return new Float64Array(getArrayF64FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_b8daf545a41c6aa0: function(arg0, arg1) {
+				return new Uint8Array(getArrayU8FromWasm0(arg0, arg1));
+			},
+			__wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
+				return new Int32Array(getArrayI32FromWasm0(arg0, arg1));
+			},
+			__wbg_parse_c3f72b5a24f83c01: function() {
+				return handleError(function(arg0, arg1) {
+					return JSON.parse(getStringFromWasm0(arg0, arg1));
+				}, arguments);
+			},
+			__wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
+				Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
+				Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_4aea6470234c8414: function(arg0, arg1, arg2) {
+				Uint32Array.prototype.set.call(getArrayU32FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_a366c038a3918afa: function(arg0, arg1, arg2) {
+				Float64Array.prototype.set.call(getArrayF64FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
+				arg0.rect(arg1, arg2, arg3, arg4);
+			},
+			__wbg_set_2793479888329cb6: function() {
+				return handleError(function(arg0, arg1, arg2) {
+					return Reflect.set(arg0, arg1, arg2);
+				}, arguments);
+			},
+			__wbg_set_fillStyle_95fde67582a9c695: function(arg0, arg1, arg2) {
+				arg0.fillStyle = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_set_lineWidth_12f039d09cd36dad: function(arg0, arg1) {
+				arg0.lineWidth = arg1;
+			},
+			__wbg_set_name_822e3903f3184979: function(arg0, arg1, arg2) {
+				arg0.name = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_set_strokeStyle_b90c8a6e0d37c80d: function(arg0, arg1, arg2) {
+				arg0.strokeStyle = getStringFromWasm0(arg1, arg2);
+			},
+			__wbg_stringify_b090af1e2fcbfede: function() {
+				return handleError(function(arg0, arg1) {
+					return JSON.stringify(arg0, arg1);
+				}, arguments);
+			},
+			__wbg_stroke_19fa3f3ec093bc25: function(arg0) {
+				arg0.stroke();
+			},
+			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99);
+			},
+			__wbindgen_generic_0000000000000002: function(arg0) {
+				return arg0;
+			},
+			__wbindgen_generic_0000000000000003: function(arg0, arg1) {
+				return getStringFromWasm0(arg0, arg1);
+			},
+			__wbindgen_init_externref_table: function() {
+				const table = wasm.__wbindgen_externrefs;
+				table.set(0, void 0);
+				table.set(1024, void 0);
+				table.set(1025, null);
+				table.set(1026, true);
+				table.set(1027, false);
+			}
+		}
+	};
+}
+function wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3) {
+	return wasm.wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3);
+}
+var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_blockscene_free(ptr, 1));
+var BlockWritingFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_blockwriting_free(ptr, 1));
+var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_finishedblock_free(ptr, 1));
+var PhotoFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_photo_free(ptr, 1));
+var ReportFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_report_free(ptr, 1));
+var RunFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_run_free(ptr, 1));
+function addToExternrefTable0(obj) {
+	const idx = wasm.__externref_table_alloc();
+	wasm.__wbindgen_externrefs.set(idx, obj);
+	return idx;
+}
+function _assertClass(instance, klass) {
+	if (!(instance instanceof klass)) throw new Error(`expected instance of ${klass.name}`);
+}
+var CLOSURE_DTORS = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((state) => wasm.__wbindgen_destroy_closure(state.a, state.b));
+function debugString(val) {
+	switch (typeof val) {
+		case "number":
+		case "boolean":
+		case "undefined": return `${val}`;
+		case "string": return JSON.stringify(val);
+		case "bigint": return `${val}n`;
+		case "symbol": return val.description !== void 0 ? `Symbol(${val.description})` : "Symbol";
+		case "function": return typeof val.name === "string" && val.name !== "" ? `Function(${val.name})` : "Function";
+		case "object": {
+			if (val === null) return "null";
+			if (Array.isArray(val)) return "[" + Array.from(val, debugString).join(", ") + "]";
+			if (val instanceof Error) return `${val.name}: ${val.message}\n${val.stack}`;
+			const toStringOutput = toString.call(val);
+			const className = /\[object ([^\]]+)\]/.exec(toStringOutput)?.[1];
+			if (className === void 0) return toStringOutput;
+			if (className === "Object") try {
+				return "Object(" + JSON.stringify(val) + ")";
+			} catch (_) {
+				return "Object";
+			}
+			return className;
+		}
+	}
+}
+function getArrayF32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getFloat32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayF64FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getFloat64ArrayMemory0().subarray(ptr / 8, ptr / 8 + len);
+}
+function getArrayI32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayU16FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint16ArrayMemory0().subarray(ptr / 2, ptr / 2 + len);
+}
+function getArrayU32FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayU8FromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return getUint8ArrayMemory0().subarray(ptr / 1, ptr / 1 + len);
+}
+var cachedDataViewMemory0 = null;
+function getDataViewMemory0() {
+	if (cachedDataViewMemory0 === null || cachedDataViewMemory0.buffer.detached === true || cachedDataViewMemory0.buffer.detached === void 0 && cachedDataViewMemory0.buffer !== wasm.memory.buffer) cachedDataViewMemory0 = new DataView(wasm.memory.buffer);
+	return cachedDataViewMemory0;
+}
+var cachedFloat32ArrayMemory0 = null;
+function getFloat32ArrayMemory0() {
+	if (cachedFloat32ArrayMemory0 === null || cachedFloat32ArrayMemory0.byteLength === 0) cachedFloat32ArrayMemory0 = new Float32Array(wasm.memory.buffer);
+	return cachedFloat32ArrayMemory0;
+}
+var cachedFloat64ArrayMemory0 = null;
+function getFloat64ArrayMemory0() {
+	if (cachedFloat64ArrayMemory0 === null || cachedFloat64ArrayMemory0.byteLength === 0) cachedFloat64ArrayMemory0 = new Float64Array(wasm.memory.buffer);
+	return cachedFloat64ArrayMemory0;
+}
+var cachedInt32ArrayMemory0 = null;
+function getInt32ArrayMemory0() {
+	if (cachedInt32ArrayMemory0 === null || cachedInt32ArrayMemory0.byteLength === 0) cachedInt32ArrayMemory0 = new Int32Array(wasm.memory.buffer);
+	return cachedInt32ArrayMemory0;
+}
+function getStringFromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	return decodeText(getUint8ArrayMemory0().subarray(ptr, ptr + len));
+}
+var cachedUint16ArrayMemory0 = null;
+function getUint16ArrayMemory0() {
+	if (cachedUint16ArrayMemory0 === null || cachedUint16ArrayMemory0.byteLength === 0) cachedUint16ArrayMemory0 = new Uint16Array(wasm.memory.buffer);
+	return cachedUint16ArrayMemory0;
+}
+var cachedUint32ArrayMemory0 = null;
+function getUint32ArrayMemory0() {
+	if (cachedUint32ArrayMemory0 === null || cachedUint32ArrayMemory0.byteLength === 0) cachedUint32ArrayMemory0 = new Uint32Array(wasm.memory.buffer);
+	return cachedUint32ArrayMemory0;
+}
+var cachedUint8ArrayMemory0 = null;
+function getUint8ArrayMemory0() {
+	if (cachedUint8ArrayMemory0 === null || cachedUint8ArrayMemory0.byteLength === 0) cachedUint8ArrayMemory0 = new Uint8Array(wasm.memory.buffer);
+	return cachedUint8ArrayMemory0;
+}
+function handleError(f, args) {
+	try {
+		return f.apply(this, args);
+	} catch (e) {
+		const idx = addToExternrefTable0(e);
+		wasm.__wbindgen_exn_store(idx);
+	}
+}
+function isLikeNone(x) {
+	return x === void 0 || x === null;
+}
+function makeClosure(arg0, arg1, f) {
+	const state = {
+		a: arg0,
+		b: arg1,
+		cnt: 1
+	};
+	const real = (...args) => {
+		state.cnt++;
+		try {
+			return f(state.a, state.b, ...args);
+		} finally {
+			real._wbg_cb_unref();
+		}
+	};
+	real._wbg_cb_unref = () => {
+		if (--state.cnt === 0) {
+			wasm.__wbindgen_destroy_closure(state.a, state.b);
+			state.a = 0;
+			CLOSURE_DTORS.unregister(state);
+		}
+	};
+	CLOSURE_DTORS.register(real, state, state);
+	return real;
+}
+function passArray8ToWasm0(arg, malloc) {
+	const ptr = malloc(arg.length * 1, 1) >>> 0;
+	getUint8ArrayMemory0().set(arg, ptr / 1);
+	WASM_VECTOR_LEN = arg.length;
+	return ptr;
+}
+function passArrayF64ToWasm0(arg, malloc) {
+	const ptr = malloc(arg.length * 8, 8) >>> 0;
+	getFloat64ArrayMemory0().set(arg, ptr / 8);
+	WASM_VECTOR_LEN = arg.length;
+	return ptr;
+}
+function passArrayJsValueToWasm0(array, malloc) {
+	const ptr = malloc(array.length * 4, 4) >>> 0;
+	for (let i = 0; i < array.length; i++) {
+		const add = addToExternrefTable0(array[i]);
+		getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
+	}
+	WASM_VECTOR_LEN = array.length;
+	return ptr;
+}
+function passStringToWasm0(arg, malloc, realloc) {
+	if (realloc === void 0) {
+		const buf = cachedTextEncoder.encode(arg);
+		const ptr = malloc(buf.length, 1) >>> 0;
+		getUint8ArrayMemory0().subarray(ptr, ptr + buf.length).set(buf);
+		WASM_VECTOR_LEN = buf.length;
+		return ptr;
+	}
+	let len = arg.length;
+	let ptr = malloc(len, 1) >>> 0;
+	const mem = getUint8ArrayMemory0();
+	let offset = 0;
+	for (; offset < len; offset++) {
+		const code = arg.charCodeAt(offset);
+		if (code > 127) break;
+		mem[ptr + offset] = code;
+	}
+	if (offset !== len) {
+		if (offset !== 0) arg = arg.slice(offset);
+		ptr = realloc(ptr, len, len = offset + arg.length * 3, 1) >>> 0;
+		const view = getUint8ArrayMemory0().subarray(ptr + offset, ptr + len);
+		const ret = cachedTextEncoder.encodeInto(arg, view);
+		offset += ret.written;
+		ptr = realloc(ptr, len, offset, 1) >>> 0;
+	}
+	WASM_VECTOR_LEN = offset;
+	return ptr;
+}
+function takeFromExternrefTable0(idx) {
+	const value = wasm.__wbindgen_externrefs.get(idx);
+	wasm.__externref_table_dealloc(idx);
+	return value;
+}
+var cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+cachedTextDecoder.decode();
+var MAX_SAFARI_DECODE_BYTES = 2146435072;
+var numBytesDecoded = 0;
+function decodeText(bytes) {
+	numBytesDecoded += bytes.length;
+	if (numBytesDecoded >= MAX_SAFARI_DECODE_BYTES) {
+		cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+		cachedTextDecoder.decode();
+		numBytesDecoded = bytes.length;
+	}
+	return cachedTextDecoder.decode(bytes);
+}
+var cachedTextEncoder = new TextEncoder();
+if (!("encodeInto" in cachedTextEncoder)) cachedTextEncoder.encodeInto = function(arg, view) {
+	const buf = cachedTextEncoder.encode(arg);
+	view.set(buf);
+	return {
+		read: arg.length,
+		written: buf.length
+	};
+};
+var WASM_VECTOR_LEN = 0;
+var wasm;
+function __wbg_finalize_init(instance, module) {
+	wasm = instance.exports;
+	cachedDataViewMemory0 = null;
+	cachedFloat32ArrayMemory0 = null;
+	cachedFloat64ArrayMemory0 = null;
+	cachedInt32ArrayMemory0 = null;
+	cachedUint16ArrayMemory0 = null;
+	cachedUint32ArrayMemory0 = null;
+	cachedUint8ArrayMemory0 = null;
+	wasm.__wbindgen_start();
+	return wasm;
+}
+function initSync(module) {
+	if (wasm !== void 0) return wasm;
+	if (module !== void 0) {
+		if (Object.getPrototypeOf(module) === Object.prototype) ({module} = module);
+		else console.warn("using deprecated parameters for `initSync()`; pass a single object instead");
+	}
+	const imports = __wbg_get_imports();
+	if (!(module instanceof WebAssembly.Module)) module = new WebAssembly.Module(module);
+	return __wbg_finalize_init(new WebAssembly.Instance(module, imports), module);
+}
+// www/block/engine/catalogue.ts
+/** What the crate says of blocks, read on the main thread once its module is there. */
+/** The page offers one parameter of the features, and those of the block; the strategy of the pair explains the others. */
+var offered = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
+/** Photos small enough to be rendered in a second or two, by a wide angle: bases are then long against heights. */
+var SMALL_PHOTOS = {
+	width_px: 800,
+	height_px: 600,
+	pixel_mm: .09,
+	relief_m: 40
+};
+function blockCatalogue({ parameters, flightParameters }) {
+	const own = block_parameters();
+	const ofFlight = block_flight_parameters();
+	return {
+		parameters: own.filter(({ key }) => offered(key)),
+		defaults: block_settings({}),
+		flightParameters: ofFlight,
+		flight: {
+			...block_flight_defaults(),
+			...SMALL_PHOTOS
+		},
+		labels: {
+			parameters: [...parameters, ...own],
+			flightParameters: [...flightParameters, ...ofFlight]
+		}
+	};
+}
+// www/shared/panel/dom.ts
+/** An element with attributes and children. */
+function h(tag, attributes = {}, ...children) {
+	const element = document.createElement(tag);
+	for (const [name, value] of Object.entries(attributes)) setAttribute(element, name, value);
+	element.append(...children.filter((child) => child !== null));
+	return element;
+}
+function setAttribute(element, name, value) {
+	if (value === void 0 || value === false) return;
+	if (typeof value === "object") {
+		for (const [aria, text] of Object.entries(value)) element.setAttribute(`aria-${aria}`, text);
+		return;
+	}
+	element.setAttribute({
+		testid: "data-testid",
+		key: "data-key"
+	}[name] ?? name, value === true ? "" : String(value));
+}
+/** Replaces what an element holds. */
+function fill(element, ...children) {
+	element.replaceChildren(...children.filter((child) => child !== null));
+}
+function button(text, testid, onClick, title) {
+	const made = h("button", {
+		type: "button",
+		testid,
+		...title === void 0 ? {} : { title }
+	}, text);
+	made.addEventListener("click", onClick);
+	return made;
+}
+var SVG = "http://www.w3.org/2000/svg";
+function svg(tag, attributes, ...children) {
+	const element = document.createElementNS(SVG, tag);
+	for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, String(value));
+	element.append(...children.filter((child) => child !== null));
+	return element;
+}
+/** An element that must be in the page. */
+function byId(id) {
+	const element = document.getElementById(id);
+	if (element === null) throw new Error(`the page has no element "${id}"`);
+	return element;
+}
+/** A section of a panel with a heading. */
+function section(title, testid, ...children) {
+	const id = `h-${testid}`;
+	return h("section", {
+		class: "section",
+		testid,
+		aria: { labelledby: id }
+	}, h("h3", { id }, title), ...children);
+}
+/** Marks a row or a figure, within a panel that is up to date, whose numbers other settings made. */
+function markStale(element, stale) {
+	if (stale) {
+		element.classList.add("is-earlier");
+		element.querySelector("th, figcaption")?.append(h("span", { class: "earlier" }, "earlier settings"));
+	}
+	return element;
+}
+/** A table row: a heading and cells. */
+function row(heading, ...cells) {
+	return h("tr", {}, h("th", { scope: "row" }, heading), ...cells.map((cell) => cell instanceof HTMLTableCellElement ? cell : h("td", {}, cell)));
+}
+// www/shared/panel/picker.ts
+/** A hidden field for files, and the button that opens it. */
+/** The field of files; `take` gets what was chosen, and the same file can be chosen again. */
+function fileInput({ testid, label, accept, multiple = false, folder = false }, take) {
+	const input = h("input", {
+		type: "file",
+		class: "visually-hidden",
+		tabindex: -1,
+		testid: `${testid}-input`,
+		aria: { label }
+	});
+	if (accept !== void 0) input.accept = accept;
+	input.multiple = multiple || folder;
+	input.webkitdirectory = folder;
+	input.addEventListener("change", () => {
+		const files = [...input.files ?? []];
+		if (files.length > 0) take(files);
+		input.value = "";
+	});
+	return input;
+}
+/** The button with its field. */
+function fileButton(text, picked, take, title) {
+	const input = fileInput(picked, take);
+	return [button(text, picked.testid, () => {
+		input.click();
+	}, title), input];
+}
+// www/shared/panel/tabs.ts
+/** Tabs: one panel of a list is shown; arrow keys move between them. */
+/** A column of tabs with a panel each. Panel and tab are named after the tab's id. */
+function tabbed(label, tabs) {
+	const buttons = tabs.map(([id, text]) => h("button", {
+		type: "button",
+		role: "tab",
+		id: `tab-${id}`,
+		testid: `tab-${id}`,
+		aria: { controls: `panel-${id}` }
+	}, text));
+	const panels = tabs.map(([id]) => h("div", {
+		class: "panel",
+		role: "tabpanel",
+		id: `panel-${id}`,
+		tabindex: 0,
+		aria: { labelledby: `tab-${id}` }
+	}));
+	const choose = (chosen) => {
+		buttons.forEach((tab, i) => {
+			tab.setAttribute("aria-selected", String(i === chosen));
+			tab.tabIndex = i === chosen ? 0 : -1;
+		});
+		panels.forEach((panel, i) => {
+			panel.hidden = i !== chosen;
+		});
+	};
+	buttons.forEach((tab, i) => {
+		tab.addEventListener("click", () => {
+			choose(i);
+		});
+		tab.addEventListener("keydown", (event) => {
+			const step = {
+				ArrowRight: 1,
+				ArrowLeft: -1
+			}[event.key];
+			if (step === void 0) return;
+			event.preventDefault();
+			const next = (i + step + tabs.length) % tabs.length;
+			choose(next);
+			buttons[next]?.focus();
+		});
+	});
+	choose(0);
+	return {
+		element: h("section", {
+			class: "side",
+			aria: { label }
+		}, h("div", {
+			class: "tabs",
+			role: "tablist",
+			aria: { label }
+		}, ...buttons), ...panels),
+		panels
+	};
+}
+/** Shows the panel of a tab. */
+function showTab(id) {
+	document.getElementById(id)?.click();
+}
+// www/shared/state/store.ts
+/** Holds a state and tells who asked when a part of it changed. */
+/** A state `S` that changes by actions `A` alone. */
+var Holder = class {
+	current;
+	reduce;
+	listeners = [];
+	dispatching = false;
+	waiting = [];
+	constructor(current, reduce) {
+		this.current = current;
+		this.reduce = reduce;
+	}
+	get state() {
+		return this.current;
+	}
+	/** Applies an action, then tells the listeners. An action dispatched by a listener follows after all have been told. */
+	dispatch(action) {
+		this.waiting.push(action);
+		if (this.dispatching) return;
+		this.dispatching = true;
+		try {
+			for (let next = this.waiting.shift(); next !== void 0; next = this.waiting.shift()) {
+				this.current = this.reduce(this.current, next);
+				for (const listener of this.listeners) listener(this.current);
+			}
+		} finally {
+			this.dispatching = false;
+		}
+	}
+	watch(what, callback) {
+		const select = typeof what === "function" ? what : (state) => what.map((name) => state[name]);
+		let seen = select(this.current);
+		this.listeners.push((state) => {
+			const values = select(state);
+			if (values.every((value, i) => Object.is(value, seen[i]))) return;
+			seen = values;
+			callback(values);
+		});
+		callback(seen);
+	}
+};
+// www/shared/engine/trusted.ts
+/** The page's own files, and what it made itself. */
+function own(address) {
+	const { origin, protocol } = new URL(address, location.href);
+	if (origin !== location.origin && protocol !== "blob:") throw new TypeError(`${address} is no script of this page`);
+	return address;
+}
+/** The one policy that the content-security policy names; absent in browsers without Trusted Types. */
+var policy = typeof trustedTypes === "undefined" ? void 0 : trustedTypes.createPolicy("tiepoint", { createScriptURL: own });
+/** An address that a worker may be started from. */
+function scriptAddress(address) {
+	return policy === void 0 ? own(address) : policy.createScriptURL(address);
+}
+// www/shared/engine/platform.ts
+/**
+* Where the worker's script and the wasm module come from: files beside the page, or, in the page in one file, inert elements of the
+* document. Such a page runs from file:// too, where nothing beside it can be fetched and a module worker does not start from a Blob:
+* the worker is therefore one classic script everywhere.
+*
+* The module is compiled once and handed to each worker in its first message: a worker loads nothing by itself.
+*/
+/** As `tools/lib/page.mjs` names the files and `tools/lib/compose.mjs` the elements. */
+var WORKER = {
+	file: "worker.js",
+	element: "tiepoint-worker"
+};
+var WASM = {
+	file: "tiepoint_bg.wasm",
+	element: "tiepoint-wasm"
+};
+/** The text of an element of the page in one file; null in a page with files beside it. */
+function embedded(id) {
+	return document.getElementById(id)?.textContent ?? null;
+}
+var workerUrl;
+/** A fresh worker, waiting for the module as its first message. */
+function spawnWorker(name) {
+	const code = embedded(WORKER.element);
+	workerUrl ??= code === null ? new URL(WORKER.file, document.baseURI).href : URL.createObjectURL(new Blob([code], { type: "text/javascript" }));
+	return new Worker(scriptAddress(workerUrl), {
+		name,
+		type: "classic"
+	});
+}
+var compiled;
+/** The compiled wasm module; compiled on the first call, and again after a failure. */
+function wasmModule() {
+	compiled ??= compileWasm().catch((error) => {
+		compiled = void 0;
+		throw error;
+	});
+	return compiled;
+}
+async function compileWasm() {
+	const deflated = embedded(WASM.element);
+	if (deflated !== null) return WebAssembly.compile(await inflated(deflated.trim()));
+	const response = await fetch(new URL(WASM.file, document.baseURI));
+	if (!response.ok) throw new Error(`The program file ${WASM.file} could not be loaded (HTTP ${String(response.status)}). Reload the page.`);
+	if (response.headers.get("content-type")?.startsWith("application/wasm") === true) return WebAssembly.compileStreaming(response);
+	return WebAssembly.compile(await response.arrayBuffer());
+}
+/** Bytes of base64 text, deflated without a header. */
+function inflated(base64) {
+	const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+	return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"))).arrayBuffer();
+}
+// www/shared/text/format.ts
+/** Numbers as the panels write them. */
+/** A number with its minus sign as typography has it; a dash where there is none. */
+function fixed(value, digits) {
+	if (value == null || Number.isNaN(value)) return "–";
+	if (!Number.isFinite(value)) return value > 0 ? "∞" : "−∞";
+	return value.toFixed(digits).replace("-", "−");
+}
+/** A whole number in groups of three, set apart by narrow spaces. */
+function count(value) {
+	return value == null ? "–" : String(value).replace(/\B(?=(\d{3})+$)/gu, " ");
+}
+/** Four significant digits, with a power of ten where the number is very small or large. */
+function significant(value) {
+	if (value === 0) return "0";
+	const size = Math.abs(value);
+	if (size >= .001 && size < 1e5) return fixed(value, Math.max(0, 3 - Math.floor(Math.log10(size))));
+	const [mantissa = "", exponent = ""] = value.toExponential(3).split("e");
+	const power = [...exponent.replace("+", "")].map((c) => c === "-" ? "⁻" : "⁰¹²³⁴⁵⁶⁷⁸⁹".charAt(Number(c))).join("");
+	return `${mantissa.replace("-", "−")}·10${power}`;
+}
+function percent(share) {
+	return `${(100 * share).toFixed(1)} %`;
+}
+/** With one full stop at its end. */
+function sentence(text) {
+	return `${text.replace(/\.$/u, "")}.`;
+}
+/** What is said while a field holds a value that is not allowed. */
+function refusedText(label) {
+	return `${label}: this value is not allowed. The last valid one stays in use.`;
+}
+/** What is said of whatever was thrown. */
+function messageOf(error) {
+	return error instanceof Error ? error.message : String(error);
+}
+// www/shared/engine/client.ts
+/** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
+var CallError = class extends Error {
+	failure;
+	ended;
+	name = "CallError";
+	constructor(failure, ended) {
+		super(failure.message);
+		this.failure = failure;
+		this.ended = ended;
+	}
+};
+/** What ended the worker, in words; null where it lives on.  */
+function breakdownOf(error) {
+	if (!(error instanceof CallError) || !error.ended) return null;
+	return error.failure.kind === "memory" ? `the worker ran out of memory (${error.message})` : `the worker broke off at a fault of the program (${error.message}): please report it`;
+}
+/** A call that the user cancelled. */
+var Cancelled = class extends Error {
+	name = "Cancelled";
+};
+var WorkerClient = class {
+	name;
+	worker = null;
+	pending = /* @__PURE__ */ new Map();
+	nextId = 1;
+	/** Changes when a worker ends: what it held is lost. */
+	generation = 0;
+	constructor(name) {
+		this.name = name;
+	}
+	/** Asks the worker, starting one where there is none. Rejects with `CallError` or `Cancelled`; no promise stays open. */
+	async call(call, input, transfer = []) {
+		this.worker ??= this.start();
+		const worker = this.worker;
+		return new Promise((resolve, reject) => {
+			const id = this.nextId++;
+			this.pending.set(id, {
+				resolve,
+				reject
+			});
+			const request = {
+				id,
+				call,
+				input
+			};
+			worker.ready.then(() => {
+				if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
+			}, (error) => {
+				this.end(new CallError(otherFailure(error), true));
+			});
+		});
+	}
+	/** Ends the worker and rejects what waits for it. The next call starts a fresh one. */
+	cancel() {
+		this.end(new Cancelled("cancelled"));
+	}
+	start() {
+		const handle = spawnWorker(this.name);
+		handle.onmessage = (event) => {
+			this.receive(event.data);
+		};
+		handle.onerror = (event) => {
+			event.preventDefault();
+			this.end(new CallError({
+				kind: "fault",
+				code: null,
+				message: event.message || "the worker could not start"
+			}, true));
+		};
+		return {
+			handle,
+			ready: wasmModule().then((module) => {
+				const start = { module };
+				handle.postMessage(start);
+			})
+		};
+	}
+	receive(response) {
+		const waiting = this.pending.get(response.id);
+		if (waiting === void 0) return;
+		this.pending.delete(response.id);
+		if ("output" in response) {
+			waiting.resolve(response.output);
+			return;
+		}
+		const ended = response.failure.kind === "fault" || response.failure.kind === "memory";
+		const error = new CallError(response.failure, ended);
+		waiting.reject(error);
+		if (ended) this.end(error);
+	}
+	end(error) {
+		this.worker?.handle.terminate();
+		this.worker = null;
+		this.generation += 1;
+		const waiting = [...this.pending.values()];
+		this.pending.clear();
+		for (const { reject } of waiting) reject(error);
+	}
+};
+function otherFailure(error) {
+	return {
+		kind: "other",
+		code: null,
+		message: messageOf(error)
+	};
+}
+// www/shared/engine/pool.ts
+/** As many workers as the processor allows: each does one call at a time, the others wait in order. */
+/** More workers than these would share memory bandwidth and take memory for an image each. */
+var MOST_WORKERS = 8;
+var WorkerPool = class {
+	size = Math.min(MOST_WORKERS, Math.max(1, navigator.hardwareConcurrency || 1));
+	idle = Array.from({ length: this.size }, (_, i) => new WorkerClient(`pool ${String(i + 1)}`));
+	all = [...this.idle];
+	waiting = [];
+	/** Rejects with `CallError` or `Cancelled`; no promise stays open. */
+	call(call, input, transfer = []) {
+		return new Promise((resolve, reject) => {
+			const start = (client) => client.call(call, input, transfer).then(resolve, reject);
+			this.waiting.push({
+				start,
+				drop: () => {
+					reject(new Cancelled("cancelled"));
+				}
+			});
+			this.next();
+		});
+	}
+	/** Ends all workers and what waits for them. The next call starts fresh ones. */
+	cancel() {
+		const { waiting } = this;
+		this.waiting = [];
+		for (const { drop } of waiting) drop();
+		for (const client of this.all) client.cancel();
+	}
+	next() {
+		while (this.waiting.length > 0) {
+			const client = this.idle.pop();
+			const task = client === void 0 ? void 0 : this.waiting.shift();
+			if (client === void 0 || task === void 0) return;
+			task.start(client).finally(() => {
+				this.idle.push(client);
+				this.next();
+			});
+		}
+	}
+};
+// www/shared/state/remember.ts
+/** Remembers the last result of a function of a few arguments, compared by identity. */
+function remember(compute) {
+	let last = null;
+	return (...args) => {
+		if (last === null || last.args.some((arg, i) => !Object.is(arg, args[i]))) last = {
+			args,
+			result: compute(...args)
+		};
+		return last.result;
+	};
+}
+// www/block/state/given.ts
+/** What is wrong with the files that a run is given beside its images: read as the run reads them, once they are there. */
+/** Control points and their marks are of use together. */
+var PARTNER_MISSING = {
+	control: "Ground control points need their image measurements: give both files, or neither",
+	marks: "Image measurements need their ground control points: give both files, or neither"
+};
+function problemsOf({ files, options }) {
+	return problems(files, options.settings?.placing ?? null, options.cameras, options.control, options.marks, options.masks);
+}
+/** The first of them; null where there is none. */
+function firstProblem(state) {
+	return Object.values(problemsOf(state))[0] ?? null;
+}
+var problems = remember((files, placing, cameras, control, marks, masks) => {
+	if (placing === null) return {};
+	const names = files.map(({ name }) => name);
+	const found = {};
+	const look = (given, name, read) => {
+		try {
+			read();
+			return true;
+		} catch (error) {
+			found[given] = `${name === "" ? "" : `${name}: `}${messageOf(error)}`;
+			return false;
+		}
+	};
+	if (cameras !== null) look("cameras", cameras.name, () => {
+		check_cameras(cameras.text, names);
+	});
+	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
+	const marksRead = marks !== null && look("marks", marks.name, () => parse_image_measurements(marks.text));
+	if (pointsRead && marksRead) look("marks", marks.name, () => {
+		check_control(control.text, marks.text, names, placing);
+	});
+	if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? "";
+	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
+	look("masks", "", () => {
+		check_masks(names, masks.map(({ name }) => name));
+	});
+	return found;
+});
+// www/block/state/state.ts
+var BLOCK_INITIAL = {
+	mode: "pair",
+	catalogue: null,
+	files: [],
+	truth: null,
+	options: {
+		settings: null,
+		gps: "use",
+		cameras: null,
+		control: null,
+		marks: null,
+		masks: []
+	},
+	refused: null,
+	flight: null,
+	running: { kind: "no" },
+	shown: null,
+	choice: null,
+	opened: null,
+	notice: null
+};
+/** Names what a run of the present files and options would be made from. */
+function wantedKey({ files, options }) {
+	return JSON.stringify([files.map(({ id }) => id), options]);
+}
+/** Whether other files or options made the block on the screen. */
+function isOutdated(state) {
+	return state.shown !== null && state.shown.files.length > 0 && state.shown.key !== wantedKey(state);
+}
+function isBusy$1({ running, notice }) {
+	return running.kind === "yes" || notice?.kind === "busy";
+}
+// www/block/engine/engine.ts
+/** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
+var PATIENCE_MS$1 = 80;
+var BlockEngine = class {
+	store;
+	pool = new WorkerPool();
+	/** Holds the block of the last run. */
+	block = new WorkerClient("block");
+	/** Records of images and pairs that were done, by key: what is done once is not done again. */
+	kept = /* @__PURE__ */ new Map();
+	port = null;
+	/** Of the export that is written. */
+	writing = null;
+	constructor(store) {
+		this.store = store;
+	}
+	async run() {
+		const { state } = this.store;
+		const { settings } = state.options;
+		if (settings === null || state.running.kind === "yes") return;
+		const problem = firstProblem(state);
+		if (problem !== null) {
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: `Not run: ${sentence(problem)}`
+				}
+			});
+			return;
+		}
+		const key = wantedKey(state);
+		const { files, truth } = state;
+		const started = performance.now();
+		this.store.dispatch({
+			type: "started",
+			key
+		});
+		const channel = new MessageChannel();
+		this.listen(channel.port1, files);
+		try {
+			const input = {
+				files,
+				options: runOptions(state.options, settings),
+				masks: state.options.masks,
+				truth,
+				workers: this.pool.size,
+				kept: this.kept,
+				port: channel.port2
+			};
+			const view = await this.block.call("blockRun", input, [channel.port2]);
+			this.store.dispatch({
+				type: "done",
+				key,
+				view,
+				files,
+				seconds: (performance.now() - started) / 1e3
+			});
+		} catch (error) {
+			this.pool.cancel();
+			const stopped = this.port !== channel.port1;
+			this.store.dispatch({
+				type: "ended",
+				failure: stopped || error instanceof Cancelled ? null : reasonOf(error)
+			});
+		} finally {
+			channel.port1.close();
+			if (this.port === channel.port1) this.port = null;
+		}
+	}
+	/** Ends the run, the export, or whatever else the workers do. What was done is kept. */
+	cancel() {
+		const { port, writing } = this;
+		this.port = null;
+		this.writing = null;
+		this.pool.cancel();
+		port?.postMessage({ kind: "stop" });
+		writing?.postMessage("stop");
+		if (port === null && writing === null) return;
+		window.setTimeout(() => {
+			if (isBusy$1(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
+		}, PATIENCE_MS$1);
+	}
+	/** Forgets what was done. */
+	forget() {
+		this.kept.clear();
+	}
+	async open(bytes) {
+		const view = await this.block.call("blockOpen", { bytes }, [bytes.buffer]);
+		this.store.dispatch({
+			type: "openedFile",
+			view
+		});
+	}
+	/** Rejects with `Cancelled` where the user ends it. */
+	async export(kind, name) {
+		const { port1, port2 } = new MessageChannel();
+		this.writing = port1;
+		try {
+			return await this.block.call("blockExport", {
+				kind,
+				name,
+				stop: port2
+			}, [port2]);
+		} catch (error) {
+			throw this.writing === port1 ? error : new Cancelled("cancelled");
+		} finally {
+			if (this.writing === port1) this.writing = null;
+			port1.close();
+		}
+	}
+	/** Takes the photos of the flight that is set, on all workers. */
+	async photograph(flight, done) {
+		const truth = await this.pool.call("blockPlan", flight);
+		let count = 0;
+		return {
+			files: await Promise.all(truth.images.map(async ({ name }, index) => {
+				const bytes = await this.pool.call("blockPhoto", {
+					flight,
+					index
+				});
+				count += 1;
+				done(count, truth.images.length);
+				return {
+					name,
+					file: new Blob([bytes], { type: "image/png" })
+				};
+			})),
+			truth
+		};
+	}
+	listen(port, files) {
+		this.port = port;
+		port.onmessage = (event) => {
+			const message = event.data;
+			if (message.kind === "keep") this.kept.set(message.key, message.record);
+			else if (message.kind === "job") this.perform(port, message.id, message.job);
+			else if (message.kind === "part") this.store.dispatch({
+				type: "part",
+				view: message.view,
+				files
+			});
+			else if (this.port === port) this.store.dispatch({
+				type: "step",
+				step: message.step
+			});
+		};
+	}
+	async perform(port, id, job) {
+		const say = (message, transfer = []) => {
+			port.postMessage(message, transfer);
+		};
+		try {
+			if (this.port !== port) return;
+			const answer = await this.pool.call("blockJob", job, buffersOf(job));
+			say({
+				kind: "answer",
+				id,
+				answer
+			}, "made" in answer ? [answer.made.buffer] : []);
+		} catch (error) {
+			if (!(error instanceof Cancelled)) say({
+				kind: "broke",
+				id,
+				message: reasonOf(error)
+			});
+		}
+	}
+};
+function runOptions({ gps, cameras, control, marks }, settings) {
+	return {
+		settings,
+		gps,
+		...cameras === null ? {} : { cameras },
+		...control === null || marks === null ? {} : { control: {
+			points: control.text,
+			marks: marks.text
+		} }
+	};
+}
+/** The memory of a job's bytes, which are copies that the run made for it. */
+function buffersOf({ inputs }) {
+	return [...new Set(inputs.map(({ buffer }) => buffer))];
+}
+function reasonOf(error) {
+	return breakdownOf(error) ?? messageOf(error);
+}
+// www/shared/files/save.ts
+/** Files that the page gives. */
+function save(blob, name) {
+	const link = document.createElement("a");
+	link.href = URL.createObjectURL(blob);
+	link.download = name;
+	link.click();
+	window.setTimeout(() => {
+		URL.revokeObjectURL(link.href);
+	}, 1e4);
+}
+// www/block/panel/exports.ts
+/** Saving a block: its own file, everything, or what another program reads. */
+var NAMES$2 = {
+	project: "Project file",
+	everything: "Everything (.zip)",
+	colmap: "COLMAP",
+	micmac: "MicMac",
+	bundler: "Bundler",
+	nvm: "NVM (VisualSFM)",
+	opensfm: "OpenSfM",
+	bingo: "BINGO",
+	isat: "ISAT",
+	agisoft: "Agisoft",
+	patb: "PAT-B",
+	csv: "CSV tables",
+	json: "JSON",
+	geojson: "GeoJSON"
+};
+function mountExports(host, store, engine) {
+	const select = h("select", {
+		id: "block-export-kind",
+		testid: "block-export-kind",
+		aria: { label: "Format" }
+	});
+	const press = button("Save", "block-export", () => {
+		saveAs(store, engine, select.value);
+	});
+	host.append(h("span", { class: "group-label" }, "Export"), select, press);
+	store.watch((s) => [
+		s.shown,
+		s.running,
+		s.notice
+	], ([shown]) => {
+		const whole = shown !== null && !shown.view.partial;
+		press.disabled = !whole || isBusy$1(store.state);
+		select.disabled = !whole;
+	});
+	store.watch((s) => [s.shown], ([shown]) => {
+		const kinds = [
+			"project",
+			"everything",
+			...shown?.view.formats ?? []
+		];
+		const { value } = select;
+		fill(select, ...kinds.map((kind) => new Option(NAMES$2[kind], kind)));
+		if (kinds.includes(value)) select.value = value;
+	});
+}
+async function saveAs(store, engine, kind) {
+	store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "busy",
+			text: `Writing ${NAMES$2[kind]} …`
+		}
+	});
+	try {
+		const { name, type, bytes } = await engine.export(kind, "block");
+		save(new Blob([bytes], { type }), name);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: `${name} was saved.`
+			}
+		});
+	} catch (error) {
+		if (error instanceof Cancelled) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text: "Cancelled: nothing was saved. The block is unchanged."
+				}
+			});
+			return;
+		}
+		const reason = messageOf(error);
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "problem",
+				text: `${NAMES$2[kind]} was not written: ${reason}.`
+			}
+		});
+	}
+}
+// www/block/files/files.ts
+var IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
+var PROJECT = /\.tiepoint$/iu;
+var CAMERAS$1 = /\.json$/iu;
+var nextId$2 = 1;
+var TEXTS = {
+	cameras: "Cameras",
+	control: "Ground control points",
+	marks: "Image measurements"
+};
+var BlockFiles = class {
+	store;
+	engine;
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+	}
+	/** Takes what is dropped on the page while the block is shown. */
+	taker = {
+		isActive: () => this.store.state.mode === "block",
+		markAt: () => "block",
+		take: (found) => {
+			this.take(found);
+		}
+	};
+	/** Adds images to the block; what a folder holds besides images is left aside. */
+	async take(found) {
+		const alone = found.filter(({ path }) => path === "");
+		const project = alone.find(({ file }) => PROJECT.test(file.name));
+		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
+		const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith("image/"));
+		if (project !== void 0) await this.open(project.file);
+		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
+		const aside = found.length - images.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
+		if (images.length > 0 || aside > 0) this.add(images, aside);
+	}
+	/** Photographs the simulated block, in place of the images that are there. */
+	async simulate() {
+		const { flight } = this.store.state;
+		if (flight === null) return;
+		this.say("busy", "Building the synthetic scene …");
+		try {
+			const { files, truth } = await this.engine.photograph(flight, (count, of) => {
+				this.say("busy", `Photographing the simulated block: ${String(count)} of ${String(of)} …`);
+			});
+			this.store.dispatch({
+				type: "files",
+				files: files.map((file) => ({
+					...file,
+					id: nextId$2++
+				})),
+				truth
+			});
+			this.say("info", `${String(files.length)} photos of a simulated block. Press Run.`);
+		} catch (error) {
+			this.failed("The block could not be simulated", error);
+		}
+	}
+	/** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
+	async takeText(given, file) {
+		this.store.dispatch({
+			type: "options",
+			options: { [given]: {
+				name: file.name,
+				text: await file.text()
+			} }
+		});
+		const problem = problemsOf(this.store.state)[given];
+		if (problem === void 0) this.say("info", `${TEXTS[given]} from ${file.name}.`);
+		else if (problem === PARTNER_MISSING[given]) this.say("info", `${TEXTS[given]} from ${file.name}. ${problem}.`);
+		else this.say("problem", `${sentence(problem)} The block cannot be run with it.`);
+	}
+	/** Takes masks in place of those that are there. */
+	takeMasks(files) {
+		this.store.dispatch({
+			type: "options",
+			options: { masks: files.map((file) => ({
+				id: nextId$2++,
+				name: file.name,
+				file
+			})) }
+		});
+		const problem = problemsOf(this.store.state).masks;
+		if (problem !== void 0) this.say("problem", `${sentence(problem)} The block cannot be run with them.`);
+	}
+	/** Opens a block that was saved. */
+	async open(file) {
+		this.say("busy", `Reading ${file.name} …`);
+		try {
+			await this.engine.open(new Uint8Array(await file.arrayBuffer()));
+			this.say("info", `${file.name} was opened. The file does not hold its images: drop them too to open pairs.`);
+		} catch (error) {
+			this.failed(`${file.name} cannot be opened`, error);
+		}
+	}
+	add(found, aside) {
+		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
+		const before = files.size;
+		for (const { file, path } of found) {
+			const name = [file.name, path].find((text) => text !== "" && !files.has(text));
+			if (name !== void 0) files.set(name, {
+				id: nextId$2++,
+				name,
+				file
+			});
+		}
+		const twice = found.length - (files.size - before);
+		const sorted = [...files.values()].sort((a, b) => a.name < b.name ? -1 : 1);
+		if (sorted.length > before) this.store.dispatch({
+			type: "files",
+			files: sorted,
+			truth: this.store.state.truth
+		});
+		const notes = [
+			`${images(sorted.length)} in the block.`,
+			twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : "",
+			aside > 0 ? `${String(aside)} ${aside === 1 ? "file" : "files"} skipped: not an image by name.` : "",
+			sorted.length >= 2 ? "Press Run." : "A block needs two images or more."
+		];
+		this.say("info", notes.filter((note) => note !== "").join(" "));
+	}
+	say(kind, text) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind,
+				text
+			}
+		});
+	}
+	failed(what, error) {
+		if (error instanceof Cancelled) this.say("info", "Cancelled. Nothing was changed.");
+		else this.say("problem", `${what}: ${messageOf(error)}. The block is unchanged.`);
+	}
+};
+function images(count) {
+	return `${String(count)} ${count === 1 ? "image" : "images"}`;
+}
+// www/shared/panel/control.ts
+/** Beyond this many steps, or this range of a real number, a slider is too coarse to be of use. */
+var SLIDER_STEPS = 200;
+var WIDEST_SLIDER = 20;
+function makeControl(parameter, binding) {
+	const id = `p-${parameter.key.replace(".", "-")}`;
+	const field = makeField(parameter, id, binding);
+	const help = h("p", {
+		class: "help",
+		id: `${id}-help`,
+		hidden: true
+	}, parameter.help);
+	const problem = h("p", {
+		class: "field-problem",
+		id: `${id}-problem`,
+		role: "alert"
+	});
+	const reset = button("↺", `reset-${parameter.key}`, () => {
+		binding.set(binding.standard());
+	}, "Default");
+	reset.className = "icon";
+	reset.setAttribute("aria-label", `${parameter.label}: default`);
+	const flag = parameter.kind === "flag";
+	const element = h("div", { class: "control" }, h("div", { class: "control-head" }, ...flag ? field.elements : [], h("label", { for: id }, parameter.label, parameter.unit === "" ? null : h("span", { class: "unit" }, ` ${parameter.unit}`)), reset, helpButton(parameter, help)), ...flag ? [] : field.elements, problem, help);
+	const show = (value) => {
+		field.show(value);
+		problem.textContent = "";
+		reset.hidden = binding.standard() === value;
+	};
+	field.onProblem((text) => {
+		problem.textContent = text;
+		binding.refused?.();
+	});
+	const refuse = (text) => {
+		problem.textContent = text;
+		element.querySelector(`[id="${id}"]`)?.setAttribute("aria-invalid", "true");
+	};
+	return {
+		parameter,
+		element,
+		show,
+		refuse
+	};
+}
+function helpButton(parameter, help) {
+	const made = button("?", `help-${parameter.key}`, () => {
+		help.hidden = !help.hidden;
+		made.setAttribute("aria-expanded", String(!help.hidden));
+	}, parameter.help);
+	made.className = "icon";
+	made.setAttribute("aria-expanded", "false");
+	made.setAttribute("aria-controls", help.id);
+	made.setAttribute("aria-label", `Help: ${parameter.label}`);
+	return made;
+}
+function makeField(parameter, id, binding) {
+	switch (parameter.kind) {
+		case "flag": return flagField(parameter, id, binding);
+		case "choice": return choiceField(parameter, id, binding);
+		default: return numberField$1(parameter, id, binding);
+	}
+}
+function flagField(parameter, id, { set }) {
+	const input = h("input", {
+		id,
+		type: "checkbox",
+		key: parameter.key,
+		aria: { describedby: `${id}-help` }
+	});
+	input.addEventListener("change", () => {
+		set(input.checked);
+	});
+	return {
+		elements: [input],
+		show: (value) => {
+			input.checked = value === true;
+		},
+		onProblem: () => void 0
+	};
+}
+function choiceField(parameter, id, { set, standard, whenEmpty }) {
+	const { key, values, labels, absent } = parameter;
+	const select = h("select", {
+		id,
+		key,
+		aria: { describedby: `${id}-help` }
+	});
+	const empty = new Option("default", "");
+	empty.title = absent;
+	if (standard() === null) select.append(empty);
+	values.forEach((value, i) => {
+		select.append(new Option(labels[i] ?? value, value));
+	});
+	select.addEventListener("change", () => {
+		set(select.value === "" ? null : select.value);
+	});
+	const show = (value) => {
+		const meant = labels[values.indexOf(String(whenEmpty()))];
+		empty.text = meant === void 0 ? "default" : `default: ${meant}`;
+		select.value = String(value ?? "");
+	};
+	return {
+		elements: [select],
+		show,
+		onProblem: () => void 0
+	};
+}
+/** The step of a whole number; null where any number between is allowed. */
+function stepOf(parameter) {
+	if (parameter.kind === "real") return null;
+	return parameter.odd ? 2 : 1;
+}
+function rangeText(parameter) {
+	return `${{
+		2: "an odd number",
+		1: "a whole number",
+		any: "a number"
+	}[stepOf(parameter) ?? "any"] ?? "a number"} from ${String(parameter.min)} to ${String(parameter.max)}`;
+}
+function numberField$1(parameter, id, { set, standard, whenEmpty }) {
+	const step = stepOf(parameter);
+	const input = h("input", {
+		id,
+		type: "number",
+		key: parameter.key,
+		aria: { describedby: `${id}-help ${id}-problem` }
+	});
+	input.inputMode = step === null ? "decimal" : "numeric";
+	input.min = String(parameter.min);
+	input.max = String(parameter.max);
+	input.step = step === null ? "any" : String(step);
+	const slider = makeSlider(parameter, step);
+	let tell = () => void 0;
+	const optional = () => standard() === null;
+	input.addEventListener("input", () => {
+		if (input.value === "" && !input.validity.badInput && optional()) {
+			set(null);
+			return;
+		}
+		if (!input.validity.valid || input.value === "") {
+			input.setAttribute("aria-invalid", "true");
+			tell(`Allowed: ${rangeText(parameter)}${optional() ? ", or empty" : ""}. The last valid value stays in use.`);
+			return;
+		}
+		set(input.valueAsNumber);
+	});
+	slider?.addEventListener("input", () => {
+		set(slider.valueAsNumber);
+	});
+	const show = (value) => {
+		input.removeAttribute("aria-invalid");
+		const absent = optional() ? whenEmpty() : null;
+		input.placeholder = optional() ? String(absent ?? "default") : "";
+		input.title = optional() ? `Empty: ${String(absent ?? parameter.absent)}` : "";
+		if (input.value === "" || input.valueAsNumber !== value) input.value = value === null ? "" : String(value);
+		const shown = value ?? absent;
+		if (slider !== null) slider.value = String(typeof shown === "number" ? shown : parameter.min);
+	};
+	return {
+		elements: slider === null ? [input] : [h("div", { class: "with-slider" }, slider, input)],
+		show,
+		onProblem: (listener) => {
+			tell = listener;
+		}
+	};
+}
+function makeSlider(parameter, step) {
+	const range = parameter.max - parameter.min;
+	if (step === null ? range > WIDEST_SLIDER : range / step > SLIDER_STEPS) return null;
+	const slider = h("input", {
+		type: "range",
+		aria: { label: `${parameter.label}, slider` }
+	});
+	slider.min = String(parameter.min);
+	slider.max = String(parameter.max);
+	slider.step = String(step ?? range / 100);
+	return slider;
+}
+// www/shared/panel/settings.ts
+/** The path of a key: groups of features lie a step deeper in a block's settings, and a group that stands alone has its fields at the top. */
+function pathOf(settings, key) {
+	const [group = "", field = ""] = key.split(".");
+	if (group in settings) return [group, field];
+	return "features" in settings ? [
+		"features",
+		group,
+		field
+	] : [field];
+}
+/** The value of a setting; null where it is absent. */
+function readSetting(settings, key) {
+	return pathOf(settings, key).reduce((at, name) => at?.[name], settings) ?? null;
+}
+/** The settings with one value changed. */
+function withSetting(settings, key, value) {
+	return changed$1(settings, pathOf(settings, key), value);
+}
+function changed$1(at, [name = "", ...rest], value) {
+	const inside = at[name] ?? {};
+	return {
+		...at,
+		[name]: rest.length === 0 ? value : changed$1(inside, rest, value)
+	};
+}
+// www/shared/panel/sections.ts
+function makeSections(parameters, { change, defaults, resolved, refused }) {
+	const controls = parameters.map((parameter) => makeControl(parameter, {
+		set: (value) => {
+			change(parameter.key, value);
+		},
+		standard: () => readSetting(defaults(), parameter.key),
+		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
+		refused: () => refused?.(parameter.label)
+	}));
+	const groups = [...new Set(parameters.map(({ section }) => section))].map((section) => {
+		const own = controls.filter(({ parameter }) => parameter.section === section);
+		return {
+			own,
+			element: h("fieldset", { class: "group" }, h("legend", {}, section), ...own.map(({ element }) => element))
+		};
+	});
+	const show = (settings, acting) => {
+		const used = ({ parameter }) => acting === void 0 || acting.includes(parameter.key);
+		for (const control of controls) {
+			control.show(readSetting(settings, control.parameter.key));
+			control.element.hidden = !used(control);
+		}
+		for (const { own, element } of groups) element.hidden = !own.some(used);
+	};
+	return {
+		controls,
+		elements: groups.map(({ element }) => element),
+		show
+	};
+}
+// www/block/panel/flight.ts
+/** The simulated block: a control for each parameter of its flight that photos depend on. */
+function mountFlight(host, store, files) {
+	store.watch((s) => [s.catalogue], ([catalogue]) => {
+		if (catalogue === null) return;
+		const sections = makeSections(catalogue.flightParameters, {
+			change: (key, value) => {
+				const { flight } = store.state;
+				if (flight !== null) store.dispatch({
+					type: "flight",
+					flight: withSetting(flight, key, value)
+				});
+			},
+			defaults: () => catalogue.flight
+		});
+		const take = button("Photograph this block", "block-photograph", () => {
+			files.simulate();
+		});
+		take.className = "primary";
+		fill(host, h("p", { class: "note" }, "A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each."), h("div", { class: "buttons" }, take), ...sections.elements);
+		store.watch((s) => [s.flight], ([flight]) => {
+			if (flight !== null) sections.show(flight);
+		});
+		store.watch((s) => [s.running, s.notice], () => {
+			take.disabled = isBusy$1(store.state);
+		});
+	});
+}
+// www/block/state/words.ts
+/** What the page says of an image or a pair of a block. */
+/** The connection of two images; undefined where they were not tried. */
+function connectionOf(view, [a, b]) {
+	return connectionsOf(view).get(pairKey(a, b));
+}
+function pairKey(a, b) {
+	return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
+}
+var CONNECTIONS = /* @__PURE__ */ new WeakMap();
+/** All connections by their images. */
+function connectionsOf(view) {
+	const known = CONNECTIONS.get(view);
+	if (known !== void 0) return known;
+	const made = new Map(view.connections.map((connection) => [pairKey(...connection.images), connection]));
+	CONNECTIONS.set(view, made);
+	return made;
+}
+function matchesOf({ outcome }) {
+	return outcome.kind === "connected" ? outcome.matches : 0;
+}
+function describe(view, choice) {
+	return choice.kind === "image" ? describeImage(view, choice.image) : describePair(view, choice.images);
+}
+function describeImage(view, index) {
+	const image = view.images[index];
+	if (image === void 0) return "";
+	const partners = view.connections.filter(({ images, outcome }) => images.includes(index) && outcome.kind === "connected").length;
+	return `${[
+		`${image.name}: ${image.features === null ? "" : `${count(image.features)} features, `}${count(image.rays)} observations${image.places === null ? "" : ` in ${String(image.places)} of 9 von Gruber positions`}`,
+		`connected with ${count(partners)} of ${count(view.images.length - 1)} images`,
+		image.rmsePx === null ? "" : `RMSE ${fixed(image.rmsePx, 2)} px`,
+		image.oriented ? "oriented" : image.why,
+		image.exifOrientation === null || image.exifOrientation === 1 ? "" : `used as stored, EXIF orientation ${String(image.exifOrientation)}`
+	].filter((part) => part !== "").join("; ")}.`;
+}
+function describePair(view, images) {
+	const names = images.map((image) => view.images[image]?.name ?? "").join(" – ");
+	const connection = connectionOf(view, images);
+	if (connection === void 0) return `${names}: this pair was not tried (the choice of pairs skips it).`;
+	const { reason, geometry, shared, chosen } = connection;
+	return `${names}: ${[
+		reason.replace(/\.$/u, ""),
+		geometry,
+		shared > 0 ? `${count(shared)} common points, ${count(chosen)} selected` : ""
+	].filter((part) => part !== "").join("; ")}.`;
+}
+// www/block/panel/mode.ts
+/** The switch between the pair and the block, and the way back from a pair of the block. */
+var MODES = [["pair", "Pair"], ["block", "Block"]];
+/** `parts`: what is shown in each mode alone. */
+function mountMode(store, parts) {
+	const buttons = MODES.map(([mode, text]) => ({
+		mode,
+		press: button(text, `mode-${mode}`, () => {
+			store.dispatch({
+				type: "mode",
+				mode
+			});
+		})
+	}));
+	store.watch((s) => [s.mode], ([mode]) => {
+		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
+		for (const [own] of MODES) for (const part of parts[own]) part.hidden = own !== mode;
+		document.querySelector(".skip")?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
+		document.body.dataset.mode = mode;
+	});
+	return h("div", {
+		class: "mode",
+		role: "group",
+		aria: { label: "What is matched" }
+	}, ...buttons.map(({ press }) => press));
+}
+/** A line over the pair that says which pair of the block it is. */
+function mountBack(store) {
+	const text = h("span", { testid: "of-block" });
+	const line = h("div", { class: "of-block" }, button("← Back to the block", "back-to-block", () => {
+		store.dispatch({
+			type: "mode",
+			mode: "block"
+		});
+		document.getElementById("block-view")?.focus();
+	}), text);
+	store.watch((s) => [s.opened, s.shown], ([opened, shown]) => {
+		line.hidden = opened === null || shown === null;
+		fill(text, opened === null || shown === null ? "" : describe(shown.view, {
+			kind: "pair",
+			images: opened
+		}));
+	});
+	return line;
+}
+// www/block/panel/progress.ts
+var STAGES$1 = {
+	photos: "Photos",
+	images: "Images: features",
+	likeness: "Similarity of images",
+	pairs: "Pairs: matches",
+	points: "Tie points",
+	windows: "Windows of observations",
+	refinement: "Refinement",
+	orientation: "Orientation"
+};
+/** Stages whose steps are parts of one computation, none that the user counts. */
+var OF_ONE_PIECE = /* @__PURE__ */ new Set(["points", "orientation"]);
+/** Stages in their order. */
+var NAMES$1 = Object.keys(STAGES$1);
+function mountProgress(host, store) {
+	const body = h("div", { class: "stages" });
+	const whole = section("Run", "block-progress", body);
+	host.append(whole);
+	store.watch((s) => [s.running, s.shown], ([running, shown]) => {
+		const steps = running.kind === "no" ? shown?.steps ?? {} : running.steps;
+		const begun = NAMES$1.flatMap((name) => steps[name] === void 0 ? [] : [stage(name, steps[name])]);
+		whole.hidden = begun.length === 0;
+		fill(body, ...begun);
+	});
+}
+function stage(name, step) {
+	const line = (...parts) => h("div", {
+		class: "stage-line",
+		testid: `stage-${name}`
+	}, h("span", {}, STAGES$1[name]), ...parts, h("span", { class: "note" }, stepText(name, step)));
+	if (step.done === step.total) return line();
+	const bar = h("progress", { aria: { label: STAGES$1[name] } });
+	bar.max = Math.max(1, step.total);
+	bar.value = step.done;
+	return line(bar);
+}
+/** "7 of 12, 3 from an earlier run; 8 s, about 5 s left; IMG_9428.jpg"; of a stage that is done what there was and how long it took. */
+function stepText(stage, { done, total, found, seconds, secondsLeft, name }) {
+	const goesOn = done < total;
+	return [
+		OF_ONE_PIECE.has(stage) ? "" : `${count(done)} of ${count(total)}${found > 0 ? `, ${count(found)} from an earlier run` : ""}`,
+		`${duration(seconds)}${secondsLeft === void 0 || !goesOn ? "" : `, about ${duration(secondsLeft)} left`}`,
+		goesOn ? name ?? "" : ""
+	].filter((part) => part !== "").join("; ");
+}
+/** What the status line says of the stage that runs. */
+function runText(steps) {
+	const name = NAMES$1.findLast((stage) => steps[stage] !== void 0);
+	const step = name === void 0 ? void 0 : steps[name];
+	return name === void 0 || step === void 0 ? "Starting …" : `${STAGES$1[name]}: ${stepText(name, step)}`;
+}
+function duration(seconds) {
+	if (seconds < 9.95) return `${seconds.toFixed(1)} s`;
+	if (seconds < 90) return `${String(Math.round(seconds))} s`;
+	const minutes = Math.round(seconds / 60);
+	return minutes < 90 ? `${String(minutes)} min` : `${(seconds / 3600).toFixed(1)} h`;
+}
+// www/block/state/reducer.ts
+function reduceBlock(state, action) {
+	switch (action.type) {
+		case "ready": return {
+			...state,
+			catalogue: action.catalogue,
+			options: {
+				...state.options,
+				settings: action.catalogue.defaults
+			},
+			flight: action.catalogue.flight
+		};
+		case "mode": return {
+			...state,
+			mode: action.mode
+		};
+		case "files": return {
+			...state,
+			files: action.files,
+			truth: action.truth,
+			running: onOtherInput(state.running)
+		};
+		case "options": return {
+			...state,
+			options: {
+				...state.options,
+				...action.options
+			},
+			running: onOtherInput(state.running),
+			notice: null,
+			refused: action.options.settings === void 0 ? state.refused : null
+		};
+		case "refused": return {
+			...state,
+			refused: action.label,
+			notice: state.notice?.kind === "busy" ? state.notice : null
+		};
+		case "flight": return {
+			...state,
+			flight: action.flight
+		};
+		case "choose": return {
+			...state,
+			choice: action.choice
+		};
+		case "openedPair": return {
+			...state,
+			opened: action.images
+		};
+		case "notice": return {
+			...state,
+			notice: action.notice
+		};
+		case "openedFile": return {
+			...state,
+			...blank(state),
+			running: { kind: "no" },
+			shown: {
+				key: "",
+				view: action.view,
+				files: [],
+				steps: {},
+				seconds: 0
+			}
+		};
+		case "clear": return {
+			...BLOCK_INITIAL,
+			mode: state.mode,
+			catalogue: state.catalogue,
+			options: state.options,
+			flight: state.flight
+		};
+		default: return withRun$1(state, action);
+	}
+}
+/** A run that goes on keeps what it was given; of one that was ended nothing is left to take up as it was. */
+function onOtherInput(running) {
+	return running.kind === "yes" ? running : { kind: "no" };
+}
+/** What refers to the images of a block that is no longer shown. */
+function blank(state) {
+	return {
+		choice: null,
+		opened: null,
+		notice: state.notice?.kind === "busy" ? null : state.notice
+	};
+}
+/** What was chosen, by the names of its images in another view of them; null where they are not in it. */
+function sameChoice({ shown, choice }, view) {
+	if (shown === null || choice === null) return null;
+	const place = (image) => view.images.findIndex(({ name }) => name === shown.view.images[image]?.name);
+	if (choice.kind === "image") return place(choice.image) < 0 ? null : {
+		kind: "image",
+		image: place(choice.image)
+	};
+	const images = [place(choice.images[0]), place(choice.images[1])];
+	return images.includes(-1) ? null : {
+		kind: "pair",
+		images
+	};
+}
+/** What a run reports. */
+function withRun$1(state, action) {
+	const { running } = state;
+	switch (action.type) {
+		case "started": return {
+			...state,
+			running: {
+				kind: "yes",
+				key: action.key,
+				steps: {}
+			},
+			notice: null
+		};
+		case "step": return running.kind === "yes" ? {
+			...state,
+			running: {
+				...running,
+				steps: {
+					...running.steps,
+					[action.step.stage]: action.step
+				}
+			}
+		} : state;
+		case "part": {
+			if (running.kind !== "yes" || state.shown !== null && !state.shown.view.partial) return state;
+			const { view, files } = action;
+			const shown = {
+				key: running.key,
+				view,
+				files,
+				seconds: 0,
+				steps: {}
+			};
+			return {
+				...state,
+				shown,
+				opened: null,
+				choice: sameChoice(state, view)
+			};
+		}
+		case "done": {
+			const { key, view, files, seconds } = action;
+			return {
+				...state,
+				...blank(state),
+				choice: sameChoice(state, view),
+				running: { kind: "no" },
+				shown: {
+					key,
+					view,
+					files,
+					seconds,
+					steps: running.kind === "yes" ? running.steps : {}
+				}
+			};
+		}
+		case "ended": return running.kind === "yes" ? {
+			...state,
+			running: {
+				kind: "ended",
+				steps: running.steps,
+				failure: action.failure
+			}
+		} : state;
+	}
+}
+// www/shared/panel/facts.ts
+/** Figures that explain themselves: a press on a name shows what the figure is. */
+/** Names whose explanation is open: kept, since the panels are built anew with each result. */
+var open$1 = /* @__PURE__ */ new Set();
+function facts(list) {
+	return h("dl", { class: "facts" }, ...list.flatMap(({ name, testid, value, help, kind }) => {
+		const text = h("dd", {
+			class: "help",
+			id: `${testid}-help`,
+			hidden: !open$1.has(testid)
+		}, help);
+		const press = button(name, `${testid}-name`, () => {
+			text.hidden = !text.hidden;
+			if (text.hidden) open$1.delete(testid);
+			else open$1.add(testid);
+			press.setAttribute("aria-expanded", String(!text.hidden));
+		}, help);
+		press.className = "explained";
+		press.setAttribute("aria-expanded", String(!text.hidden));
+		press.setAttribute("aria-controls", text.id);
+		return [
+			h("dt", {}, press),
+			h("dd", {
+				testid,
+				class: kind ?? ""
+			}, value),
+			text
+		];
+	}));
+}
+// www/block/panel/results.ts
+/** What came of a block: images oriented, points by rays, residuals, calibrated cameras, warnings, and what was skipped. */
+/** Reasons listed one by one; the others are in the table of images. */
+var LISTED = 50;
+function mountResults(host, store) {
+	const body = h("div", { testid: "block-results" });
+	host.append(body);
+	store.watch((s) => [
+		s.shown,
+		s.files,
+		s.options
+	], ([shown]) => {
+		body.classList.toggle("is-stale", isOutdated(store.state));
+		if (shown === null) fill(body, h("p", { class: "note" }, "No block yet. Drop images or a folder, or simulate a block, then press Run."));
+		else fill(body, ...sectionsOf(shown.view));
+	});
+}
+function sectionsOf(view) {
+	if (view.partial) return [
+		leftOut(view),
+		section("So far", "block-facts", facts(partialFacts(view))),
+		section("Cameras", "block-cameras", cameraTable(view))
+	];
+	return [
+		leftOut(view),
+		strays("Masks without an image", "block-stray-masks", view.strayMasks, "no image has their name"),
+		strays("Image measurements without an image", "block-stray-marks", view.strayMarks, "not among the images read"),
+		listOf("Remarks", "block-remarks", view.remarks),
+		section("Block", "block-facts", facts(factsOf(view))),
+		view.score === null ? null : section("Against the truth", "block-score", facts(scoreFacts(view.score))),
+		listOf("Warnings", "block-warnings", view.warnings),
+		notOriented(view),
+		section("Tie points by number of rays", "block-by-rays", rayTable(view)),
+		section("Cameras", "block-cameras", cameraTable(view))
+	];
+}
+/** What is known before there are points. */
+function partialFacts(view) {
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
+	return [
+		{
+			name: "Images read",
+			testid: "block-read",
+			value: count(view.images.length),
+			help: "Images whose features are detected."
+		},
+		{
+			name: "Connected pairs",
+			testid: "block-connected",
+			value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
+			help: "Pairs with enough matches that agree with one geometry."
+		},
+		{
+			name: "Matches",
+			testid: "block-matches",
+			value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)),
+			help: "Verified matches of all connected pairs."
+		}
+	];
+}
+function strays(title, testid, names, why) {
+	if (names.length === 0) return null;
+	return section(title, testid, h("p", {}, `${names.slice(0, LISTED).join(", ")}${names.length > LISTED ? " …" : ""}: ${why}.`));
+}
+function listOf(title, testid, texts) {
+	return texts.length === 0 ? null : section(title, testid, h("ul", {}, ...texts.map((text) => h("li", {}, text))));
+}
+function factsOf(view) {
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
+	const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
+	const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
+	return [
+		{
+			name: "Images oriented",
+			testid: "block-oriented",
+			value: `${count(view.oriented)} of ${count(view.images.length)}`,
+			help: "Images with an exterior orientation: position and attitude in object space."
+		},
+		{
+			name: "Connected pairs",
+			testid: "block-connected",
+			value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
+			help: "Pairs with enough matches that agree with one geometry. The matrix states for each pair why it is connected or not."
+		},
+		{
+			name: "Groups",
+			testid: "block-groups",
+			value: groupText(view),
+			help: "Images that are connected directly or through others. Images are oriented to each other only within a group."
+		},
+		{
+			name: "Matches",
+			testid: "block-matches",
+			value: count(matches),
+			help: "Verified matches of all connected pairs."
+		},
+		...view.found === null ? [] : [{
+			name: "Tie points",
+			testid: "block-found",
+			value: `${count(view.found.points)}, ${count(view.found.rays)} observations`,
+			help: "Points seen in two or more images. A well distributed selection of them is adjusted."
+		}],
+		...view.refinement === null ? [] : [refinementFact(view.refinement)],
+		{
+			name: "Selected tie points",
+			testid: "block-points-count",
+			value: `${count(view.points.count)}, ${count(rays)} observations`,
+			help: "The tie points of the block and their image observations."
+		},
+		{
+			name: "RMSE",
+			testid: "block-rmse",
+			value: `${fixed(view.rmsePx, 3)} px`,
+			help: "Root mean square length of the residuals of all accepted observations after the adjustment."
+		},
+		{
+			name: "σ₀",
+			testid: "block-sigma0",
+			value: `${fixed(view.sigma0Px, 3)} px`,
+			help: "Standard error of one image coordinate, from the adjustment."
+		}
+	];
+}
+/** Why observations keep their positions. */
+var KEPT$1 = {
+	not_converged: "did not converge",
+	left_image: "at the border",
+	moved_too_far: "moved too far",
+	low_correlation: "low correlation",
+	no_texture: "no texture",
+	inconsistent: "inconsistent"
+};
+function refinementFact(counts) {
+	const { reference, refined, ...kept } = counts;
+	const others = Object.values(kept).reduce((sum, number) => sum + number, 0);
+	const reasons = Object.entries(KEPT$1).flatMap(([outcome, words]) => {
+		const number = kept[outcome];
+		return number === 0 ? [] : [`${count(number)} ${words}`];
+	});
+	return {
+		name: "Refined observations",
+		testid: "block-refined",
+		value: `${count(refined)} of ${count(refined + others)}`,
+		help: `Observations moved by least squares matching to the reference observations of ${count(reference)} points. The others keep their positions${reasons.length > 0 ? `: ${reasons.join(", ")}` : ""}.`
+	};
+}
+function scoreFacts(score) {
+	const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(", ");
+	return [
+		{
+			name: "Right points",
+			testid: "score-points",
+			value: `${count(score.right_points)} of ${count(score.points)}`,
+			help: "Points whose observations all agree within 1.5 px in each image, by the true orientations."
+		},
+		{
+			name: "Their observations",
+			testid: "score-rays",
+			value: `${fixed(score.right_rmse_px, 3)} px`,
+			help: "Root mean square distance of the observations of right points from their intersection."
+		},
+		{
+			name: "Positions",
+			testid: "score-positions",
+			value: positions === void 0 ? "–" : `${positions} m`,
+			help: "Root mean square errors of x, y, z of the projection centres after the best similarity transformation to the truth."
+		},
+		{
+			name: "Angles",
+			testid: "score-angles",
+			value: `${fixed(score.angle_rmse_deg, 4)}°`,
+			help: "Root mean square angle between the oriented and the true attitudes after the same transformation."
+		}
+	];
+}
+function groupText({ groups, images }) {
+	const sizes = groups.map(({ length }) => length);
+	const alone = sizes.filter((size) => size === 1).length;
+	const largest = sizes[0] ?? 0;
+	if (largest === images.length) return "one";
+	return `${count(sizes.length - alone)} (the largest of ${count(largest)})${alone > 0 ? `, ${count(alone)} single` : ""}`;
+}
+function leftOut(view) {
+	if (view.leftOut.length === 0) return null;
+	return section(`Skipped: ${count(view.leftOut.length)} that cannot be read`, "block-left-out", reasons(view.leftOut));
+}
+function notOriented(view) {
+	const lost = view.images.filter(({ oriented }) => !oriented);
+	if (view.oriented === 0 || lost.length === 0) return null;
+	return section(`Not oriented: ${count(lost.length)}`, "block-not-oriented", reasons(lost.map(({ name, why }) => ({
+		name,
+		reason: why
+	}))));
+}
+function reasons(list) {
+	const rest = list.length - LISTED;
+	return h("ul", { class: "reasons" }, ...list.slice(0, LISTED).map(({ name, reason }) => h("li", {}, h("b", {}, name), `: ${reason}`)), rest > 0 ? h("li", {}, `and ${count(rest)} more in the table of images`) : null);
+}
+function rayTable({ byRays }) {
+	const head = h("thead", {}, h("tr", {}, ...[
+		"Rays",
+		"Points",
+		"RMSE px"
+	].map((text) => h("th", { scope: "col" }, text))));
+	const number = (text) => h("td", { class: "number" }, text);
+	return h("table", { testid: "by-rays" }, head, h("tbody", {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))));
+}
+function cameraTable({ cameras, found }) {
+	const given = ({ given: known }) => known === null ? found === null ? "–" : "unknown" : fixed(known.focal_px, 1);
+	const head = h("thead", {}, h("tr", {}, ...[
+		"Camera",
+		"Images",
+		"Given f px",
+		"Calibrated f px"
+	].map((text) => h("th", { scope: "col" }, text))));
+	const number = (text) => h("td", { class: "number" }, text);
+	return h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		testid: "cameras"
+	}, head, h("tbody", {}, ...cameras.map((camera, i) => row(`${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, "$1 × ")}`, number(count(camera.images)), number(given(camera)), number(camera.calibrated === null ? "–" : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? "" : ` ± ${fixed(camera.focalErrorPx, 1)}`}`))))));
+}
+// www/shared/crate.ts
+/** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
+function readCatalogue() {
+	return {
+		version: version(),
+		parameters: parameters(),
+		defaults: defaults(),
+		rules: rule_names(),
+		flightParameters: flight_parameters(),
+		paper: paper(),
+		flights: flight_presets().map((name) => ({
+			name,
+			flight: flight_preset(name)
+		}))
+	};
+}
+// www/block/panel/settings.ts
+/** What the user chooses of a run: pairs, points, recorded positions, cameras. */
+function mountSettings(host, store, files) {
+	store.watch((s) => [s.catalogue], ([catalogue]) => {
+		if (catalogue === null) return;
+		const { defaults } = catalogue;
+		const sections = makeSections(catalogue.parameters, {
+			change: (key, value) => {
+				const { settings } = store.state.options;
+				if (settings !== null) store.dispatch({
+					type: "options",
+					options: { settings: withSetting(settings, key, value) }
+				});
+			},
+			defaults: () => defaults,
+			refused: (label) => {
+				store.dispatch({
+					type: "refused",
+					label
+				});
+			}
+		});
+		fill(host, positions(store), ...sections.elements, besides(store, files));
+		store.watch((s) => [s.options.settings], ([settings]) => {
+			if (settings !== null) sections.show(settings, acting_block_parameters(settings));
+		});
+	});
+}
+/** Whether recorded positions are used. */
+function positions(store) {
+	const input = h("input", {
+		id: "block-gps",
+		type: "checkbox",
+		testid: "block-gps"
+	});
+	input.addEventListener("change", () => {
+		store.dispatch({
+			type: "options",
+			options: { gps: input.checked ? "use" : "ignore" }
+		});
+	});
+	store.watch((s) => [s.options.gps], ([gps]) => {
+		input.checked = gps === "use";
+	});
+	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, "Use GNSS positions")), h("p", { class: "help" }, "They choose near pairs and georeference the block."));
+}
+var CAMERAS = "From EXIF. A JSON file overrides it: {\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.";
+var CONTROL = "None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.";
+/** Files that say more of the block than its images do. */
+function besides(store, files) {
+	return h("fieldset", { class: "group" }, h("legend", {}, "Files"), textFile(store, files, "cameras", "Cameras", CAMERAS, ".json,application/json"), textFile(store, files, "control", "Ground control points", CONTROL, ".txt,.csv,text/*"), textFile(store, files, "marks", "Image measurements", "", ".txt,.csv,text/*"), masks(store, files));
+}
+var MASKS = "None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.";
+/** What is wrong with what was given, beside where it is given. */
+function problemOf(store, given) {
+	const line = h("p", {
+		class: "field-problem",
+		testid: `block-${given}-problem`
+	});
+	store.watch((s) => [s.files, s.options], () => {
+		const text = problemsOf(store.state)[given] ?? "";
+		if (line.textContent !== text) line.textContent = text;
+	});
+	return line;
+}
+function masks(store, files) {
+	const part = besideField(store, "masks", "Masks", {
+		multiple: true,
+		accept: "image/*,.tif,.tiff,.pgm,.pnm"
+	}, (given) => {
+		files.takeMasks(given);
+	}, () => {
+		store.dispatch({
+			type: "options",
+			options: { masks: [] }
+		});
+	});
+	store.watch((s) => [s.options.masks], ([given]) => {
+		const names = given.slice(0, 3).map(({ name }) => name).join(", ");
+		part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? " …" : ""}`, MASKS);
+	});
+	return part.element;
+}
+function textFile(store, files, option, title, none, accept) {
+	const part = besideField(store, option, title, { accept }, ([file]) => {
+		if (file !== void 0) files.takeText(option, file);
+	}, () => {
+		store.dispatch({
+			type: "options",
+			options: { [option]: null }
+		});
+	});
+	store.watch((s) => [s.options[option]], ([given]) => {
+		part.show(given?.name ?? null, none);
+	});
+	return part.element;
+}
+/** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
+function besideField(store, given, title, how, take, clear) {
+	const [press, input] = fileButton(`${title} …`, {
+		testid: `block-${given}`,
+		label: `File: ${title}`,
+		...how
+	}, take);
+	const remove = button("Remove", `block-${given}-remove`, clear);
+	remove.setAttribute("aria-label", `Remove: ${title}`);
+	const name = h("p", {
+		class: "note",
+		testid: `block-${given}-name`
+	});
+	return {
+		element: h("div", { class: "control" }, h("div", { class: "buttons" }, press, remove), name, problemOf(store, given), input),
+		show: (text, none) => {
+			fill(name, text ?? none);
+			remove.hidden = text === null;
+		}
+	};
+}
+// www/shared/panel/zoom.ts
+/** The buttons that enlarge a picture. */
+var STEP = 1.5;
+/** `prefix` of their test ids; `whole` says what Fit shows; `picture` is asked at each press. */
+function zoomButtons(prefix, whole, picture) {
+	return [
+		labelled("−", `${prefix}zoom-out`, "Zoom out (−)", () => {
+			picture().zoomMiddle(1 / STEP);
+		}),
+		labelled("+", `${prefix}zoom-in`, "Zoom in (+)", () => {
+			picture().zoomMiddle(STEP);
+		}),
+		labelled("Fit", `${prefix}zoom-fit`, `${whole} (0)`, () => {
+			picture().fit();
+		})
+	];
+}
+/** A button whose sign says less than its label. */
+function labelled(text, testid, label, action) {
+	const made = button(text, testid, action, label);
+	made.setAttribute("aria-label", label);
+	return made;
+}
+// www/shared/view/layers.ts
+function contextOf(canvas) {
+	const context = canvas.getContext("2d");
+	if (context === null) throw new Error("this browser offers no canvas to draw on");
+	return context;
+}
+/** Draws within a rectangle alone. */
+function within(context, rect, draw) {
+	context.save();
+	context.beginPath();
+	context.rect(rect.left, rect.top, rect.width, rect.height);
+	context.clip();
+	draw();
+	context.restore();
+}
+var Layers = class {
+	host;
+	names;
+	paint;
+	contexts;
+	dirty = /* @__PURE__ */ new Set();
+	frame = 0;
+	/** Device px per CSS px. */
+	ratio = 1;
+	width = 1;
+	height = 1;
+	/** `names` from the lowest layer to the highest; `paint` draws one of them, in CSS px. */
+	constructor(host, names, paint) {
+		this.host = host;
+		this.names = names;
+		this.paint = paint;
+		this.contexts = Object.fromEntries(names.map((name) => [name, contextOf(canvasIn(host, name))]));
+		new ResizeObserver(() => {
+			this.resize();
+		}).observe(host);
+	}
+	redraw(...names) {
+		for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
+		if (this.frame === 0) this.frame = requestAnimationFrame(() => {
+			this.draw();
+		});
+	}
+	/** The place of a pointer, CSS px. */
+	place(event) {
+		const box = this.host.getBoundingClientRect();
+		return [event.clientX - box.left, event.clientY - box.top];
+	}
+	/** The picture as it is on the screen, all layers together. */
+	snapshot() {
+		this.draw();
+		const canvas = document.createElement("canvas");
+		canvas.width = Math.round(this.width * this.ratio);
+		canvas.height = Math.round(this.height * this.ratio);
+		const context = contextOf(canvas);
+		for (const name of this.names) context.drawImage(this.contexts[name].canvas, 0, 0);
+		return canvas;
+	}
+	resize() {
+		this.ratio = window.devicePixelRatio || 1;
+		this.width = Math.max(1, this.host.clientWidth);
+		this.height = Math.max(1, this.host.clientHeight);
+		for (const name of this.names) {
+			const { canvas } = this.contexts[name];
+			canvas.width = Math.round(this.width * this.ratio);
+			canvas.height = Math.round(this.height * this.ratio);
+			this.dirty.add(name);
+		}
+		this.draw();
+	}
+	draw() {
+		cancelAnimationFrame(this.frame);
+		this.frame = 0;
+		if (this.host.closest("[hidden]") !== null) return;
+		const names = this.names.filter((name) => this.dirty.has(name));
+		this.dirty.clear();
+		for (const name of names) {
+			const context = this.contexts[name];
+			context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+			context.clearRect(0, 0, this.width, this.height);
+			context.lineCap = "butt";
+			this.paint(name, context);
+		}
+	}
+};
+function canvasIn(host, name) {
+	const canvas = document.createElement("canvas");
+	canvas.className = "layer";
+	canvas.dataset.testid = `layer-${name}`;
+	canvas.setAttribute("aria-hidden", "true");
+	host.append(canvas);
+	return canvas;
+}
+// www/shared/view/transform.ts
+function contains(rect, x, y) {
+	return x >= rect.left && x < rect.left + rect.width && y >= rect.top && y < rect.top + rect.height;
+}
+function toCanvas(t, x, y) {
+	return [t.scale * x + t.x, t.scale * y + t.y];
+}
+/** The position that a place of the canvas shows. */
+function toPosition(t, x, y) {
+	return [(x - t.x) / t.scale, (y - t.y) / t.scale];
+}
+function panned(t, dx, dy) {
+	return {
+		scale: t.scale,
+		x: t.x + dx,
+		y: t.y + dy
+	};
+}
+/** Enlarged by a factor about a place of the canvas, within limits of the scale. */
+function zoomedAbout(t, factor, x, y, { least, most }) {
+	const scale = Math.min(most, Math.max(least, t.scale * factor));
+	const actual = scale / t.scale;
+	return {
+		scale,
+		x: x + actual * (t.x - x),
+		y: y + actual * (t.y - y)
+	};
+}
+// www/shared/view/colours.ts
+/** The colours of the page's theme, for canvases. */
+var NAMES = [
+	"text",
+	"muted",
+	"line",
+	"accent",
+	"problem",
+	"good",
+	"bars",
+	"ground",
+	"surface"
+];
+var known = null;
+/** The colours as they are now. Custom properties hold both themes' colours; an element's own colour is the one that counts. */
+function themeColours() {
+	known ??= readColours();
+	return known;
+}
+function readColours() {
+	const probe = document.createElement("span");
+	document.body.append(probe);
+	const colours = Object.fromEntries(NAMES.map((name) => {
+		probe.style.color = `var(--${name})`;
+		return [name, getComputedStyle(probe).color];
+	}));
+	probe.remove();
+	return colours;
+}
+/** Calls back when the theme was changed, by the user or by the system. */
+function onRecolour(callback) {
+	const changed = () => {
+		known = null;
+		callback();
+	};
+	new MutationObserver(changed).observe(document.documentElement, {
+		attributes: true,
+		attributeFilter: ["data-theme"]
+	});
+	matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+}
+// www/shared/view/gestures.ts
+/** Movement below which a press is a click, CSS px. */
+var CLICK_SLACK = 5;
+var KEY_PAN = 60;
+var KEY_ZOOM = 1.25;
+/** Wheels that count in lines scroll about so many px each. */
+var LINE_PX = 24;
+/** Natural logarithm of the enlargement a px of wheel; a pinch on a touch pad comes as a wheel event with Ctrl and small steps. */
+var WHEEL_RATE = .0016;
+var PINCH_RATE = .01;
+var ARROWS = {
+	ArrowLeft: [1, 0],
+	ArrowRight: [-1, 0],
+	ArrowUp: [0, 1],
+	ArrowDown: [0, -1]
+};
+/** Listens on a host, and for keys on it or on a larger element that belongs to it. */
+function listen(host, movable, keyHost = host) {
+	new Gestures(host, movable, keyHost);
+}
+var Gestures = class {
+	host;
+	movable;
+	presses = /* @__PURE__ */ new Map();
+	target = null;
+	clicked = false;
+	constructor(host, movable, keyHost) {
+		this.host = host;
+		this.movable = movable;
+		host.addEventListener("pointerdown", (event) => {
+			this.down(event);
+		});
+		host.addEventListener("pointermove", (event) => {
+			this.move(event);
+		});
+		host.addEventListener("pointerup", (event) => {
+			this.up(event);
+		});
+		host.addEventListener("pointercancel", (event) => {
+			this.presses.delete(event.pointerId);
+		});
+		host.addEventListener("pointerleave", () => {
+			movable.pointed(null, false);
+		});
+		host.addEventListener("wheel", (event) => {
+			this.wheel(event);
+		}, { passive: false });
+		keyHost.addEventListener("keydown", (event) => {
+			this.key(event);
+		});
+	}
+	place(event) {
+		const box = this.host.getBoundingClientRect();
+		return [event.clientX - box.left, event.clientY - box.top];
+	}
+	down(event) {
+		if (event.button !== 0 || event.target.closest("button") !== null) return;
+		const [x, y] = this.place(event);
+		const target = this.movable.at(x, y);
+		if (target === null) return;
+		this.host.setPointerCapture(event.pointerId);
+		this.clicked = this.presses.size === 0;
+		this.target = target;
+		this.presses.set(event.pointerId, {
+			x,
+			y,
+			startX: x,
+			startY: y
+		});
+		this.movable.grabbed?.(target);
+	}
+	move(event) {
+		const [x, y] = this.place(event);
+		const press = this.presses.get(event.pointerId);
+		this.movable.pointed([x, y], press !== void 0);
+		if (press === void 0 || this.target === null) return;
+		if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
+		this.clicked = false;
+		const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
+		if (still === void 0) this.movable.pan(this.target, x - press.x, y - press.y);
+		else this.pinch(this.target, press, still, x, y);
+		press.x = x;
+		press.y = y;
+	}
+	/** Two fingers: pan by their middle, zoom by their distance. */
+	pinch(target, moved, still, x, y) {
+		const before = Math.hypot(moved.x - still.x, moved.y - still.y);
+		const after = Math.hypot(x - still.x, y - still.y);
+		this.movable.pan(target, (x - moved.x) / 2, (y - moved.y) / 2);
+		if (before > 1 && after > 1) this.movable.zoom(target, after / before, (x + still.x) / 2, (y + still.y) / 2);
+	}
+	up(event) {
+		if (this.presses.delete(event.pointerId) && this.clicked) this.movable.pressed(...this.place(event));
+	}
+	wheel(event) {
+		const [x, y] = this.place(event);
+		const target = this.movable.at(x, y);
+		if (target === null) return;
+		event.preventDefault();
+		const px = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX * event.deltaY : event.deltaY;
+		this.movable.zoom(target, Math.exp(-(event.ctrlKey ? PINCH_RATE : WHEEL_RATE) * px), x, y);
+	}
+	key(event) {
+		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select, .welcome") !== null) return;
+		if (this.movable.command(event.key) || this.moved(event)) event.preventDefault();
+	}
+	/** The keys that move a picture; with Shift they pan farther. */
+	moved({ key, shiftKey }) {
+		const [dx, dy] = ARROWS[key] ?? [0, 0];
+		const target = this.movable.focused();
+		if (dx !== 0 || dy !== 0) {
+			const step = KEY_PAN * (shiftKey ? 4 : 1);
+			if (target !== null) this.movable.pan(target, dx * step, dy * step);
+			return true;
+		}
+		if (key === "+" || key === "=") this.movable.zoomMiddle(KEY_ZOOM);
+		else if (key === "-" || key === "_") this.movable.zoomMiddle(1 / KEY_ZOOM);
+		else if (key === "0") this.movable.fit();
+		else return false;
+		return true;
+	}
+};
+// www/block/view/looking.ts
+/** A press chooses; a press on the pair that is chosen opens it. */
+function press(store, looking, choice) {
+	const { choice: before } = store.state;
+	const again = choice?.kind === "pair" && before?.kind === "pair" && choice.images.every((image) => before.images.includes(image));
+	if (choice?.kind === "pair" && again && !isBusy$1(store.state)) looking.open(choice.images);
+	else looking.choose(choice);
+}
+// www/block/view/chart.ts
+/** What the picture and the matrix of a block have in common: shown whole until it is moved, pointed at, pressed. */
+var Chart = class {
+	store;
+	looking;
+	layers;
+	/** Null: all of it is shown. */
+	moved = null;
+	of = null;
+	/** What the pointer is over. */
+	hovered = null;
+	constructor(host, name, store, looking) {
+		this.store = store;
+		this.looking = looking;
+		this.layers = new Layers(host, [name], (_, context) => {
+			const view = this.view();
+			if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
+		});
+		onRecolour(() => {
+			this.layers.redraw();
+		});
+		listen(host, {
+			at: () => this.view(),
+			focused: () => this.view(),
+			pan: (view, dx, dy) => {
+				this.move(view, panned(this.current(view), dx, dy));
+			},
+			zoom: (view, factor, x, y) => {
+				this.zoom(view, factor, x, y);
+			},
+			zoomMiddle: (factor) => {
+				this.zoomMiddle(factor);
+			},
+			fit: () => {
+				this.fit();
+			},
+			pressed: (x, y) => {
+				press(store, looking, this.choiceAt(x, y));
+			},
+			pointed: (at, dragging) => {
+				if (!dragging) this.hover(at === null ? null : this.choiceAt(...at));
+			},
+			command: (key) => this.command(key) || this.commandOfChoice(key)
+		});
+		store.watch((s) => [s.shown, s.choice], ([shown]) => {
+			const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
+			if (shown?.view !== this.of && !same) this.moved = null;
+			this.of = shown?.view ?? null;
+			this.layers.redraw();
+		});
+	}
+	/** Keeps it in sight. */
+	held(_view, t) {
+		return t;
+	}
+	fit() {
+		this.moved = null;
+		this.layers.redraw();
+	}
+	zoomMiddle(factor) {
+		const view = this.view();
+		if (view !== null) this.zoom(view, factor, this.layers.width / 2, this.layers.height / 2);
+	}
+	view() {
+		return this.store.state.shown?.view ?? null;
+	}
+	current(view) {
+		return this.moved ?? this.whole(view);
+	}
+	move(view, t) {
+		this.moved = this.held(view, t);
+		this.layers.redraw();
+	}
+	zoom(view, factor, x, y) {
+		this.move(view, zoomedAbout(this.current(view), factor, x, y, this.limits(this.whole(view).scale)));
+	}
+	choiceAt(x, y) {
+		const view = this.view();
+		return view === null ? null : this.hit(view, this.current(view), x, y);
+	}
+	hover(choice) {
+		this.hovered = choice;
+		this.looking.point(choice);
+		this.layers.redraw();
+	}
+	commandOfChoice(key) {
+		const { choice } = this.store.state;
+		if (key === "Enter" && choice?.kind === "pair") this.looking.open(choice.images);
+		else if (key === "Escape") this.looking.choose(null);
+		else return false;
+		return true;
+	}
+};
+// www/block/view/matrix.ts
+/** Side of a cell in CSS px: in the whole matrix, and enlarged. */
+var LARGEST_WHOLE = 44;
+var LARGEST = 160;
+/** Room for the numbers of the images. */
+var HEAD$2 = 30;
+/** From this side on a cell holds the number of matches. */
+var NUMBERED = 30;
+var Matrix = class extends Chart {
+	constructor(host, store, looking) {
+		super(host, "matrix", store, looking);
+	}
+	whole({ images: { length } }) {
+		const room = Math.min(this.layers.width, this.layers.height) - HEAD$2 - 4;
+		const side = Math.min(LARGEST_WHOLE, room / Math.max(1, length));
+		return {
+			scale: side > 4 ? Math.floor(side) : side,
+			x: HEAD$2,
+			y: HEAD$2
+		};
+	}
+	limits(whole) {
+		return {
+			least: whole,
+			most: LARGEST
+		};
+	}
+	/** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
+	held({ images: { length } }, { scale, x, y }) {
+		const within = (shift, room) => Math.min(HEAD$2, Math.max(Math.min(HEAD$2, (HEAD$2 + room) / 2 - length * scale), shift));
+		return {
+			scale,
+			x: within(x, this.layers.width),
+			y: within(y, this.layers.height)
+		};
+	}
+	hit(view, t, x, y) {
+		const [column, row] = toPosition(t, x, y).map(Math.floor);
+		const inside = (index) => index >= 0 && index < view.images.length;
+		return x >= HEAD$2 && y >= HEAD$2 && inside(column) && inside(row) ? choiceOf([row, column]) : null;
+	}
+	/** Arrows go from cell to cell. */
+	command(key) {
+		const step = {
+			ArrowLeft: [0, -1],
+			ArrowRight: [0, 1],
+			ArrowUp: [-1, 0],
+			ArrowDown: [1, 0]
+		}[key];
+		const view = this.view();
+		if (step === void 0 || view === null) return false;
+		const { choice } = this.store.state;
+		const [row, column] = choice === null ? [0, 0] : cellOf$1(choice);
+		const inside = (index) => Math.min(Math.max(index, 0), view.images.length - 1);
+		const cell = [inside(row + (step[0] ?? 0)), inside(column + (step[1] ?? 0))];
+		this.looking.choose(choiceOf(cell));
+		this.reveal(view, cell);
+		return true;
+	}
+	/** Brings a cell into sight. */
+	reveal(view, [row, column]) {
+		const t = this.current(view);
+		const brought = (index, shift, room) => Math.max(HEAD$2 - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
+		this.move(view, {
+			scale: t.scale,
+			x: brought(column, t.x, this.layers.width),
+			y: brought(row, t.y, this.layers.height)
+		});
+	}
+	paint(context, colours, view, t) {
+		const { width, height } = this.layers;
+		paintHeads(context, colours, view.images.length, t, width, height);
+		within(context, {
+			left: 29,
+			top: 29,
+			width,
+			height
+		}, () => {
+			this.paintCells(context, colours, view, t);
+			this.paintMarks(context, colours, view, t);
+		});
+	}
+	paintCells(context, colours, view, t) {
+		const { scale: side } = t;
+		const count = view.images.length;
+		const most = view.connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 1);
+		for (const connection of connectionsOf(view).values()) {
+			const [a, b] = connection.images;
+			const matches = matchesOf(connection);
+			const tried = connection.outcome.kind === "connected";
+			const alpha = tried ? .15 + .85 * Math.sqrt(matches / most) : .6;
+			for (const [row, column] of [[a, b], [b, a]]) {
+				const [x, y] = toCanvas(t, column, row);
+				if (x > this.layers.width || y > this.layers.height || x + side < HEAD$2 || y + side < HEAD$2) continue;
+				context.globalAlpha = alpha;
+				context.fillStyle = tried ? colours.bars : connection.outcome.kind === "failed" ? colours.problem : colours.muted;
+				paintCell(context, x, y, side, tried);
+				context.globalAlpha = 1;
+				if (tried && side >= NUMBERED) paintNumber(context, colours, x + side / 2, y + side / 2 + 3.5, matches);
+			}
+		}
+		context.strokeStyle = colours.line;
+		context.lineWidth = 1;
+		context.strokeRect(t.x - .5, t.y - .5, count * side + 1, count * side + 1);
+		context.fillStyle = colours.line;
+		for (let i = 0; i < count; i++) context.fillRect(...toCanvas(t, i, i), side, side);
+	}
+	paintMarks(context, colours, view, t) {
+		const { choice } = this.store.state;
+		const { scale: side } = t;
+		context.strokeStyle = colours.accent;
+		context.lineWidth = 2;
+		const cells = [choice?.kind === "pair" ? choice : null, this.hovered].filter((one) => one !== null);
+		for (const [row, column] of cells.map(cellOf$1)) {
+			context.strokeRect(...toCanvas(t, column, row), side, side);
+			if (connectionOf(view, [row, column]) !== void 0) context.strokeRect(...toCanvas(t, row, column), side, side);
+		}
+		if (choice?.kind !== "image") return;
+		const length = view.images.length * side;
+		context.strokeRect(...toCanvas(t, 0, choice.image), length, side);
+		context.strokeRect(...toCanvas(t, choice.image, 0), side, length);
+	}
+};
+function choiceOf([row, column]) {
+	return row === column ? {
+		kind: "image",
+		image: row
+	} : {
+		kind: "pair",
+		images: [row, column]
+	};
+}
+/** Of an image that on the diagonal. */
+function cellOf$1(choice) {
+	return choice.kind === "pair" ? choice.images : [choice.image, choice.image];
+}
+/** A pair that was tried in vain is a small square: told apart from a weak one without its colour. */
+function paintCell(context, x, y, side, connected) {
+	const gap = side > 8 ? 1 : 0;
+	const share = side > 12 ? .28 : .6;
+	if (connected) context.fillRect(x, y, side - gap, side - gap);
+	else context.fillRect(x + .5 * (1 - share) * side, y + .5 * (1 - share) * side, share * side, share * side);
+}
+function paintNumber(context, colours, x, y, matches) {
+	context.font = "10px system-ui, sans-serif";
+	context.textAlign = "center";
+	context.lineWidth = 3;
+	context.strokeStyle = colours.surface;
+	context.strokeText(String(matches), x, y);
+	context.fillStyle = colours.text;
+	context.fillText(String(matches), x, y);
+}
+/** Numbers of the images, as in their table, so many that they do not touch; they stay in sight wherever the matrix is moved. */
+function paintHeads(context, colours, count, t, width, height) {
+	const step = [
+		1,
+		2,
+		5,
+		10,
+		20,
+		50,
+		100,
+		200,
+		500
+	].find((s) => s * t.scale >= 24) ?? 1e3;
+	context.font = "10px system-ui, sans-serif";
+	context.fillStyle = colours.muted;
+	for (let i = 0; i < count; i += step) {
+		const [x, y] = toCanvas(t, i + .5, i + .5);
+		context.textAlign = "center";
+		if (x > HEAD$2 && x < width) context.fillText(String(i + 1), x, 24);
+		context.textAlign = "right";
+		if (y > HEAD$2 && y < height) context.fillText(String(i + 1), 25, y + 3.5);
+	}
+}
+// www/block/view/plan.ts
+/** The plan of a block: where its images are drawn, which lines join them, and what lies at a place. Lengths are CSS px. */
+var MARK_REACH = 12;
+var LINE_REACH = 6;
+/** The view that shows all images. The plan's y goes up, the canvas's down. */
+function fitPlan({ layout: { places } }, width, height) {
+	const box = [
+		Infinity,
+		Infinity,
+		-Infinity,
+		-Infinity
+	];
+	for (let i = 0; i < places.length; i += 2) {
+		const [x = 0, y = 0] = places.subarray(i, i + 2);
+		box[0] = Math.min(box[0], x);
+		box[1] = Math.min(box[1], y);
+		box[2] = Math.max(box[2], x);
+		box[3] = Math.max(box[3], y);
+	}
+	if (places.length === 0) return {
+		scale: 1,
+		x: 0,
+		y: 0
+	};
+	const room = (length) => Math.max(10, length - 96);
+	const spread = (low, high) => Math.max(high - low, 1e-9);
+	const scale = Math.min(room(width) / spread(box[0], box[2]), room(height) / spread(box[1], box[3]));
+	return {
+		scale,
+		x: width / 2 - scale * (box[0] + box[2]) / 2,
+		y: height / 2 + scale * (box[1] + box[3]) / 2
+	};
+}
+function placeOf$1(view, plan, image) {
+	const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
+	return toCanvas(plan, x, -y);
+}
+var LINES = /* @__PURE__ */ new WeakMap();
+/** The lines of a block, the weakest first, so that the strong ones lie on top. */
+function linesOf(view) {
+	const known = LINES.get(view);
+	if (known !== void 0) return known;
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
+	const joined = connected.some(({ shared }) => shared > 0);
+	const weight = (connection) => joined ? connection.shared : matchesOf(connection);
+	const most = connected.reduce((high, connection) => Math.max(high, weight(connection)), 1);
+	const made = connected.map((connection) => ({
+		images: connection.images,
+		strength: Math.sqrt(weight(connection) / most)
+	})).map((line) => ({
+		...line,
+		width: .6 + 6.4 * line.strength
+	})).sort((a, b) => a.width - b.width);
+	LINES.set(view, made);
+	return made;
+}
+/** The image at a place, else the pair whose line passes there. */
+function hitPlan(view, plan, x, y) {
+	let image = -1;
+	let least = MARK_REACH;
+	view.images.forEach((_, i) => {
+		const [px, py] = placeOf$1(view, plan, i);
+		const distance = Math.hypot(px - x, py - y);
+		if (distance < least) [image, least] = [i, distance];
+	});
+	if (image >= 0) return {
+		kind: "image",
+		image
+	};
+	let found = null;
+	let nearest = Infinity;
+	for (const line of linesOf(view)) {
+		const distance = toSegment(placeOf$1(view, plan, line.images[0]), placeOf$1(view, plan, line.images[1]), x, y);
+		if (distance <= Math.max(LINE_REACH, line.width / 2 + 2) && distance < nearest) [found, nearest] = [line, distance];
+	}
+	return found === null ? null : {
+		kind: "pair",
+		images: found.images
+	};
+}
+/** The distance of a place from a line between two others. */
+function toSegment([ax, ay], [bx, by], x, y) {
+	const [dx, dy] = [bx - ax, by - ay];
+	const along = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / Math.max(dx * dx + dy * dy, 1e-9)));
+	return Math.hypot(ax + along * dx - x, ay + along * dy - y);
+}
+// www/block/view/picture.ts
+/** Above so many images only those that are pointed at or chosen have their names. */
+var NAMED = 60;
+/** Of a name: its base line below the middle of its image, its height, and the room to the next one; in CSS px. */
+var NAME_BELOW = 19;
+var NAME_HEIGHT = 13;
+var NAME_GAP = 6;
+var Picture = class extends Chart {
+	constructor(host, store, looking) {
+		super(host, "plan", store, looking);
+	}
+	whole(view) {
+		return fitPlan(view, this.layers.width, this.layers.height);
+	}
+	limits(whole) {
+		return {
+			least: .2 * whole,
+			most: 200 * whole
+		};
+	}
+	hit(view, plan, x, y) {
+		return hitPlan(view, plan, x, y);
+	}
+	command(key) {
+		switch (key) {
+			case "n":
+			case "N":
+				this.step(1);
+				return true;
+			case "p":
+			case "P":
+				this.step(-1);
+				return true;
+			case "c":
+			case "C":
+				this.stepPair();
+				return true;
+			default: return false;
+		}
+	}
+	/** Chooses the next image. */
+	step(by) {
+		const count = this.view()?.images.length ?? 0;
+		const { choice } = this.store.state;
+		const now = choice === null ? by > 0 ? -1 : 0 : choice.kind === "image" ? choice.image : choice.images[0];
+		if (count > 0) this.looking.choose({
+			kind: "image",
+			image: (now + by + count) % count
+		});
+	}
+	/** Chooses the next connection of the image that is chosen, or of the first of the pair. */
+	stepPair() {
+		const view = this.view();
+		const { choice } = this.store.state;
+		if (view === null || choice === null) return;
+		const image = choice.kind === "image" ? choice.image : choice.images[0];
+		const own = view.connections.map(({ images }) => images).filter((images) => images.includes(image)).map(([a, b]) => a === image ? [a, b] : [b, a]);
+		const next = own[((choice.kind === "pair" ? own.findIndex(([, b]) => b === choice.images[1]) : -1) + 1) % Math.max(1, own.length)];
+		if (next !== void 0) this.looking.choose({
+			kind: "pair",
+			images: next
+		});
+	}
+	paint(context, colours, view, plan) {
+		const marked = [this.store.state.choice, this.hovered].filter((choice) => choice !== null);
+		paintLines(context, colours, view, plan, marked);
+		paintImages(context, colours, view, plan, marked);
+		paintNames(context, colours, view, plan, marked);
+	}
+};
+function isOf(choice, images) {
+	return choice.kind === "image" ? images.includes(choice.image) : images.every((image) => choice.images.includes(image));
+}
+function paintLines(context, colours, view, plan, marked) {
+	context.lineCap = "round";
+	for (const { images, width, strength } of linesOf(view)) {
+		const on = marked.some((choice) => isOf(choice, images));
+		context.globalAlpha = on ? 1 : (marked.length > 0 ? .35 : 1) * (.3 + .5 * strength);
+		context.strokeStyle = on ? colours.accent : colours.bars;
+		context.lineWidth = on ? Math.max(width, 2) : width;
+		paintLine(context, view, plan, images);
+	}
+	context.globalAlpha = 1;
+	paintRefused(context, colours, view, plan, marked);
+}
+function paintLine(context, view, plan, [a, b]) {
+	context.beginPath();
+	context.moveTo(...placeOf$1(view, plan, a));
+	context.lineTo(...placeOf$1(view, plan, b));
+	context.stroke();
+}
+/** Pairs that were tried in vain, dashed: those of the image that is chosen, and the pair that is chosen itself. */
+function paintRefused(context, colours, view, plan, marked) {
+	context.setLineDash([4, 4]);
+	context.lineWidth = 1;
+	for (const { images, outcome } of view.connections) {
+		if (outcome.kind === "connected" || !marked.some((choice) => isOf(choice, images))) continue;
+		context.strokeStyle = outcome.kind === "failed" ? colours.problem : colours.muted;
+		paintLine(context, view, plan, images);
+	}
+	context.setLineDash([]);
+}
+function paintImages(context, colours, view, plan, marked) {
+	const largest = new Set(view.groups[0]);
+	view.images.forEach(({ oriented }, i) => {
+		const [x, y] = placeOf$1(view, plan, i);
+		const on = marked.some((choice) => choice.kind === "image" ? choice.image === i : choice.images.includes(i));
+		const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
+		const sound = view.partial || (view.layout.kind === "oriented" ? oriented : largest.has(i));
+		context.beginPath();
+		context.arc(x, y, radius, 0, 2 * Math.PI);
+		context.fillStyle = sound ? on ? colours.accent : colours.bars : colours.surface;
+		context.fill();
+		context.lineWidth = sound ? 1.5 : 2;
+		context.strokeStyle = sound ? colours.surface : colours.problem;
+		context.stroke();
+	});
+}
+/** Names below their images, as far as there is room beside each other: first those that are pointed at or chosen, which always stand. */
+function paintNames(context, colours, view, plan, marked) {
+	context.font = "11px system-ui, sans-serif";
+	context.textAlign = "center";
+	const isMarked = (image) => marked.some((choice) => choice.kind === "image" ? choice.image === image : choice.images.includes(image));
+	const all = view.images.map((_, image) => image);
+	const named = [...all.filter(isMarked), ...view.images.length > NAMED ? [] : all.filter((image) => !isMarked(image))];
+	const taken = [];
+	for (const image of named) {
+		const text = (view.images[image]?.name ?? "").replace(/\.[^.]+$/u, "");
+		const [x, middle] = placeOf$1(view, plan, image);
+		const [y, half] = [middle + NAME_BELOW, .5 * context.measureText(text).width];
+		if (taken.some((other) => Math.abs(other.x - x) < other.half + half + NAME_GAP && Math.abs(other.y - y) < NAME_HEIGHT) && !isMarked(image)) continue;
+		taken.push({
+			x,
+			y,
+			half
+		});
+		paintName(context, colours, text, x, y);
+	}
+}
+function paintName(context, colours, text, x, y) {
+	context.lineWidth = 3;
+	context.strokeStyle = colours.ground;
+	context.strokeText(text, x, y);
+	context.fillStyle = colours.text;
+	context.fillText(text, x, y);
+}
+// www/block/panel/stage.ts
+/** The middle of the block's page: its picture or its matrix, and what is said of what is pointed at or chosen. */
+var LAYOUTS = {
+	oriented: "Oriented positions, from above",
+	recorded: "GNSS positions, from above",
+	connections: "Arranged by connections: positions have no meaning"
+};
+function mountStage(host, store, looking, files) {
+	const pictureHost = h("div", {
+		class: "view block-view",
+		id: "block-view",
+		testid: "block-picture",
+		tabindex: 0,
+		role: "group",
+		aria: {
+			roledescription: "plan of the block",
+			label: "Images of the block, joined by lines whose width grows with their common points",
+			describedby: "block-keys"
+		}
+	});
+	const matrixHost = h("div", {
+		class: "view block-matrix",
+		testid: "block-matrix",
+		tabindex: 0,
+		hidden: true,
+		role: "group",
+		aria: {
+			roledescription: "matrix of matches",
+			label: "Images by images; arrow keys choose a pair",
+			describedby: "block-keys"
+		}
+	});
+	const pointed = h("p", {
+		class: "pointed",
+		testid: "block-pointed"
+	});
+	const chosen = h("p", {
+		class: "chosen",
+		testid: "block-chosen",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const open = button("Open this pair", "block-open-pair", () => {
+		const { choice } = store.state;
+		if (choice?.kind === "pair") looking.open(choice.images);
+	});
+	const hint = "Point at an image, a line or a cell to see what it is and why a pair is not connected.";
+	let pointedAt = null;
+	const showPointed = () => {
+		say$1(pointed, store, pointedAt, hint);
+		if (pointed.textContent === chosen.textContent) pointed.textContent = "";
+	};
+	const looks = {
+		...looking,
+		point: (choice) => {
+			pointedAt = choice;
+			showPointed();
+		}
+	};
+	const picture = new Picture(pictureHost, store, looks);
+	const matrix = new Matrix(matrixHost, store, looks);
+	const layout = h("span", {
+		class: "note",
+		testid: "block-layout"
+	});
+	const cells = h("span", {
+		class: "note",
+		testid: "block-cells",
+		hidden: true
+	});
+	const switched = switcher([[
+		"Picture",
+		pictureHost,
+		layout
+	], [
+		"Matrix",
+		matrixHost,
+		cells
+	]]);
+	const tools = h("div", { class: "actions" }, ...zoomButtons("block-", "Whole block", () => matrixHost.hidden ? picture : matrix));
+	host.append(h("div", {
+		class: "toolbar",
+		role: "toolbar",
+		aria: { label: "View of the block" }
+	}, switched.element, tools, layout, cells), welcomed(pictureHost, store, files), matrixHost, h("div", { class: "said" }, h("div", {}, chosen, pointed), open), h("p", {
+		class: "keys",
+		id: "block-keys"
+	}, "Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose."));
+	looks.point(null);
+	store.watch((s) => [s.shown], ([shown]) => {
+		if (shown === null) switched.show(0);
+	});
+	store.watch((s) => [
+		s.choice,
+		s.shown,
+		s.running,
+		s.notice
+	], ([choice, shown]) => {
+		say$1(chosen, store, choice, "");
+		showPointed();
+		open.hidden = choice?.kind !== "pair" || shown === null;
+		open.disabled = isBusy$1(store.state);
+		fill(layout, shown === null ? "" : legend(shown.view));
+		fill(cells, shown === null ? "" : cellLegend(shown.view));
+	});
+}
+function mostMatches({ connections }) {
+	return connections.reduce((high, connection) => Math.max(high, matchesOf(connection)), 0);
+}
+/** What cells mean. */
+function cellLegend(view) {
+	return `Strongest cell: ${count(mostMatches(view))} matches. Small square: not connected. Blank: not tried.`;
+}
+/** What places and lines mean. */
+function legend(view) {
+	const most = view.connections.reduce((high, { shared }) => Math.max(high, shared), 0);
+	const matches = mostMatches(view);
+	const widest = most > 0 ? `${count(most)} common points` : `${count(matches)} matches`;
+	return `${LAYOUTS[view.layout.kind]}. ${most + matches > 0 ? `Widest line: ${widest}.` : ""}`;
+}
+function say$1(element, store, choice, otherwise) {
+	const { shown } = store.state;
+	const text = choice === null || shown === null ? otherwise : describe(shown.view, choice);
+	if (element.textContent !== text) element.textContent = text;
+}
+/** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
+function switcher(parts) {
+	const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => {
+		show(i);
+	}));
+	const show = (shown) => {
+		parts.forEach(([, part, tools], i) => {
+			part.hidden = i !== shown;
+			tools.hidden = i !== shown;
+			buttons[i]?.setAttribute("aria-pressed", String(i === shown));
+		});
+	};
+	return {
+		element: h("div", {
+			class: "mode",
+			role: "group",
+			aria: { label: "Shown" }
+		}, ...buttons),
+		show
+	};
+}
+/** The picture with the invitation over it while there is no block. */
+function welcomed(host, store, files) {
+	const simulate = button("Simulate a block", "block-simulate-first", () => {
+		files.simulate();
+	});
+	const list = h("p", {
+		class: "note",
+		testid: "block-given"
+	});
+	const welcome = h("div", {
+		class: "welcome",
+		testid: "block-welcome"
+	}, h("h2", {}, "Match a block of photographs"), h("p", {}, "Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block."), h("p", { class: "buttons" }, simulate), list, h("p", { class: "note" }, "Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer."));
+	host.append(welcome);
+	store.watch((s) => [
+		s.shown,
+		s.files,
+		s.running,
+		s.notice,
+		s.catalogue
+	], ([shown, given, , , catalogue]) => {
+		welcome.hidden = shown !== null;
+		simulate.disabled = catalogue === null || isBusy$1(store.state);
+		const names = given.map(({ name }) => name);
+		fill(list, names.length === 0 ? "" : `${String(names.length)} images: ${names.slice(0, 8).join(", ")}${names.length > 8 ? " …" : ""}`);
+	});
+	return host;
+}
+// www/shared/text/names.ts
+/** What is no parameter of the crate's catalogue, but named in its messages. */
+var OTHER = {
+	"camera.focal_mm": "Focal length",
+	"camera.pixel_mm": "Pixel size",
+	"camera.principal_point_mm": "Principal point",
+	"camera.radial_distortion": "Radial distortion",
+	"camera.tangential_distortion": "Tangential distortion",
+	focal_mm: "Focal length",
+	origin: "Origin in the scan"
+};
+/** A message with the labels of the parameters that it names by their keys. */
+function readable(catalogue, message) {
+	const labels = new Map(Object.entries(OTHER));
+	for (const { key, label } of [...catalogue?.parameters ?? [], ...catalogue?.flightParameters ?? []]) labels.set(key, label);
+	return message.replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key).replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key).replace(/(\d) x (?=\d)/gu, "$1 × ");
+}
+function quoted(label) {
+	return label === void 0 ? void 0 : `“${label}”`;
+}
+// www/block/panel/status.ts
+/** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
+function mountBlockStatus(store, engine) {
+	const line = h("p", {
+		class: "status",
+		testid: "block-status",
+		role: "status",
+		aria: { live: "polite" }
+	});
+	const run = button("Run", "block-run", () => {
+		engine.run();
+	});
+	run.className = "primary";
+	const cancel = button("Cancel", "block-cancel", () => {
+		engine.cancel();
+	});
+	store.watch((s) => [s], ([state]) => {
+		const { text, kind } = lineOf$2(state);
+		line.dataset.kind = kind;
+		line.setAttribute("aria-live", kind === "busy" ? "off" : "polite");
+		fill(line, readable(state.catalogue?.labels ?? null, text));
+		run.disabled = isBusy$1(state) || state.files.length < 2;
+		run.textContent = state.running.kind === "ended" ? "Go on" : "Run";
+		cancel.disabled = !isBusy$1(state);
+	});
+	return h("div", { class: "status-bar" }, line, run, cancel);
+}
+function lineOf$2(state) {
+	const { running, notice, shown, files } = state;
+	if (running.kind === "yes") return {
+		text: runText(running.steps),
+		kind: "busy"
+	};
+	if (notice !== null) return {
+		text: notice.text,
+		kind: notice.kind === "info" ? "idle" : notice.kind
+	};
+	if (state.refused !== null) return {
+		text: refusedText(state.refused),
+		kind: "problem"
+	};
+	if (running.kind === "ended") {
+		const former = shown !== null && !shown.view.partial ? " The screen shows the former block." : "";
+		if (running.failure === null) return {
+			text: `Cancelled.${former} The work done is ${former === "" ? "shown and " : ""}kept: Go on continues from there.`,
+			kind: "idle"
+		};
+		return {
+			text: `The block was not finished: ${sentence(running.failure)}${former === "" ? " The work done is kept." : former}`,
+			kind: "problem"
+		};
+	}
+	if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
+	if (files.length >= 2) return {
+		text: `${count(files.length)} images. ${shown === null || shown.view.partial ? "Press Run." : "Images or settings have changed: press Run."}`,
+		kind: "idle"
+	};
+	return {
+		text: "Open the images of a block: files, a folder, or a simulated block.",
+		kind: "idle"
+	};
+}
+function doneLine(shown) {
+	const { view, files } = shown;
+	if (view.oriented > 0 || files.length === 0) return {
+		text: doneText(shown),
+		kind: "done"
+	};
+	const why = view.warnings[0] ?? "No image could be oriented.";
+	const group = view.groups[0]?.length ?? 0;
+	const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : "";
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
+	return {
+		text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, "connected pair")}, ${counted(view.points.count, "tie point")}.`,
+		kind: "problem"
+	};
+}
+function doneText({ view, seconds }) {
+	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
+	const left = view.leftOut.length === 0 ? "" : `, ${count(view.leftOut.length)} skipped`;
+	const time = seconds === 0 ? "" : ` ${duration(seconds)}.`;
+	const oriented = view.oriented === 0 ? "" : `, ${view.oriented === view.images.length ? "all" : count(view.oriented)} oriented`;
+	const weak = view.warnings.length === 0 ? "" : ` ${counted(view.warnings.length, "warning", "warnings")}, see Results.`;
+	return `Done: ${counted(view.images.length, "image")}${oriented}${left}, ${counted(connected, "pair")} connected, ${pointsText(view)}.${time}${weak}`;
+}
+function pointsText({ points, found }) {
+	return found === null ? counted(points.count, "tie point") : `${count(points.count)} of ${counted(found.points, "tie point")} selected`;
+}
+function counted(number, one, many = `${one}s`) {
+	return `${count(number)} ${number === 1 ? one : many}`;
+}
+// www/shared/state/rows.ts
+/** The rows that are kept, in order of a column. Equal values keep their order. */
+function ordered(count, columns, { key, descending }, keep) {
+	const kept = Array.from({ length: count }, (_, row) => row).filter(keep);
+	const column = columns.find((candidate) => candidate.key === key);
+	if (column === void 0) return kept;
+	const values = new Map(kept.map((row) => [row, column.value(row)]));
+	return kept.sort((a, b) => compared(values.get(a) ?? NaN, values.get(b) ?? NaN, descending) || a - b);
+}
+function compared(a, b, descending) {
+	const sign = descending ? -1 : 1;
+	if (typeof a === "string" || typeof b === "string") return sign * String(a).localeCompare(String(b), "en", { numeric: true });
+	if (Number.isNaN(a) || Number.isNaN(b)) return Number(Number.isNaN(a)) - Number(Number.isNaN(b));
+	return sign * (a - b);
+}
+// www/shared/panel/rows.ts
+/** The rows of a long table: only those in sight exist, between two fillers as high as the others would be. */
+/** Height of a row in CSS px, as in the style sheet. */
+var ROW = 24;
+/** Rows beyond the ones in sight, so that a scroll shows no gap. */
+var MARGIN = 12;
+/** More columns than any table has. */
+var COLUMNS = 20;
+var RowsInSight = class {
+	row;
+	head = h("thead", {});
+	scroller;
+	body = h("tbody", {});
+	count = 0;
+	/** `row` builds the row at a place; a button in it that has a `data-key` keeps the keyboard while it is in sight. */
+	constructor(testid, words, row) {
+		this.row = row;
+		const table = h("table", {
+			testid,
+			class: "statistics",
+			aria: { label: words.table }
+		}, this.head, this.body);
+		this.scroller = h("div", {
+			class: "rows",
+			tabindex: 0,
+			role: "region",
+			aria: { label: words.region }
+		}, table);
+		this.scroller.addEventListener("scroll", () => {
+			this.draw();
+		});
+		new ResizeObserver(() => {
+			this.draw();
+		}).observe(this.scroller);
+	}
+	/** Shows so many rows, or the same ones anew. */
+	show(count) {
+		this.count = count;
+		this.draw();
+	}
+	/** Brings a row into sight; a place below 0 is none. */
+	reveal(place) {
+		const { scrollTop, clientHeight } = this.scroller;
+		const top = place * ROW;
+		if (place >= 0 && (top < scrollTop || top > scrollTop + clientHeight - 72)) this.scroller.scrollTop = Math.max(0, top - clientHeight / 2);
+		this.draw();
+	}
+	/** Says on the heads of columns how the rows are sorted. */
+	markOrder(key, descending) {
+		for (const cell of this.head.querySelectorAll("th")) cell.setAttribute("aria-sort", cell.dataset.key === key ? descending ? "descending" : "ascending" : "none");
+	}
+	draw() {
+		if (this.scroller.closest("[hidden]") !== null) return;
+		const { scrollTop, clientHeight } = this.scroller;
+		const first = Math.max(0, Math.floor(scrollTop / ROW) - MARGIN);
+		const last = Math.min(this.count, Math.ceil((scrollTop + clientHeight) / ROW) + MARGIN);
+		const seen = Array.from({ length: Math.max(0, last - first) }, (_, i) => this.row(first + i));
+		const focused = this.focused();
+		fill(this.body, filler(first), ...seen, filler(this.count - last));
+		if (focused !== null) this.focus(focused);
+	}
+	/** The key of the button that has the keyboard; null where none has. */
+	focused() {
+		const { activeElement } = document;
+		return activeElement instanceof HTMLElement && this.body.contains(activeElement) ? activeElement.dataset.key ?? "" : null;
+	}
+	/** Gives the keyboard back to a button that was built anew, or to the table where it is out of sight. */
+	focus(key) {
+		(this.body.querySelector(`button[data-key="${key}"]`) ?? this.scroller).focus({ preventScroll: true });
+	}
+};
+/** The head of a column that rows are sorted by. */
+function sortHead(column, press) {
+	const { key, label, unit, help } = column;
+	const button = h("button", {
+		type: "button",
+		class: "sort",
+		testid: `sort-${key}`,
+		title: help
+	}, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`));
+	button.addEventListener("click", press);
+	return h("th", {
+		scope: "col",
+		key
+	}, button);
+}
+function filler(rows) {
+	const cell = h("td", { colspan: COLUMNS });
+	cell.style.height = `${String(Math.max(0, rows) * ROW)}px`;
+	return h("tr", {
+		class: "filler",
+		aria: { hidden: "true" }
+	}, cell);
+}
+// www/shared/panel/table.ts
+/** A table of any length, sorted by any of its columns. */
+var ALL$1 = () => true;
+var Table = class {
+	options;
+	help;
+	table;
+	columns = [];
+	count = 0;
+	keep = ALL$1;
+	shown = [];
+	order = {
+		key: "",
+		descending: false
+	};
+	marked = -1;
+	constructor(host, options) {
+		this.options = options;
+		this.help = h("p", {
+			class: "help",
+			hidden: true,
+			testid: `${options.testid}-help`
+		});
+		this.table = new RowsInSight(options.testid, options.words, (place) => this.row(this.shown[place] ?? 0));
+		host.append(this.help, this.table.scroller);
+	}
+	get scroller() {
+		return this.table.scroller;
+	}
+	get head() {
+		return this.table.head;
+	}
+	/** Shows rows of other columns; `keep` leaves some of them out. Returns how many are shown. */
+	show(count, columns, keep = ALL$1) {
+		if (columns !== this.columns) fill(this.table.head, columns.length === 0 ? null : h("tr", {}, ...columns.map((column) => this.headCell(column))));
+		Object.assign(this, {
+			count,
+			columns,
+			keep
+		});
+		return this.sort();
+	}
+	/** Marks a row and brings it into sight; none where it is negative. */
+	mark(row) {
+		this.marked = row;
+		this.table.reveal(this.shown.indexOf(row));
+	}
+	headCell(column) {
+		const { key, label, help } = column;
+		return sortHead(column, () => {
+			this.order = {
+				key,
+				descending: this.order.key === key && !this.order.descending
+			};
+			fill(this.help, h("b", {}, label), `: ${help}`);
+			this.help.hidden = false;
+			this.sort();
+		});
+	}
+	sort() {
+		this.shown = ordered(this.count, this.columns, this.order, this.keep);
+		this.table.markOrder(this.order.key, this.order.descending);
+		this.table.show(this.shown.length);
+		return this.shown.length;
+	}
+	row(row) {
+		const { testid, choose, chooseLabel } = this.options;
+		const chosen = row === this.marked;
+		const line = h("tr", {
+			class: chosen ? "best" : "",
+			testid: chosen ? `${testid}-selected` : `${testid}-row`
+		}, ...this.columns.map(({ value, text }, i) => {
+			const number = typeof value(row) === "number";
+			if (i > 0 || choose === void 0) return h("td", { class: number ? "number" : "" }, text(row));
+			return h("td", {}, h("button", {
+				type: "button",
+				class: "link",
+				key: String(row),
+				...chooseLabel === void 0 ? {} : { aria: { label: chooseLabel(row) } }
+			}, text(row)));
+		}));
+		if (choose !== void 0) line.addEventListener("click", () => {
+			choose(row);
+		});
+		else line.classList.add("plain");
+		return line;
+	}
+};
+// www/block/panel/tables.ts
+/** The tables of a block: its images, and its points. */
+function mountImages(host, store, looking) {
+	const table = captioned(host, "block-images", "Images", (image) => {
+		looking.choose({
+			kind: "image",
+			image
+		});
+	});
+	store.watch((s) => [s.shown], ([shown]) => {
+		table.show(shown === null ? NONE$1 : imageRows(shown.view));
+	});
+	store.watch((s) => [s.choice], ([choice]) => {
+		table.mark(choice?.kind === "image" ? choice.image : -1);
+	});
+}
+function mountPoints(host, store) {
+	const table = captioned(host, "block-points", "Points");
+	store.watch((s) => [s.shown], ([shown]) => {
+		table.show(shown === null ? NONE$1 : pointRows(shown.view));
+	});
+}
+var NONE$1 = {
+	count: 0,
+	columns: []
+};
+/** A table under a line that counts its rows. */
+function captioned(host, testid, words, choose) {
+	const caption = h("p", { class: "note" });
+	host.append(caption);
+	const table = new Table(host, {
+		testid,
+		words: {
+			table: words,
+			region: `Table: ${words}`
+		},
+		...choose === void 0 ? {} : { choose }
+	});
+	return {
+		show: (rows) => {
+			fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`);
+		},
+		mark: (row) => {
+			table.mark(row);
+		}
+	};
+}
+/** A column of numbers with so many decimals. */
+function numbers$2(key, label, unit, digits, value, help) {
+	return {
+		key,
+		label,
+		unit,
+		help,
+		value,
+		text: (row) => digits === 0 ? count(Number.isNaN(value(row)) ? null : value(row)) : fixed(value(row), digits)
+	};
+}
+function words(key, label, value, help) {
+	return {
+		key,
+		label,
+		unit: "",
+		help,
+		value,
+		text: value
+	};
+}
+function imageRows({ images, leftOut, cameras }) {
+	const known = (value) => value ?? NaN;
+	return {
+		count: images.length + leftOut.length,
+		columns: [
+			words("name", "Image", (i) => images[i]?.name ?? leftOut[i - images.length]?.name ?? "", "File name. Press it to choose the image in the picture."),
+			numbers$2("number", "No.", "", 0, (i) => i < images.length ? i + 1 : NaN, "Row and column in the matrix."),
+			numbers$2("features", "Features", "", 0, (i) => known(images[i]?.features), "Points detected and described."),
+			numbers$2("rays", "Obs.", "", 0, (i) => known(images[i]?.rays), "Observations of selected tie points, without rejected ones."),
+			numbers$2("places", "Cov.", "", 0, (i) => known(images[i]?.places), "Coverage: how many of the nine von Gruber positions hold a selected tie point."),
+			numbers$2("rmse", "RMSE", "px", 2, (i) => known(images[i]?.rmsePx), "Root mean square length of the residuals of its observations."),
+			...cameras.length > 1 ? [numbers$2("camera", "Camera", "", 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join("; ")}.`)] : [],
+			words("state", "State", (i) => stateOf(images[i]?.why ?? leftOut[i - images.length]?.reason ?? ""), "Whether the image is oriented, and if not, why.")
+		]
+	};
+}
+function stateOf(why) {
+	return why === "" ? "oriented" : why;
+}
+function pointRows({ points }) {
+	const axis = (key, label, offset) => [numbers$2(key, label, "", 2, (i) => points.positions[3 * i + offset] ?? NaN, "Object coordinate, in m where the block has a scale."), numbers$2(`sigma-${key}`, `σ ${label}`, "", 3, (i) => points.errors[3 * i + offset] ?? NaN, `Standard error of ${label}, from the adjustment.`)];
+	return {
+		count: points.count,
+		columns: [
+			numbers$2("point", "Point", "", 0, (i) => i + 1, "Number of the point."),
+			numbers$2("point-rays", "Rays", "", 0, (i) => points.rays[i] ?? NaN, "Number of images that see the point."),
+			numbers$2("point-rmse", "RMSE", "px", 2, (i) => points.rmsePx[i] ?? NaN, "Root mean square length of the residuals of its observations."),
+			...axis("x", "X", 0),
+			...axis("y", "Y", 1),
+			...axis("z", "Z", 2),
+			numbers$2("confidence", "Probability", "", 3, (i) => points.confidence[i] ?? NaN, "Probability that all its observations show one point, from the matches alone.")
+		]
+	};
+}
+// www/block/mount.ts
+/** `openPair` shows a pair of the block by itself. */
+function mountBlock(openPair) {
+	const store = new Holder(BLOCK_INITIAL, reduceBlock);
+	const engine = new BlockEngine(store);
+	const files = new BlockFiles(store, engine);
+	const looking = {
+		choose: (choice) => {
+			store.dispatch({
+				type: "choose",
+				choice
+			});
+		},
+		open: (images) => {
+			openPair(store, images);
+		}
+	};
+	const actions = h("div", {
+		class: "actions",
+		role: "group",
+		aria: { label: "Images of the block" }
+	});
+	const exports = h("div", {
+		class: "actions",
+		role: "group",
+		aria: { label: "Export of the block" }
+	});
+	const status = mountBlockStatus(store, engine);
+	const settings = tabbed("Settings", [["block-settings", "Settings"], ["block-flight", "Simulate"]]);
+	const results = tabbed("Results", [
+		["block-results", "Results"],
+		["block-images", "Images"],
+		["block-points", "Points"]
+	]);
+	const stage = h("section", {
+		class: "stage",
+		aria: { label: "Block" }
+	});
+	const main = h("main", { class: "block" }, settings.element, stage, results.element);
+	const heading = document.querySelector(".bar h1");
+	const bar = heading?.parentElement;
+	if (heading == null || bar == null) throw new Error("the page has no bar");
+	const pairParts = [...bar.querySelectorAll(":scope > .actions"), ...document.querySelectorAll("body > main, body > .status-bar")];
+	byId("theme").before(actions, exports);
+	document.querySelector("body > main")?.after(status, main);
+	const back = mountBack(store);
+	document.querySelector("body > main")?.before(back);
+	heading.after(mountMode(store, {
+		pair: [...pairParts],
+		block: [
+			actions,
+			exports,
+			status,
+			main
+		]
+	}));
+	store.watch((s) => [s.mode, s.opened], ([mode, opened]) => {
+		back.hidden = mode !== "pair" || opened === null;
+	});
+	mountActions(actions, store, files);
+	mountExports(exports, store, engine);
+	mountSettings(settings.panels[0], store, files);
+	mountFlight(settings.panels[1], store, files);
+	mountProgress(results.panels[0], store);
+	mountResults(results.panels[0], store);
+	mountStage(stage, store, looking, files);
+	mountImages(results.panels[1], store, {
+		...looking,
+		point: () => void 0
+	});
+	mountPoints(results.panels[2], store);
+	store.watch((s) => [s.running], ([running]) => {
+		if (running.kind === "yes") showTab("tab-block-results");
+	});
+	return {
+		store,
+		taker: files.taker
+	};
+}
+/** The buttons that give images. */
+function mountActions(host, store, files) {
+	const take = (given) => {
+		files.take(given.map((file) => ({
+			file,
+			path: file.webkitRelativePath
+		})));
+	};
+	const [images, imagesInput] = fileButton("Images …", {
+		testid: "block-files",
+		label: "Images, cameras or project of a block",
+		multiple: true,
+		accept: "image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint"
+	}, take, "Image files; a cameras file or a saved project too");
+	const [folder, folderInput] = fileButton("Folder …", {
+		testid: "block-folder",
+		label: "Folder of images",
+		folder: true
+	}, take, "All images of a folder");
+	const buttons = [
+		images,
+		folder,
+		button("Simulated block", "block-simulate", () => {
+			files.simulate();
+		}, "Photos of a synthetic scene, rendered in this tab"),
+		button("Clear", "block-clear", () => {
+			store.dispatch({ type: "clear" });
+		}, "Removes all images")
+	];
+	images.classList.add("primary");
+	fill(host, ...buttons, imagesInput, folderInput);
+	store.watch((s) => [
+		s.running,
+		s.notice,
+		s.files,
+		s.shown,
+		s.catalogue
+	], ([, , given, shown, catalogue]) => {
+		for (const press of buttons) press.disabled = catalogue === null || isBusy$1(store.state);
+		const last = buttons.at(-1);
+		if (last !== void 0) last.disabled ||= given.length === 0 && shown === null;
+	});
+}
+// www/pair/state/state.ts
+var SIDES = ["left", "right"];
+function otherSide(side) {
+	return side === "left" ? "right" : "left";
+}
+/** Parts of the state that are typed in fields. */
+var TYPED_PARTS = [
+	"settings",
+	"camera",
+	"photos",
+	"offset"
+];
+var INITIAL = {
+	catalogue: null,
+	settings: null,
+	refused: {},
+	images: {
+		left: null,
+		right: null
+	},
+	photos: {
+		left: {
+			fiducials: [],
+			origin: null
+		},
+		right: {
+			fiducials: [],
+			origin: null
+		}
+	},
+	masks: {
+		left: null,
+		right: null
+	},
+	camera: null,
+	fiducialModel: "affine",
+	offset: null,
+	truth: null,
+	flight: null,
+	results: {},
+	running: {},
+	failures: {},
+	paused: false,
+	selection: null,
+	activeSide: "left",
+	views: {
+		left: null,
+		right: null
+	},
+	display: {
+		points: "all",
+		lines: "some",
+		vectors: 0,
+		linked: true,
+		magnifier: false,
+		hidden: []
+	},
+	notice: null
+};
+// www/block/pair.ts
+/** From a pair of the block to the pair's part of the page, and back. */
+/** The pair's own images count up from 1: those of blocks count down. */
+var nextId$1 = -1;
+/** Opens both images with the strategy that the block used; where one cannot be opened the block stays. */
+async function openPair(block, store, engine, [a, b]) {
+	const { shown } = block.state;
+	if (shown === null) return;
+	const [left, right] = [a, b].map((image) => fileOf(block, shown.view.images[image]?.name));
+	if (left === void 0 || right === void 0) {
+		say(block, "The files of these images are not open: drop them and try again.");
+		return;
+	}
+	const images = {
+		left: given$1(left),
+		right: given$1(right)
+	};
+	let camera;
+	try {
+		camera = cameraOf$2(block, a, b);
+		await Promise.all([engine.open("left", images.left), engine.open("right", images.right)]);
+	} catch (error) {
+		say(block, `The pair cannot be shown: ${messageOf(error)}.`);
+		return;
+	}
+	readyFor(store, block, camera);
+	store.dispatch({
+		type: "images",
+		images
+	});
+	block.dispatch({
+		type: "openedPair",
+		images: [a, b]
+	});
+	block.dispatch({
+		type: "mode",
+		mode: "pair"
+	});
+}
+/** The block's settings of features and its camera, in place of whatever the pair before had. */
+function readyFor(store, block, camera) {
+	const { settings } = store.state;
+	const features = block.state.options.settings?.features;
+	if (settings !== null && features !== void 0) {
+		const { points, matching } = settings;
+		store.dispatch({
+			type: "settings",
+			settings: {
+				...settings,
+				...features,
+				points: {
+					...points,
+					operator: null
+				},
+				matching: {
+					...matching,
+					strategy: "gradient"
+				}
+			}
+		});
+	}
+	store.dispatch({
+		type: "camera",
+		camera
+	});
+	store.dispatch({
+		type: "offset",
+		offset: null
+	});
+	for (const side of SIDES) {
+		store.dispatch({
+			type: "photo",
+			side,
+			photo: {
+				fiducials: [],
+				origin: null
+			}
+		});
+		store.dispatch({
+			type: "mask",
+			side,
+			mask: null
+		});
+	}
+}
+/** The camera of both images: as the block calibrated it, or given before that; null where they have two cameras, or nothing is known. */
+function cameraOf$2(block, a, b) {
+	const { images = [], cameras = [] } = block.state.shown?.view ?? {};
+	const [left, right] = [images[a], images[b]];
+	const camera = left !== void 0 && left.camera === right?.camera ? cameras[left.camera] : void 0;
+	const known = camera?.calibrated ?? camera?.given ?? null;
+	return known === null ? null : photo_camera(known);
+}
+function fileOf(block, name) {
+	const { shown, files } = block.state;
+	return [...shown?.files ?? [], ...files].find((file) => file.name === name);
+}
+function given$1({ name, file }) {
+	return {
+		id: nextId$1--,
+		name,
+		source: {
+			kind: "file",
+			file
+		}
+	};
+}
+function say(block, text) {
+	block.dispatch({
+		type: "notice",
+		notice: {
+			kind: "problem",
+			text
+		}
+	});
+}
+// www/pair/state/truth.ts
+/** The truth of the images on the screen; null where they are not a simulated pair in its own order. */
+function truthOf(state) {
+	const { truth, images } = state;
+	return truth !== null && images.left?.id === truth.leftId && images.right?.id === truth.rightId ? truth : null;
+}
+/** The true orientation with by and bz at the scale of another base; NaN where the true base is 0, which has no scale. */
+function orientationAt({ orientation, baseMm }, otherMm) {
+	const scale = baseMm === 0 ? NaN : otherMm / baseMm;
+	return {
+		...orientation,
+		by_mm: scale * orientation.by_mm,
+		bz_mm: scale * orientation.bz_mm
+	};
+}
+// www/pair/state/keys.ts
+var numbers$1 = /* @__PURE__ */ new Map();
+/** A short name for a value: equal values get equal names. Keys of keys would otherwise grow with every stage. */
+function shortName(parts) {
+	const text = JSON.stringify(parts);
+	let name = numbers$1.get(text);
+	if (name === void 0) {
+		name = `k${String(numbers$1.size)}`;
+		numbers$1.set(text, name);
+	}
+	return name;
+}
+/** The key of a stage from its inputs; null where one of them is missing. */
+function keyOf(kind, inputs, options = null) {
+	return inputs.includes(null) ? null : shortName([
+		kind,
+		inputs,
+		options
+	]);
+}
+/** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
+function pairCameras(state) {
+	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
+	if (typeof left === "string") return { missing: left };
+	if (typeof right === "string") return { missing: right };
+	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
+	return {
+		left,
+		right,
+		from: state.camera === null ? "exif" : "given"
+	};
+}
+function cameraOf$1(state, side) {
+	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
+	const marked = state.photos[side].fiducials.length > 0;
+	const camera = state.camera ?? (exif === null ? null : {
+		focal_mm: exif.focal_mm,
+		pixel_mm: exif.pixel_mm
+	});
+	if (camera === null) return marked ? "fiducial marks are given, but no principal distance" : `no camera is given, and the ${side} image’s EXIF names none`;
+	if (!marked && camera.pixel_mm == null) return `the ${side} image has neither fiducial marks nor a pixel size`;
+	return camera;
+}
+/** Whether a strategy searches the right image itself, in place of its interest points. */
+function comparesGreyValues({ matching }) {
+	return matching.strategy === "correlation" || matching.strategy === "least-squares";
+}
+/** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
+function comparesGradients({ matching }) {
+	return matching.strategy === "gradient";
+}
+/** Whether a strategy compares the moments of windows. */
+function comparesMoments(settings) {
+	return !comparesGreyValues(settings) && !comparesGradients(settings);
+}
+/** What the points depend on: of the groups `multiscale` and `gradient` only what is used. */
+function pointSettings(settings) {
+	const gradients = comparesGradients(settings);
+	const scales = gradients || settings.points.operator === "multiscale";
+	return [
+		settings.points,
+		scales ? settings.multiscale : null,
+		gradients ? settings.gradient : null
+	];
+}
+/** What the interior orientation of the matches' own making comes from: the matches, where they tell it or are still to come. */
+function estimatedFrom(state, settings, match) {
+	const result = state.results.match;
+	const tellsNone = result !== void 0 && result.key === match && result.value.estimated === null;
+	return comparesGradients(settings) && !tellsNone ? "" : null;
+}
+/** Photos from one place have no base: there is nothing to orient. */
+function fromOnePlace(state, match) {
+	const result = state.results.match;
+	return result !== void 0 && result.key === match && result.value.geometry?.degenerate === "pure-rotation";
+}
+function openKey(state, side) {
+	const image = state.images[side];
+	return image === null ? null : keyOf("open", [], image.id);
+}
+/** What of the cameras matching depends on: the geometry that verifies gradients, and matching along epipolar lines. */
+function ofCameras(settings, interiors) {
+	if (settings === null) return [];
+	if (comparesGradients(settings)) return [...interiors, settings.geometry];
+	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
+}
+function compute(state) {
+	const { settings } = state;
+	const openLeft = openKey(state, "left");
+	const openRight = openKey(state, "right");
+	const points = (side, open) => settings === null ? null : keyOf("points", [open], [pointSettings(settings), state.masks[side]?.id]);
+	const pointsLeft = points("left", openLeft);
+	const pointsRight = points("right", openRight);
+	const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
+	const descriptorsLeft = keyOf("descriptors", [pointsLeft], described);
+	const descriptorsRight = keyOf("descriptors", [pointsRight], described);
+	const gradients = settings !== null && comparesGradients(settings);
+	const given = state.offset === null ? keyOf("offset", [openLeft, openRight]) : keyOf("offset", [], state.offset);
+	const offset = gradients ? null : given;
+	const cameras = pairCameras(state);
+	const interior = (side, open) => "missing" in cameras ? null : keyOf("interior", [open], [
+		cameras[side],
+		cameras.left.focal_mm,
+		state.photos[side],
+		state.fiducialModel
+	]);
+	const interiorLeft = interior("left", openLeft);
+	const interiorRight = interior("right", openRight);
+	const match = keyOf("match", [
+		descriptorsLeft,
+		descriptorsRight,
+		gradients ? "" : offset
+	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+	const interiors = "missing" in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
+	const orientable = fromOnePlace(state, match) ? null : "";
+	const truth = truthOf(state);
+	return {
+		openLeft,
+		openRight,
+		pointsLeft,
+		pointsRight,
+		descriptorsLeft,
+		descriptorsRight,
+		offset,
+		match,
+		interiorLeft,
+		interiorRight,
+		orientation: keyOf("orientation", [
+			match,
+			orientable,
+			...interiors
+		], settings?.orientation),
+		score: keyOf("score", [match, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+		inspection: keyOf("inspection", [match, state.selection === null ? null : ""], [state.selection, settings?.window])
+	};
+}
+var last = null;
+/** The wanted keys of a state; computed once a state. */
+function wantedKeys(state) {
+	if (last?.state !== state) last = {
+		state,
+		keys: compute(state)
+	};
+	return last.keys;
+}
+/** Whether a stage's result is there and made by the settings that are wanted now. */
+function isCurrent(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage]?.key === key;
+}
+/** Whether a stage shows a result that other settings made. What is not part of the run is neither shown nor out of date. */
+function isStale(state, stage) {
+	const key = wantedKeys(state)[stage];
+	return key !== null && state.results[stage] !== void 0 && state.results[stage].key !== key;
+}
+// www/pair/state/stages.ts
+var STAGES = {
+	openLeft: {
+		label: "decoding the left image",
+		worker: "left",
+		needs: []
+	},
+	openRight: {
+		label: "decoding the right image",
+		worker: "right",
+		needs: []
+	},
+	pointsLeft: {
+		label: "detecting points, left",
+		worker: "left",
+		needs: ["openLeft"]
+	},
+	pointsRight: {
+		label: "detecting points, right",
+		worker: "right",
+		needs: ["openRight"]
+	},
+	descriptorsLeft: {
+		label: "describing points, left",
+		worker: "left",
+		needs: ["pointsLeft"]
+	},
+	descriptorsRight: {
+		label: "describing points, right",
+		worker: "right",
+		needs: ["pointsRight"]
+	},
+	offset: {
+		label: "estimating the offset of the images",
+		worker: "pair",
+		needs: ["openLeft", "openRight"]
+	},
+	match: {
+		label: "matching",
+		worker: "pair",
+		needs: [
+			"descriptorsLeft",
+			"descriptorsRight",
+			"offset"
+		],
+		uses: ["interiorLeft", "interiorRight"]
+	},
+	interiorLeft: {
+		label: "interior orientation, left",
+		worker: "pair",
+		needs: ["openLeft"]
+	},
+	interiorRight: {
+		label: "interior orientation, right",
+		worker: "pair",
+		needs: ["openRight"]
+	},
+	orientation: {
+		label: "relative orientation",
+		worker: "pair",
+		needs: [
+			"match",
+			"interiorLeft",
+			"interiorRight"
+		]
+	},
+	score: {
+		label: "comparing with the truth",
+		worker: "pair",
+		needs: ["match"]
+	},
+	inspection: {
+		label: "loading the selected point",
+		worker: "pair",
+		needs: ["match"]
+	}
+};
+var STAGE_NAMES = Object.keys(STAGES);
+// www/pair/engine/failure.ts
+/** What the page says when a stage has no result: what happened, what is kept, what to try. */
+var KEPT = "Images, settings and earlier results are kept.";
+function advice(stage) {
+	switch (stage) {
+		case "openLeft":
+		case "openRight": return "Try a smaller image, or close other tabs.";
+		case "pointsLeft":
+		case "pointsRight": return "Try a higher threshold or a smaller image, then run again.";
+		case "descriptorsLeft":
+		case "descriptorsRight":
+		case "match": return "Try fewer points (a higher threshold, a larger suppression window) or a smaller search window, then run again.";
+		default: return "Change a setting or run again.";
+	}
+}
+/** A sentence or two for the user. */
+function plainMessage(stage, error, catalogue) {
+	const text = readable(catalogue, messageOf(error));
+	if (!(error instanceof CallError)) return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT}`;
+	switch (error.failure.kind) {
+		case "refused": return error.failure.code === "image-too-small" ? `${sideOf(stage)}${text}.` : `${capital(text)}.`;
+		case "memory": return `Memory ran out while ${STAGES[stage].label} (${text}). ${KEPT} ${advice(stage)}`;
+		case "fault": return `The program broke off while ${STAGES[stage].label} (${text}): a fault of its own, please report it. ${KEPT} ${advice(stage)}`;
+		case "other": return `${capital(STAGES[stage].label)} failed: ${text}. ${KEPT} ${advice(stage)}`;
+	}
+}
+function sideOf(stage) {
+	const side = /(Left|Right)$/u.exec(stage)?.[1];
+	return side === void 0 ? "" : `${side} image: `;
+}
+function capital(text) {
+	const trimmed = text.endsWith(".") ? text.slice(0, -1) : text;
+	return trimmed.charAt(0).toUpperCase() + trimmed.slice(1);
+}
+// www/pair/engine/nearest.ts
+/** The search for nearest gradient descriptors, in pieces over a pool of workers: the same result for any number of them. */
+/** Pairs of descriptors that a worker compares in some ten milliseconds: fewer are not worth a message to it. */
+var LEAST_PAIRS = 2e6;
+/** The pieces in their order, of equal size, as many as there are workers or are worth it; null where it is not worth more than one. */
+function nearestPieces(left, right, workers, search) {
+	const count = left.length / 128;
+	const pieces = Math.min(workers, Math.floor(count * (right.length / 128) / LEAST_PAIRS));
+	if (pieces < 2) return null;
+	const cut = (piece) => Math.round(count * piece / pieces);
+	return Promise.all(Array.from({ length: pieces }, (_, piece) => search(cut(piece), cut(piece + 1))));
+}
+// www/pair/state/interior.ts
+var paired = remember((left, right, focal) => ({
+	left: left.interior,
+	right: right.interior,
+	focal_mm: focal
+}));
+/** Those of known cameras; null where a camera is missing or its stage has no result. */
+function knownInterior(state) {
+	const cameras = pairCameras(state);
+	const { interiorLeft, interiorRight } = state.results;
+	if ("missing" in cameras || interiorLeft === void 0 || interiorRight === void 0) return null;
+	return paired(interiorLeft.value, interiorRight.value, cameras.left.focal_mm);
+}
+/** Those in use: where no camera is known, as the matches tell them. */
+function interiorInUse(state) {
+	return "missing" in pairCameras(state) ? state.results.match?.value.estimated ?? null : knownInterior(state);
+}
+// www/pair/engine/inputs.ts
+/** What the runs of stages work with: the workers, and results of earlier stages. */
+/** A result that the stage graph promised. */
+function needed(state, stage) {
+	const result = state.results[stage];
+	if (result === void 0) throw new Error(`the stage ${stage} has no result`);
+	return result.value;
+}
+function settingsOf(state) {
+	if (state.settings === null) throw new Error("the settings are not loaded");
+	return state.settings;
+}
+function given(state, side) {
+	const { points: at, frames } = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+	return {
+		points: at,
+		frames,
+		...needed(state, side === "left" ? "descriptorsLeft" : "descriptorsRight")
+	};
+}
+function matchInput(state) {
+	const placed = !comparesGradients(settingsOf(state));
+	return {
+		left: given(state, "left"),
+		right: given(state, "right"),
+		offset: placed ? needed(state, "offset") : null
+	};
+}
+// www/pair/state/selected.ts
+/** Where the best place of a left point lies in the right image; null where it has none. */
+function placeOf(places, index) {
+	if (index < 0) return null;
+	const [x = NaN, y = NaN] = places.subarray(2 * index, 2 * index + 2);
+	return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
+}
+/** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate. */
+function leftIndexOf(state, best, rules) {
+	const { selection } = state;
+	if (selection === null) return -1;
+	if (selection.side === "left") return selection.index;
+	let found = -1;
+	for (let i = 0; i < best.length; i++) {
+		if (best[i] !== selection.index) continue;
+		if (rules[i] === 0) return i;
+		if (found < 0) found = i;
+	}
+	return found;
+}
+/** How much wider than the cells is what is shown of the image around them: turned by an eighth they still fit. */
+var SURROUNDINGS = 1.5;
+/** Candidates by gradients that are looked up. */
+var MOST_CANDIDATES = 50;
+/** The window whose content decided: that of the moments, or that of the grey values. */
+function comparedWindow(state) {
+	const settings = settingsOf(state);
+	return comparesGreyValues(settings) ? {
+		side: settings.matching.template,
+		shape: "square"
+	} : settings.window;
+}
+function pointsOf(state, side) {
+	return needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+}
+/** A position of an image, as its points give it; null where there is no such point. */
+function pointAt(state, side, index) {
+	if (index < 0) return null;
+	const [x, y] = pointsOf(state, side).points.subarray(3 * index, 3 * index + 2);
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+async function windowAt(workers, state, side, at) {
+	if (at === null) return null;
+	const col = Math.floor(at[0]);
+	const row = Math.floor(at[1]);
+	const worker = await workers.withImage(side, state);
+	try {
+		return {
+			col,
+			row,
+			report: await worker.call("moments", {
+				col,
+				row,
+				window: comparedWindow(state)
+			}),
+			problem: null
+		};
+	} catch (error) {
+		if (error instanceof CallError && error.failure.kind === "refused") return {
+			col,
+			row,
+			report: null,
+			problem: readable(state.catalogue, error.message)
+		};
+		throw error;
+	}
+}
+async function featureAt(workers, state, side, index) {
+	const at = pointAt(state, side, index);
+	if (at === null) return null;
+	const { frames, gradients } = pointsOf(state, side);
+	const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
+	const reach = 4 * settingsOf(state).gradient.cell * scale;
+	const worker = await workers.withImage(side, state);
+	const patch = (factor, turn) => worker.call("patch", {
+		x: at[0],
+		y: at[1],
+		direction: turn,
+		reach: factor * reach,
+		side: 112
+	});
+	const [turned, upright] = await Promise.all([patch(1, direction), patch(SURROUNDINGS, 0)]);
+	return {
+		descriptor: gradients.slice(128 * index, 128 * (index + 1)),
+		scale,
+		direction,
+		reach,
+		turned,
+		upright
+	};
+}
+/** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
+async function lineOf$1(workers, state) {
+	const { geometry } = needed(state, "match");
+	const { selection } = state;
+	const at = selection === null ? null : pointAt(state, selection.side, selection.index);
+	if (geometry === null || selection === null || at === null) return null;
+	const side = otherSide(selection.side);
+	const { width, height } = needed(state, side === "left" ? "openLeft" : "openRight").info;
+	return {
+		side,
+		positions: await workers.client("pair").call("epipolarLine", {
+			from: selection.side,
+			x: at[0],
+			y: at[1],
+			model: geometry.model,
+			interior: knownInterior(state),
+			width,
+			height
+		})
+	};
+}
+async function candidatesOf(workers, state, left) {
+	const settings = settingsOf(state);
+	if (left < 0 || comparesGreyValues(settings)) return /* @__PURE__ */ new Float64Array();
+	const worker = workers.client("pair");
+	if (!comparesGradients(settings)) return worker.call("candidates", {
+		...matchInput(state),
+		index: left,
+		options: settings.matching
+	});
+	const [of, among] = [pointsOf(state, "left").gradients, pointsOf(state, "right").gradients];
+	return worker.call("gradientCandidates", {
+		index: left,
+		left: of,
+		right: among,
+		most: MOST_CANDIDATES
+	});
+}
+/** Windows of moments or grey values; for gradients the features. */
+async function comparedOf(workers, state, left) {
+	const { best, places } = needed(state, "match");
+	const { selection } = state;
+	const right = selection?.side === "right" ? selection.index : best[left] ?? -1;
+	if (comparesGradients(settingsOf(state))) {
+		const [ofLeft, ofRight] = await Promise.all([featureAt(workers, state, "left", left), featureAt(workers, state, "right", right)]);
+		return {
+			left: null,
+			right: null,
+			features: {
+				left: ofLeft,
+				right: ofRight
+			}
+		};
+	}
+	const rightAt = selection?.side === "right" ? pointAt(state, "right", selection.index) : placeOf(places, left);
+	const [ofLeft, ofRight] = await Promise.all([windowAt(workers, state, "left", pointAt(state, "left", left)), windowAt(workers, state, "right", rightAt)]);
+	return {
+		left: ofLeft,
+		right: ofRight,
+		features: null
+	};
+}
+var inspection = async (state, workers) => {
+	const { best, rules } = needed(state, "match");
+	const left = leftIndexOf(state, best, rules);
+	const [compared, candidates, line] = await Promise.all([
+		comparedOf(workers, state, left),
+		candidatesOf(workers, state, left),
+		lineOf$1(workers, state)
+	]);
+	return {
+		...compared,
+		candidates,
+		line
+	};
+};
+// www/pair/engine/runs.ts
+/** Longest side of the copies from which the offset is estimated, in px. */
+var OFFSET_SIDE = 1024;
+function open(side) {
+	return async (state, workers) => {
+		const image = state.images[side];
+		if (image === null) throw new Error(`there is no ${side} image`);
+		return workers.open(side, image);
+	};
+}
+var NONE = {
+	moments: /* @__PURE__ */ new Float64Array(),
+	gradients: /* @__PURE__ */ new Uint8Array()
+};
+/** Gradients are described where the points are found: both come from the same pyramid. */
+function points(side) {
+	return async (state, workers) => {
+		const settings = settingsOf(state);
+		const input = {
+			settings,
+			mask: state.masks[side]?.grey ?? null
+		};
+		const worker = await workers.withImage(side, state);
+		if (comparesGradients(settings)) return worker.call("features", input);
+		return {
+			...await worker.call("detect", input),
+			gradients: NONE.gradients
+		};
+	};
+}
+function descriptors(side) {
+	return async (state, workers) => {
+		const found = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
+		const settings = settingsOf(state);
+		if (!comparesMoments(settings)) return {
+			...NONE,
+			gradients: found.gradients
+		};
+		const { window, matching } = settings;
+		const worker = await workers.withImage(side, state);
+		return {
+			...NONE,
+			moments: await worker.call("describe", {
+				points: found.points,
+				window,
+				strategy: matching.strategy
+			})
+		};
+	};
+}
+var offset = async (state, workers) => {
+	if (state.offset !== null) {
+		const [dx, dy] = state.offset;
+		return workers.client("pair").call("constantOffset", {
+			dx,
+			dy
+		});
+	}
+	const reduced = async (side) => (await workers.withImage(side, state)).call("reduced", { maxSide: OFFSET_SIDE });
+	const [left, right] = await Promise.all([reduced("left"), reduced("right")]);
+	return workers.client("pair").call("offset", {
+		left,
+		right
+	}, [left.grey.buffer, right.grey.buffer]);
+};
+var match = async (state, workers) => {
+	const settings = settingsOf(state);
+	const ofPair = (settings.matching.epipolar || comparesGradients(settings)) && isCurrent(state, "interiorLeft") && isCurrent(state, "interiorRight") ? knownInterior(state) : null;
+	const input = matchInput(state);
+	const { gradients: ofLeft = NONE.gradients } = input.left;
+	const { gradients: ofRight = NONE.gradients } = input.right;
+	const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
+	return worker.call("match", {
+		...input,
+		interior: ofPair,
+		settings,
+		nearest
+	});
+};
+function interior(side) {
+	return async (state, workers) => {
+		const { info } = needed(state, side === "left" ? "openLeft" : "openRight");
+		const cameras = pairCameras(state);
+		if ("missing" in cameras) throw new Error(cameras.missing);
+		const { fiducials, origin } = state.photos[side];
+		return workers.client("pair").call("interior", {
+			width: info.width,
+			height: info.height,
+			camera: cameras[side],
+			pairFocalMm: cameras.left.focal_mm,
+			fiducials,
+			model: state.fiducialModel,
+			origin
+		});
+	};
+}
+var orientation = async (state, workers) => {
+	const { matches, fits } = needed(state, "match");
+	const ofPair = interiorInUse(state);
+	if (ofPair === null) throw new Error("no interior orientation is known");
+	return workers.client("pair").call("orient", {
+		matches,
+		fits,
+		interior: ofPair,
+		options: settingsOf(state).orientation
+	});
+};
+var score = async (state, workers) => {
+	const truth = truthOf(state);
+	if (truth === null) throw new Error("these images have no truth");
+	const { info } = needed(state, "openRight");
+	return workers.client("pair").call("score", {
+		matches: needed(state, "match").matches,
+		leftPoints: needed(state, "pointsLeft").points,
+		rightPosition: truth.rightPosition,
+		left: {
+			width: truth.leftWidth,
+			height: truth.leftHeight
+		},
+		right: {
+			width: info.width,
+			height: info.height
+		}
+	});
+};
+var RUNS = {
+	openLeft: open("left"),
+	openRight: open("right"),
+	pointsLeft: points("left"),
+	pointsRight: points("right"),
+	descriptorsLeft: descriptors("left"),
+	descriptorsRight: descriptors("right"),
+	offset,
+	match,
+	interiorLeft: interior("left"),
+	interiorRight: interior("right"),
+	orientation,
+	score,
+	inspection
+};
+// www/pair/engine/engine.ts
+/** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
+/** Quiet time after a change of settings before work starts, in ms. */
+var DEBOUNCE_MS$1 = 150;
+/** Longest side of the copy that is shown until detail tiles come, in px. */
+var OVERVIEW_SIDE = 2048;
+var Engine = class {
+	store;
+	clients = {
+		left: new WorkerClient("left image"),
+		right: new WorkerClient("right image"),
+		pair: new WorkerClient("pair"),
+		preview: new WorkerClient("preview"),
+		report: new WorkerClient("report")
+	};
+	/** For what can be done in pieces. */
+	pool = new WorkerPool();
+	/** What each worker has opened last: the image, in which life of the worker, and the answer to come. */
+	opened = /* @__PURE__ */ new Map();
+	/** Which pair the pair's worker holds, and when it does. */
+	held = null;
+	timer;
+	constructor(store) {
+		this.store = store;
+		store.watch((s) => [
+			s.settings,
+			s.camera,
+			s.photos,
+			s.masks,
+			s.offset,
+			s.fiducialModel
+		], () => {
+			this.later();
+		});
+		store.watch((s) => [
+			s.images,
+			s.selection,
+			s.paused,
+			s.failures
+		], () => {
+			this.update();
+		});
+	}
+	client(name) {
+		return this.clients[name];
+	}
+	/** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
+	open(side, image) {
+		const client = this.clients[side];
+		const tag = lifeTag(client, String(image.id));
+		const held = this.opened.get(client);
+		if (held?.tag === tag) return held.answer;
+		const answer = client.call("open", {
+			source: image.source,
+			overviewSide: OVERVIEW_SIDE
+		});
+		this.opened.set(client, {
+			tag,
+			answer
+		});
+		answer.catch(() => {
+			if (this.opened.get(client)?.answer === answer) this.opened.delete(client);
+		});
+		return answer;
+	}
+	/** The worker of a side; opens the side's image in it where it holds another or none (after a cancel, a trap or a swap). */
+	async withImage(side, state) {
+		const client = this.clients[side];
+		const image = state.images[side];
+		if (image === null) throw new Error(`there is no ${side} image`);
+		await this.open(side, image);
+		return client;
+	}
+	async withPair(state) {
+		const client = this.clients.pair;
+		const tag = lifeTag(client, `${String(state.images.left?.id)}:${String(state.images.right?.id)}`);
+		if (this.held?.tag !== tag) this.held = {
+			tag,
+			answer: this.holdPair(client, state)
+		};
+		const { held } = this;
+		held.answer.catch(() => {
+			if (this.held === held) this.held = null;
+		});
+		await held.answer;
+		return client;
+	}
+	nearest(left, right) {
+		return nearestPieces(left, right, this.pool.size, (first, end) => this.pool.call("nearest", {
+			left,
+			first,
+			end,
+			right
+		}));
+	}
+	async holdPair(client, state) {
+		const greyOf = async (side) => (await this.withImage(side, state)).call("grey", null);
+		const [left, right] = await Promise.all([greyOf("left"), greyOf("right")]);
+		return client.call("hold", {
+			left,
+			right
+		}, [left.grey.buffer, right.grey.buffer]);
+	}
+	/** Ends all workers and what they do; nothing runs until the user asks or changes something. */
+	cancel() {
+		this.stopWorkers();
+		this.store.dispatch({ type: "cancelled" });
+	}
+	/** Exchanges the images; each worker keeps the image it holds. */
+	swap() {
+		this.clients = {
+			...this.clients,
+			left: this.clients.right,
+			right: this.clients.left
+		};
+		this.store.dispatch({ type: "swap" });
+	}
+	/** Starts every stage whose inputs are current and whose own result is not. */
+	update() {
+		window.clearTimeout(this.timer);
+		for (const stage of STAGE_NAMES) {
+			const { state } = this.store;
+			if (state.paused || state.running[stage] !== void 0) continue;
+			const key = wantedKeys(state)[stage];
+			if (key === null || state.results[stage]?.key === key || state.failures[stage]?.key === key) continue;
+			if (isReady(state, stage)) this.run(stage, key);
+		}
+	}
+	later() {
+		window.clearTimeout(this.timer);
+		this.timer = window.setTimeout(() => {
+			this.update();
+		}, DEBOUNCE_MS$1);
+	}
+	stopWorkers() {
+		for (const client of Object.values(this.clients)) client.cancel();
+		this.pool.cancel();
+	}
+	async run(stage, key) {
+		this.store.dispatch({
+			type: "stageStarted",
+			stage,
+			key
+		});
+		const started = performance.now();
+		const { state } = this.store;
+		try {
+			const value = await RUNS[stage](state, this);
+			this.store.dispatch({
+				type: "stageDone",
+				stage,
+				result: {
+					key,
+					value,
+					milliseconds: performance.now() - started
+				}
+			});
+		} catch (error) {
+			this.failed(stage, key, error);
+		}
+		this.update();
+	}
+	failed(stage, key, error) {
+		if (error instanceof Cancelled) {
+			this.store.dispatch({
+				type: "stageStopped",
+				stage
+			});
+			return;
+		}
+		const ended = error instanceof CallError && error.ended;
+		this.store.dispatch({
+			type: "stageFailed",
+			stage,
+			failure: {
+				key,
+				ended,
+				message: plainMessage(stage, error, this.store.state.catalogue)
+			}
+		});
+	}
+};
+/** Names what a worker holds in one of its lives. */
+function lifeTag(client, what) {
+	return `${String(client.generation)}:${what}`;
+}
+function isReady(state, stage) {
+	const { needs, uses = [] } = STAGES[stage];
+	const keys = wantedKeys(state);
+	const current = (input) => state.results[input]?.key === keys[input];
+	return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
+}
+// www/pair/view/geometry.ts
+/** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
+/** Space between the panes, crossed by the match lines. */
+var GAP = 10;
+/** Side by side where the canvas is wide, one above the other where it is high. */
+function panesOf(width, height) {
+	if (width >= .85 * height) {
+		const pane = Math.max(1, Math.floor((width - GAP) / 2));
+		return {
+			left: {
+				left: 0,
+				top: 0,
+				width: pane,
+				height
+			},
+			right: {
+				left: width - pane,
+				top: 0,
+				width: pane,
+				height
+			}
+		};
+	}
+	const pane = Math.max(1, Math.floor((height - GAP) / 2));
+	return {
+		left: {
+			left: 0,
+			top: 0,
+			width,
+			height: pane
+		},
+		right: {
+			left: 0,
+			top: height - pane,
+			width,
+			height: pane
+		}
+	};
+}
+function transformOf(pane, view) {
+	return {
+		scale: view.scale,
+		x: pane.left + pane.width / 2 - view.scale * view.x,
+		y: pane.top + pane.height / 2 - view.scale * view.y
+	};
+}
+/** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
+function drawView(t, clip) {
+	return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
+}
+/** What the bar with the image's name takes of the top of its pane, as in the style sheet. */
+var HEAD$1 = 40;
+/** The view that shows the whole image, in the middle of its pane where the bar over it leaves that free, else below the bar. */
+function fitView(pane, width, height) {
+	const head = Math.min(HEAD$1, pane.height / 4);
+	const scale = Math.min(pane.width / width, (pane.height - head) / height);
+	const top = Math.max(head, (pane.height - scale * height) / 2);
+	return {
+		x: width / 2,
+		y: (pane.height / 2 - top) / scale,
+		scale
+	};
+}
+var MAX_SCALE = 64;
+/** The view after zooming by `factor` about a canvas position, within sensible limits. */
+function zoomed(pane, view, factor, x, y, least) {
+	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
+		least,
+		most: MAX_SCALE
+	});
+	const [centreX, centreY] = toPosition(t, pane.left + pane.width / 2, pane.top + pane.height / 2);
+	return {
+		scale: t.scale,
+		x: centreX,
+		y: centreY
+	};
+}
+/** Keeps the centre of the pane on the image. */
+function clamped(view, { width, height }) {
+	return {
+		scale: view.scale,
+		x: Math.min(width, Math.max(0, view.x)),
+		y: Math.min(height, Math.max(0, view.y))
+	};
+}
+// www/pair/files/sort.ts
+function sortFiles(files) {
+	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
+	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
+	const isMask = (file) => !isTable(file) && !isCamera(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
+	return {
+		masks: files.filter(isMask),
+		tables: files.filter(isTable),
+		cameras: files.filter(isCamera),
+		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
+	};
+}
+// www/pair/files/open.ts
+/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
+/** Longest side of the copy of a mask that is shown, px. */
+var MASK_SIDE = 1024;
+/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
+var MOST_BYTES = 2 ** 30;
+var nextId = 1;
+/** Masks named "right", or the second of two, belong right. */
+function sideOfMask(mask, index) {
+	if (/right/iu.test(mask.name)) return "right";
+	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
+}
+var problem = (text) => ({
+	kind: "problem",
+	text
+});
+var info = (text) => ({
+	kind: "info",
+	text
+});
+var Files = class {
+	store;
+	engine;
+	constructor(store, engine) {
+		this.store = store;
+		this.engine = engine;
+	}
+	/** Takes files of any kind; `side` says where a single one belongs. */
+	async take(files, side) {
+		if (files.length === 0) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const { images, masks, tables, cameras } = sortFiles(files);
+		if (images.length > 2) {
+			this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
+			return;
+		}
+		const told = [];
+		const camera = cameras[0];
+		if (camera !== void 0) told.push(await this.takeCamera(camera));
+		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+		if (images.length > 0) told.push(...await this.takeImages(images, side));
+		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+		this.tell(told);
+	}
+	/** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
+	async takeMask(file, side) {
+		this.tell([await this.readMask(file, side)]);
+	}
+	async readMask(file, side) {
+		const opened = this.store.state.images[side];
+		if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
+		try {
+			const { info: photo } = await this.engine.open(side, opened);
+			const mask = await this.engine.client("pair").call("mask", {
+				file,
+				overlaySide: MASK_SIDE
+			});
+			if (mask.width !== photo.width || mask.height !== photo.height) return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
+			this.store.dispatch({
+				type: "mask",
+				side,
+				mask: {
+					...mask,
+					id: nextId++,
+					name: file.name
+				}
+			});
+			return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+		} catch (error) {
+			return this.failed(`${file.name} cannot be used as a mask`, error);
+		}
+	}
+	/** Renders the pair of a flight in a worker and opens it. */
+	async takeFlight(name, flight) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: "Rendering the pair: a simulated flight over a synthetic scene …"
+			}
+		});
+		try {
+			const pair = await this.engine.client("pair").call("simulate", flight);
+			const given = (side) => ({
+				id: nextId++,
+				name: `${name} ${side}`,
+				source: {
+					kind: "grey",
+					...pair[side]
+				}
+			});
+			this.store.dispatch({
+				type: "simulated",
+				left: given("left"),
+				right: given("right"),
+				pair
+			});
+			this.tell([]);
+		} catch (error) {
+			this.tell([this.failed("The pair could not be rendered", error)]);
+		}
+	}
+	/** The built-in pair. */
+	async takeSample() {
+		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
+		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
+	}
+	/** Says together what came of files that were given together. */
+	tell(told) {
+		const said = told.filter((one) => one !== null);
+		const bad = said.some(({ kind }) => kind === "problem");
+		const { left, right } = this.store.state.images;
+		const kept = bad && (left !== null || right !== null) ? " The open images are kept." : "";
+		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		this.store.dispatch({
+			type: "notice",
+			notice: said.length === 0 ? null : {
+				kind: bad ? "problem" : "info",
+				text
+			}
+		});
+	}
+	failed(what, error) {
+		if (error instanceof Cancelled) return info("Cancelled. Nothing was changed.");
+		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
+	}
+	/** Fiducials named "right", or the second of two tables, belong right. */
+	sideOfTable(table, index) {
+		if (/right/iu.test(table.name)) return "right";
+		if (/left/iu.test(table.name)) return "left";
+		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
+	}
+	async takeFiducials(file, side) {
+		try {
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
+			this.store.dispatch({
+				type: "photo",
+				side,
+				photo: { fiducials }
+			});
+			return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? "mark" : "marks"} of the ${side} image from ${file.name}.`);
+		} catch (error) {
+			return this.failed(`${file.name} holds no fiducial marks`, error);
+		}
+	}
+	async takeCamera(file) {
+		try {
+			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
+			this.store.dispatch({
+				type: "camera",
+				camera
+			});
+			return info(`Camera data from ${file.name}.`);
+		} catch (error) {
+			return this.failed(`${file.name} holds no camera data`, error);
+		}
+	}
+	/** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
+	async takeImages(files, side) {
+		const tooLarge = files.find((file) => file.size > MOST_BYTES);
+		if (tooLarge !== void 0) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
+		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
+		const images = {};
+		for (const [i, file] of files.entries()) {
+			const target = sides[i];
+			if (target !== void 0) images[target] = {
+				id: nextId++,
+				name: file.name,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: `Reading ${files.map((file) => file.name).join(" and ")} …`
+			}
+		});
+		return this.check(images);
+	}
+	async check(images) {
+		const entries = Object.entries(images);
+		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? "the file", outcome.reason)] : []);
+		if (told.length === 0) this.store.dispatch({
+			type: "images",
+			images
+		});
+		return told;
+	}
+	failedImage(name, error) {
+		const breakdown = breakdownOf(error);
+		if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
+		return this.failed(`${name} cannot be opened`, error);
+	}
+	/** Where a single image goes: an empty place, else the active one. */
+	freeSide() {
+		const { images, activeSide } = this.store.state;
+		if (images.left === null) return "left";
+		return images.right === null ? "right" : activeSide;
+	}
+};
+/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
+function takerOf(view, files) {
+	const sideAt = (event) => {
+		const box = view.host.getBoundingClientRect();
+		const panes = panesOf(box.width, box.height);
+		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+	};
+	return {
+		isActive: () => true,
+		markAt: (event) => sideAt(event) ?? "page",
+		take: (found, at) => {
+			files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null);
+		}
+	};
+}
+// www/pair/state/codes.ts
+var RULES = [
+	"matched",
+	"no_descriptor",
+	"no_candidate",
+	"threshold",
+	"ambiguous",
+	"many_to_one",
+	"parallax",
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+];
+/** After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses. */
+var CODES = [
+	...RULES,
+	"gross_error",
+	"undecided"
+];
+function codeOf(name) {
+	return CODES.indexOf(name);
+}
+var MATCHED = codeOf("matched");
+var GROSS_ERROR = codeOf("gross_error");
+var UNDECIDED = codeOf("undecided");
+/** The rules that refuse, in the order in which the panel lists them. */
+var REFUSALS = RULES.filter((rule) => rule !== "matched");
+/** Throws where the page and the crate disagree on the rules: they are of different builds. */
+function checkRules(names) {
+	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
+}
+// www/pair/state/select.ts
+/** Stands for the right point of a match whose place is none. */
+var NO_POINT = 4294967295;
+/**
+* The points, matches and orientation that fit each other and the images on the screen. Matches refer to points by index: once points are
+* newer than the matches, the matches are no longer shown on them. An orientation is shown while another is on its way, and not where
+* none will come.
+*/
+function shownPair(state) {
+	const left = pointsOfShownImage(state, "left");
+	const right = pointsOfShownImage(state, "right");
+	const match = state.results.match?.value ?? null;
+	const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(match, left, right);
+	const orientation = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation?.value ?? null : null;
+	const oriented = fits && orientation !== null && orientation.residuals_mm.length * 5 === match.matches.length;
+	return {
+		left,
+		right,
+		match: fits ? match : null,
+		orientation: oriented ? orientation : null
+	};
+}
+function pointsOfShownImage(state, side) {
+	const opened = side === "left" ? "openLeft" : "openRight";
+	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
+	return state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.points ?? null;
+}
+/** Whether the first and last match start where their left points lie and refer to right points that exist. */
+function matchIsOf(match, left, right) {
+	const count = match.indices.length / 2;
+	return [0, count - 1].every((i) => {
+		if (i < 0 || count === 0) return true;
+		const l = match.indices[2 * i] ?? 0;
+		const r = match.indices[2 * i + 1] ?? 4294967295;
+		return left[3 * l] === match.matches[5 * i] && (r === 4294967295 || 3 * r < right.length);
+	});
+}
+/** The code of each left point: the rule that decided, or that the adjustment rejected its match. */
+var leftCodes = remember((left, match, orientation) => {
+	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	codes.set(match.rules);
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
+	return codes;
+});
+/** The code of each right point: matched, rejected by the adjustment, or unused. */
+var rightCodes = remember((right, match, orientation) => {
+	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
+	if (match === null) return codes;
+	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
+	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
+	return codes;
+});
+/** The code of each match: `MATCHED`, or `GROSS_ERROR`. */
+var matchCodes = remember((match, orientation) => {
+	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
+	return codes;
+});
+var loosePlaces = remember((match, codes) => {
+	const matches = match === null ? /* @__PURE__ */ new Uint32Array() : Uint32Array.from(codes, (_, i) => i).filter((i) => match.indices[2 * i + 1] === NO_POINT);
+	const points = new Float64Array(3 * matches.length);
+	matches.forEach((at, i) => {
+		points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i);
+	});
+	return {
+		points,
+		codes: Uint8Array.from(matches, (at) => codes[at] ?? MATCHED),
+		matches
+	};
+});
+/** The match of each left point; -1 where it has none. */
+var matchOfLeft = remember((match) => {
+	const matches = new Int32Array(match.rules.length).fill(-1);
+	for (let i = 0; i < match.indices.length; i += 2) matches[match.indices[i] ?? 4294967295] = i / 2;
+	return matches;
+});
+/** Stages that are part of the run itself; looking at a point is not. */
+var RUN_STAGES = [
+	"openLeft",
+	"openRight",
+	"pointsLeft",
+	"pointsRight",
+	"descriptorsLeft",
+	"descriptorsRight",
+	"offset",
+	"match",
+	"interiorLeft",
+	"interiorRight",
+	"orientation",
+	"score"
+];
+/** Whether a stage failed for what is wanted now, or cannot be reached since one that it needs did. */
+function isBarred(state, stage) {
+	const failure = state.failures[stage];
+	return failure !== void 0 && failure.key === wantedKeys(state)[stage] || STAGES[stage].needs.some((needed) => isBarred(state, needed));
+}
+/** How far the run is: stages that are wanted, and those of them that are there or will not come. */
+function progress(state) {
+	const keys = wantedKeys(state);
+	const wanted = RUN_STAGES.filter((stage) => keys[stage] !== null);
+	return {
+		wanted: wanted.length,
+		done: wanted.filter((stage) => state.results[stage]?.key === keys[stage] || isBarred(state, stage)).length,
+		running: RUN_STAGES.filter((stage) => state.running[stage] !== void 0)
+	};
+}
+/** The first failure that stands for what is wanted now. */
+function currentFailure(state) {
+	const keys = wantedKeys(state);
+	for (const stage of [...RUN_STAGES, "inspection"]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return {
+			stage,
+			message: failure.message,
+			ended: failure.ended
+		};
+	}
+	return null;
+}
+/** Whether any result on the screen was made by other settings than the wanted ones. */
+function anyStale(state) {
+	return RUN_STAGES.some((stage) => isStale(state, stage));
+}
+// www/pair/panel/announce.ts
+/** Announces the selected point to screen readers. */
+function mountAnnouncements(host, store) {
+	store.watch((s) => [s.selection], ([selection]) => {
+		if (selection === null) {
+			host.textContent = "";
+			return;
+		}
+		const shown = shownPair(store.state);
+		const points = shown[selection.side];
+		const codes = selection.side === "left" ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
+		const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
+		host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${message("verdict", CODES[codes[selection.index] ?? UNDECIDED] ?? "undecided", "label")}.`;
+	});
+}
+// www/pair/engine/checks.ts
+/** What the crate takes of what is typed. The crate itself is asked, so that no range stands here a second time; none of this takes time. */
+/** The message of the crate's refusal; null where it takes what it is given. */
+function refusalOf(call) {
+	try {
+		call();
+		return null;
+	} catch (error) {
+		if (error instanceof Error && "code" in error) return error.message;
+		throw error;
+	}
+}
+/** What is allowed instead, in the crate's words; null where it takes what it is given. */
+function allowedInstead(call) {
+	const message = refusalOf(call);
+	return message === null ? null : message.replace(/^.*; allowed: /u, "");
+}
+/** What of a camera is allowed; the rest of it is taken for granted. */
+function allowedOfCamera(part) {
+	return allowedInstead(() => parse_camera(JSON.stringify({
+		focal_mm: 1,
+		...part
+	})));
+}
+function allowedOfOffset(dx, dy) {
+	return allowedInstead(() => constant_offset(dx, dy));
+}
+/** Three marks that any camera can be oriented by. */
+var MARKS = [
+	[0, 0],
+	[1, 0],
+	[0, 1]
+].map(([col = 0, row = 0]) => ({
+	col,
+	row,
+	x_mm: col,
+	y_mm: -row
+}));
+function allowedOfOrigin(col, row) {
+	return allowedInstead(() => interior$1({ focal_mm: 1 }, {
+		width: 1,
+		height: 1,
+		fiducials: MARKS,
+		origin: [col, row]
+	}));
+}
+/** Why a flight cannot be flown; null where it can. */
+function problemOfFlight(flight) {
+	return refusalOf(() => {
+		check_flight(flight);
+	});
+}
+// www/shared/panel/numberfield.ts
+/** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
+var STAYS = "The last valid value stays in use.";
+/** A number input that tells what it is described by; `change` is called when a number was typed. */
+function numberInput(testid, problem, change) {
+	const input = h("input", {
+		id: `c-${testid}`,
+		type: "number",
+		testid,
+		aria: { describedby: problem.id }
+	});
+	input.step = "any";
+	input.inputMode = "decimal";
+	input.addEventListener("change", change);
+	return input;
+}
+/** Where the problem of a field, or of a pair of them, is said. */
+function problemLine(testid) {
+	return h("p", {
+		class: "field-problem",
+		id: `c-${testid}-problem`,
+		testid: `${testid}-problem`,
+		role: "alert"
+	});
+}
+/** A field with its label; `problem` where another line than its own says what is wrong. */
+function numberField(label, unit, testid, change, problem) {
+	const line = problem ?? problemLine(testid);
+	const input = numberInput(testid, line, change);
+	return {
+		input,
+		problem: line,
+		element: h("div", { class: "control compact" }, h("label", { for: input.id }, label, unit === "" ? null : h("span", { class: "unit" }, ` ${unit}`)), input, problem === void 0 ? line : null)
+	};
+}
+/** The first of some fields, by its label, in which something was typed that is not allowed; null where there is none. */
+function firstRefused(fields) {
+	return fields.find(([, input]) => input.getAttribute("aria-invalid") === "true" && typed(input) !== void 0)?.[0] ?? null;
+}
+/** The number typed: undefined where the field is empty, NaN where it holds no number. */
+function typed({ value, valueAsNumber, validity }) {
+	return value === "" && !validity.badInput ? void 0 : valueAsNumber;
+}
+function mark(input, wrong) {
+	if (wrong) input.setAttribute("aria-invalid", "true");
+	else input.removeAttribute("aria-invalid");
+}
+/** Shows a number, unless the field already says the same. */
+function showNumber({ input, problem }, value) {
+	if (value == null) input.value = "";
+	else if (input.valueAsNumber !== value) input.value = String(value);
+	mark(input, false);
+	problem.textContent = "";
+}
+/** The number of a field, `last` where it is not allowed; `allowed` says what is instead of a value. */
+function readNumber({ input, problem }, allowed, last) {
+	const value = typed(input);
+	const instead = value === void 0 ? null : Number.isNaN(value) ? "a number" : allowed(value);
+	mark(input, instead !== null);
+	problem.textContent = instead === null ? "" : `Allowed: ${instead}, or empty. ${STAYS}`;
+	return instead === null ? value : last;
+}
+/** Two numbers that are given together: both, null where both fields are empty, undefined where they are no pair, which is then said. */
+function readPair(inputs, problem, allowed) {
+	const [a, b] = [typed(inputs[0]), typed(inputs[1])];
+	const say = (text, wrong) => {
+		problem.textContent = text;
+		inputs.forEach((input, i) => {
+			mark(input, wrong[i] === true);
+		});
+	};
+	if (a === void 0 && b === void 0) {
+		say("", [false, false]);
+		return null;
+	}
+	if (a === void 0 || b === void 0) {
+		say(`Give both numbers, or empty both. ${STAYS}`, [a === void 0, b === void 0]);
+		return;
+	}
+	const instead = Number.isNaN(a + b) ? "two numbers" : allowed(a, b);
+	if (instead === null) {
+		say("", [false, false]);
+		return [a, b];
+	}
+	const alone = [allowed(a, 0) !== null, allowed(0, b) !== null];
+	say(`Allowed: ${instead}. ${STAYS}`, alone);
+}
+// www/pair/panel/camera.ts
+/** The camera: typed, loaded, or from EXIF; and the offset between the images. */
+var NUMBERS = [
+	{
+		label: "Focal length",
+		unit: "mm",
+		testid: "camera-focal",
+		of: (c) => c.focal_mm,
+		alone: (v) => ({ focal_mm: v })
+	},
+	{
+		label: "Pixel size",
+		unit: "mm",
+		testid: "camera-pixel",
+		of: (c) => c.pixel_mm,
+		alone: (v) => ({ pixel_mm: v })
+	},
+	{
+		label: "Principal pt x",
+		unit: "mm",
+		testid: "camera-x0",
+		of: (c) => c.principal_point_mm?.[0],
+		alone: (v) => ({ principal_point_mm: [v, 0] })
+	},
+	{
+		label: "Principal pt y",
+		unit: "mm",
+		testid: "camera-y0",
+		of: (c) => c.principal_point_mm?.[1],
+		alone: (v) => ({ principal_point_mm: [0, v] })
+	},
+	{
+		label: "k1",
+		unit: "mm⁻²",
+		testid: "camera-k1",
+		of: (c) => c.radial_distortion?.[0],
+		alone: (v) => ({ radial_distortion: [
+			v,
+			0,
+			0
+		] })
+	},
+	{
+		label: "k2",
+		unit: "mm⁻⁴",
+		testid: "camera-k2",
+		of: (c) => c.radial_distortion?.[1],
+		alone: (v) => ({ radial_distortion: [
+			0,
+			v,
+			0
+		] })
+	},
+	{
+		label: "k3",
+		unit: "mm⁻⁶",
+		testid: "camera-k3",
+		of: (c) => c.radial_distortion?.[2],
+		alone: (v) => ({ radial_distortion: [
+			0,
+			0,
+			v
+		] })
+	},
+	{
+		label: "p1",
+		unit: "mm⁻¹",
+		testid: "camera-p1",
+		of: (c) => c.tangential_distortion?.[0],
+		alone: (v) => ({ tangential_distortion: [v, 0] })
+	},
+	{
+		label: "p2",
+		unit: "mm⁻¹",
+		testid: "camera-p2",
+		of: (c) => c.tangential_distortion?.[1],
+		alone: (v) => ({ tangential_distortion: [0, v] })
+	}
+];
+/** A camera of its numbers, in the order of `NUMBERS`; null without a focal length. */
+function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0, p2 = 0]) {
+	if (focal === void 0) return null;
+	const lens = {
+		radial_distortion: [
+			k1,
+			k2,
+			k3
+		],
+		tangential_distortion: [p1, p2]
+	};
+	return {
+		focal_mm: focal,
+		principal_point_mm: [x0, y0],
+		...pixel === void 0 ? {} : { pixel_mm: pixel },
+		...lens
+	};
+}
+function mountCamera(host, store, loadFile) {
+	const change = () => {
+		const last = store.state.camera;
+		const camera = cameraOf(fields.map((field, i) => {
+			const number = NUMBERS[i];
+			return number === void 0 ? void 0 : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? void 0);
+		}));
+		if (!NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null))) store.dispatch({
+			type: "camera",
+			camera
+		});
+		store.dispatch({
+			type: "refused",
+			part: "camera",
+			label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? "", input]))
+		});
+	};
+	const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
+	const source = h("p", {
+		class: "note",
+		testid: "camera-source"
+	});
+	const load = button("Load camera.json …", "load-camera", loadFile);
+	const clear = button("Clear", "clear-camera", () => {
+		store.dispatch({
+			type: "camera",
+			camera: null
+		});
+	});
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, "Camera"), source, h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
+	store.watch((s) => [s.camera], ([camera]) => {
+		fields.forEach((field, i) => {
+			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
+		});
+		clear.disabled = camera === null;
+	});
+	store.watch((s) => [
+		s.camera,
+		s.results.openLeft,
+		s.results.openRight,
+		s.results.match,
+		s.photos,
+		s.truth
+	], () => {
+		fill(source, sourceText(store.state));
+	});
+}
+function exifText(name, exif) {
+	const camera = [exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make, exif.model].filter((part) => part != null).join(" ");
+	const pixel = exif.pixel_mm == null ? "no pixel size" : `pixel ${significant(exif.pixel_mm)} mm`;
+	return `EXIF, ${name}: ${camera === "" ? "camera not named" : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.`;
+}
+function sourceText(state) {
+	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
+	const used = pairCameras(state);
+	if (state.camera !== null) return `In use: the values below${state.truth === null ? "" : " (they came with the sample)"}. ${exif}`;
+	if (!("missing" in used)) return `In use: EXIF. Values below replace it. ${exif}`;
+	const focal = state.results.match?.value.geometry?.focal ?? null;
+	if (focal !== null && state.results.match?.value.estimated != null) return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
+	return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
+}
+/** The offset of the right image: estimated, or given. */
+function offsetGroup(store) {
+	const change = () => {
+		const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
+		if (offset !== void 0) store.dispatch({
+			type: "offset",
+			offset
+		});
+		store.dispatch({
+			type: "refused",
+			part: "offset",
+			label: firstRefused([["Offset dx", dx.input], ["Offset dy", dy.input]])
+		});
+	};
+	const problem = problemLine("offset");
+	const dx = numberField("dx", "px", "offset-dx", change, problem);
+	const dy = numberField("dy", "px", "offset-dy", change, problem);
+	const found = h("p", {
+		class: "note",
+		testid: "offset-found"
+	});
+	store.watch((s) => [s.offset], ([offset]) => {
+		showNumber(dx, offset?.[0]);
+		showNumber(dy, offset?.[1]);
+	});
+	store.watch((s) => [
+		s.results.offset,
+		s.offset,
+		s.settings
+	], ([result, given, settings]) => {
+		if (settings !== null && comparesGradients(settings)) {
+			fill(found, "Matching by gradients searches the whole right image: it needs no offset.");
+			return;
+		}
+		if (given !== null || result === void 0) {
+			fill(found, given !== null ? "Given. Clear both fields to estimate it." : "Right minus left position. Empty: estimated by correlation, coarse to fine.");
+			return;
+		}
+		const [mx, my] = result.value.median_px;
+		const correlation = result.value.correlation;
+		fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? "" : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < .5 ? ": low. Do the images overlap? A given offset may help" : ""}.`);
+	});
+	return h("fieldset", { class: "group" }, h("legend", {}, "Offset of the right image"), found, h("div", { class: "pairs" }, dx.element, dy.element), problem);
+}
+// www/pair/panel/controls.ts
+/** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
+/** Fills the settings panel once the crate's catalogue is there. */
+function mountControls(host, store) {
+	store.watch((s) => [s.catalogue], ([catalogue]) => {
+		if (catalogue === null) return;
+		let acts = resolved(catalogue.defaults);
+		const { elements, show } = makeSections(catalogue.parameters, {
+			change: (key, value) => {
+				change(store, key, value);
+			},
+			defaults: () => catalogue.defaults,
+			resolved: () => acts,
+			refused: (label) => {
+				store.dispatch({
+					type: "refused",
+					part: "settings",
+					label
+				});
+			}
+		});
+		fill(host, ...elements, button("Reset to the paper's values", "reset-settings", () => {
+			resetAll(store, catalogue);
+		}));
+		store.watch((s) => [s.settings], ([settings]) => {
+			if (settings === null) return;
+			acts = resolved(settings);
+			show(settings, acting_parameters(settings));
+		});
+	});
+}
+/** A threshold and a fraction of candidates exclude each other: setting one clears the other. */
+var EXCLUSIVE = {
+	"points.threshold": "points.fraction",
+	"points.fraction": "points.threshold"
+};
+function change(store, key, value) {
+	const { settings } = store.state;
+	if (settings === null) return;
+	const other = value === null ? void 0 : EXCLUSIVE[key];
+	const free = other === void 0 ? settings : withSetting(settings, other, null);
+	store.dispatch({
+		type: "settings",
+		settings: withSetting(free, key, value)
+	});
+}
+function resetAll(store, { defaults }) {
+	const { settings, truth } = store.state;
+	const orientation = truth === null || settings === null ? defaults.orientation : {
+		...defaults.orientation,
+		base_mm: settings.orientation.base_mm
+	};
+	store.dispatch({
+		type: "settings",
+		settings: {
+			...defaults,
+			orientation
+		}
+	});
+}
+// www/pair/state/paper.ts
+/** Whether what the paper printed of its own pair can be set beside the results. */
+/** Whether the images are of the paper's camera, which the flight of that name has: other pairs have nothing in common with the paper's. */
+function hasPaperCamera(state) {
+	const paper = state.catalogue?.flights.find(({ name }) => name === "paper");
+	const cameras = pairCameras(state);
+	return paper !== void 0 && !("missing" in cameras) && cameras.left.focal_mm === paper.flight.focal_mm;
+}
+// www/pair/view/palette.ts
+/** Colours and shapes of points. Okabe and Ito's colours, told apart with any colour vision; shapes differ as well. */
+/** Shape codes of the crate's `draw_points`. */
+var SHAPES = {
+	dot: 0,
+	circle: 1,
+	plus: 2,
+	cross: 3,
+	square: 4,
+	triangleUp: 5,
+	triangleDown: 6,
+	diamond: 7
+};
+var STYLE_OF = {
+	matched: {
+		colour: "#00c08b",
+		shape: SHAPES.circle
+	},
+	no_descriptor: {
+		colour: "#b0b0b0",
+		shape: SHAPES.dot
+	},
+	no_candidate: {
+		colour: "#ffffff",
+		shape: SHAPES.plus
+	},
+	threshold: {
+		colour: "#e69f00",
+		shape: SHAPES.triangleUp
+	},
+	ambiguous: {
+		colour: "#cc79a7",
+		shape: SHAPES.square
+	},
+	many_to_one: {
+		colour: "#f0e442",
+		shape: SHAPES.cross
+	},
+	parallax: {
+		colour: "#0a84d6",
+		shape: SHAPES.triangleDown
+	},
+	border: {
+		colour: "#e69f00",
+		shape: SHAPES.square
+	},
+	left_right: {
+		colour: "#cc79a7",
+		shape: SHAPES.cross
+	},
+	not_converged: {
+		colour: "#56b4e9",
+		shape: SHAPES.diamond
+	},
+	imprecise: {
+		colour: "#f0e442",
+		shape: SHAPES.triangleUp
+	},
+	frame: {
+		colour: "#b0b0b0",
+		shape: SHAPES.square
+	},
+	gross_error: {
+		colour: "#d55e00",
+		shape: SHAPES.diamond
+	},
+	undecided: {
+		colour: "#56b4e9",
+		shape: SHAPES.plus
+	}
+};
+/** By code. */
+var STYLES = CODES.map((name) => STYLE_OF[name]);
+function styleOf(code) {
+	const style = STYLES[code];
+	if (style === void 0) throw new Error(`no style for code ${String(code)}`);
+	return style;
+}
+/** The codes in drawing order: the common ones below, matches on top. */
+var DRAWN = [
+	UNDECIDED,
+	...REFUSALS.map(codeOf),
+	GROSS_ERROR,
+	MATCHED
+];
+var SELECTED = "#ffd400";
+var CANDIDATE = "#56b4e9";
+var EPIPOLAR = "#ff9ee0";
+var LINE = "rgb(0 222 160 / 0.5)";
+var LINE_REJECTED = "rgb(255 110 20 / 0.85)";
+// www/pair/panel/swatch.ts
+/** The mark of a code as a small picture, for legends. */
+var OUTLINES = {
+	[SHAPES.dot]: "M6 6h4v4h-4z",
+	[SHAPES.circle]: "M12 8a4 4 0 1 0-8 0a4 4 0 1 0 8 0z",
+	[SHAPES.plus]: "M8 4v8M4 8h8",
+	[SHAPES.cross]: "M4.5 4.5l7 7M11.5 4.5l-7 7",
+	[SHAPES.square]: "M4.5 4.5h7v7h-7z",
+	[SHAPES.triangleUp]: "M8 4l4 7h-8z",
+	[SHAPES.triangleDown]: "M8 12l4-7h-8z",
+	[SHAPES.diamond]: "M8 3.5l4.5 4.5l-4.5 4.5l-4.5-4.5z"
+};
+/** On a dark ground as in the image, so that white and yellow show in the light theme too. */
+function swatch(code) {
+	const style = styleOf(code);
+	return svg("svg", {
+		viewBox: "0 0 16 16",
+		width: 16,
+		height: 16,
+		class: "swatch",
+		"aria-hidden": "true"
+	}, svg("rect", {
+		width: 16,
+		height: 16,
+		rx: 3,
+		fill: "#3a3f44"
+	}), svg("path", {
+		d: OUTLINES[style.shape] ?? "",
+		fill: style.shape === SHAPES.dot ? style.colour : "none",
+		stroke: style.colour,
+		"stroke-width": 1.6
+	}));
+}
+// www/pair/panel/counts.ts
+/** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
+/** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
+var PAPER = {
+	candidates: 0,
+	after_roundness: null,
+	after_suppression: 1
+};
+var PAPER_MATCHES = 2;
+var PHASES = [
+	["candidates", "Operator"],
+	["after_roundness", "Roundness"],
+	["after_suppression", "Suppression"]
+];
+/** The settings by which the paper counted, whose Table 1 says nothing of others. */
+function countsAsPaper({ settings }) {
+	return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({}).points.operator;
+}
+/** Rules that only some strategies have. */
+var RARE = /* @__PURE__ */ new Set([
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+]);
+function mountCounts(host, store) {
+	const phases = h("div", {});
+	const rules = h("div", {});
+	const points = section("Points", "counts-section", phases);
+	const matches = section("Matches", "matches-section", rules);
+	host.append(points, matches);
+	store.watch((s) => [
+		s.results,
+		s.settings,
+		s.images,
+		s.display.hidden,
+		s.camera,
+		s.photos,
+		s.offset,
+		s.fiducialModel,
+		s.failures
+	], () => {
+		const { state } = store;
+		points.classList.toggle("is-stale", pointsAreStale(state));
+		matches.classList.toggle("is-stale", isStale(state, "match"));
+		fill(phases, phaseTable(state));
+		fill(rules, ruleTable(state, store), scoreLines(state));
+	});
+}
+function pointsAreStale(state) {
+	return isStale(state, "pointsLeft") || isStale(state, "pointsRight");
+}
+function cell(testid, text) {
+	return h("td", {
+		testid,
+		class: "number"
+	}, text);
+}
+function phaseTable(state) {
+	const left = state.results.pointsLeft?.value;
+	const right = state.results.pointsRight?.value;
+	const matches = state.results.match?.value.counts.matches;
+	const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : void 0;
+	const paper = (text) => printed === void 0 ? [] : [h("td", { class: "number paper" }, text(printed))];
+	const counted = (place) => paper(({ points }) => place === null ? "–" : points[place].map(count).join(" / "));
+	const body = PHASES.map(([field, label]) => row(label, cell(`count-left-${field}`, count(left?.counts[field])), cell(`count-right-${field}`, count(right?.counts[field])), ...counted(PAPER[field])));
+	const threshold = (value) => value === void 0 ? "–" : significant(value);
+	return h("table", { aria: { label: "Points after each phase" } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Phase"), h("th", { scope: "col" }, "Left"), h("th", { scope: "col" }, "Right"), printed !== void 0 ? h("th", {
+		scope: "col",
+		class: "paper",
+		title: "The paper's Table 1, for its own pair"
+	}, "Paper, l / r") : null)), h("tbody", {}, ...body, markStale(row("Matching", cell("count-left-matches", count(matches)), cell("count-right-matches", count(matches)), ...counted(PAPER_MATCHES)), isStale(state, "match") && !pointsAreStale(state)), row("Threshold", cell("threshold-left", threshold(left?.threshold)), cell("threshold-right", threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(" / ")))));
+}
+function ruleTable(state, store) {
+	const result = state.results.match?.value;
+	const total = result?.rules.length ?? 0;
+	const share = (n) => n === void 0 || total === 0 ? "–" : percent(n / total);
+	const refused = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0).map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
+	const gross = shownPair(state).orientation?.rejected.length;
+	return h("table", { aria: { label: "What became of the left points" } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Left points"), h("th", { scope: "col" }, "Number"), h("th", { scope: "col" }, "Share"), h("th", { scope: "col" }, "Show"))), h("tbody", {}, ruleRow(MATCHED, "count-matches", result?.counts.matches, share, state, store), markStale(ruleRow(GROSS_ERROR, "count-gross-errors", gross, share, state, store, "of these, gross errors"), gross !== void 0 && isStale(state, "orientation") && !isStale(state, "match")), h("tr", { class: "subhead" }, h("th", {
+		scope: "rowgroup",
+		colspan: 4
+	}, "Rejected by")), ...refused));
+}
+function ruleRow(code, testid, value, share, state, store, label) {
+	const verdict = CODES[code] ?? "undecided";
+	const own = message("verdict", verdict, "label");
+	const toggle = h("input", {
+		type: "checkbox",
+		testid: `show-${String(code)}`,
+		aria: { label: `Show: ${own}` }
+	});
+	toggle.checked = !state.display.hidden.includes(code);
+	toggle.addEventListener("change", () => {
+		const hidden = toggle.checked ? store.state.display.hidden.filter((c) => c !== code) : [...store.state.display.hidden, code];
+		store.dispatch({
+			type: "display",
+			display: { hidden }
+		});
+		document.querySelector(`[data-testid="show-${String(code)}"]`)?.focus();
+	});
+	const name = h("span", { title: message("verdict", verdict) }, label ?? own);
+	return row(h("span", { class: "legend" }, swatch(code), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
+}
+/** How many matches are right, where the truth is known. */
+function scoreLines(state) {
+	const score = state.results.score?.value;
+	const { match } = shownPair(state);
+	if (score === void 0 || match === null || !isCurrent(state, "score") || score.matches === 0) return null;
+	const line = (name, testid, value, of, title) => h("tr", { title }, h("th", { scope: "row" }, name), cell(testid, count(value)), h("td", { class: "number" }, of));
+	const share = (value) => percent(value / score.matches);
+	return h("table", {
+		testid: "score",
+		aria: { label: "Matches against the truth" }
+	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Against the truth"), h("th", { scope: "col" }, "Number"), h("th", { scope: "col" }, "Share"))), h("tbody", {}, line("Right", "score-right", score.right, share(score.right), "Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels."), line("Strictly right", "score-strict", score.strict, share(score.strict), "Within 1.5 px of where the surface at the left pixel itself is seen."), line("Missed", "score-missed", score.missed, "", "Left points that are visible in the right image and have no right match.")));
+}
+/** What became of the points, in one sentence for the status line. */
+function summary(state) {
+	const shown = shownPair(state);
+	if (shown.match === null) return "";
+	const codes = leftCodes(shown.left, shown.match, shown.orientation);
+	return `${count(shown.match.counts.matches)} matches of ${count(codes.length)} left points`;
+}
+// www/pair/panel/fiducials.ts
+/** Fiducial marks of one photo: a table to type into, or a CSV file. */
+var FIELDS = [
+	"col",
+	"row",
+	"x_mm",
+	"y_mm"
+];
+var HEADS = {
+	col: "col px",
+	row: "row px",
+	x_mm: "x mm",
+	y_mm: "y mm"
+};
+function mountFiducials(host, store, loadFile) {
+	const model = h("select", {
+		id: "fiducial-model",
+		testid: "fiducial-model"
+	});
+	model.append(new Option("Affine, 6 parameters", "affine"), new Option("Similarity, 4 parameters", "similarity"));
+	model.addEventListener("change", () => {
+		store.dispatch({
+			type: "fiducialModel",
+			model: model.value === "similarity" ? "similarity" : "affine"
+		});
+	});
+	store.watch((s) => [s.fiducialModel], ([value]) => {
+		model.value = value;
+	});
+	host.append(h("fieldset", { class: "group" }, h("legend", {}, "Interior orientation"), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, "Transformation"), model), photo("left", store, loadFile), photo("right", store, loadFile)));
+}
+function photo(side, store, loadFile) {
+	const table = h("div", { class: "scroll" });
+	const result = h("p", {
+		class: "note",
+		testid: `interior-${side}`
+	});
+	const set = (change) => {
+		store.dispatch({
+			type: "photo",
+			side,
+			photo: change
+		});
+	};
+	const name = side === "left" ? "Left" : "Right";
+	const add = button("Add mark", `add-fiducial-${side}`, () => {
+		set({ fiducials: [...store.state.photos[side].fiducials, {
+			col: NaN,
+			row: NaN,
+			x_mm: NaN,
+			y_mm: NaN
+		}] });
+	});
+	const load = button("Load CSV …", `load-fiducials-${side}`, () => {
+		loadFile(side);
+	});
+	const clear = button("Clear", `clear-fiducials-${side}`, () => {
+		set({ fiducials: [] });
+	});
+	let shown = null;
+	const stage = side === "left" ? "interiorLeft" : "interiorRight";
+	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
+		const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+		if (shown !== fiducials) {
+			if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
+			shown = fiducials;
+		}
+		showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
+		clear.disabled = fiducials.length === 0;
+		fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
+	});
+	return h("div", { class: "photo" }, h("h4", {}, `${name} image`), result, table, h("div", { class: "buttons" }, add, load, clear), originFields(side, store));
+}
+function interiorText(sigma, freedom, marks) {
+	if (marks === 0) return "No fiducial marks. The pixel size is used.";
+	if (freedom === void 0) return `${String(marks)} marks.`;
+	return `${String(marks)} marks, σ₀ ${sigma == null ? "not determined" : `${fixed(1e3 * sigma, 1)} µm`}, ${String(freedom)} degrees of freedom.`;
+}
+function marksTable(side, store, rows) {
+	if (rows === 0) return "";
+	const body = Array.from({ length: rows }, (_, i) => h("tr", {}, h("th", { scope: "row" }, String(i + 1)), ...FIELDS.map((field) => h("td", {}, markInput(side, store, i, field))), h("td", { class: "number residual" }, ""), h("td", {}, removeButton(side, store, i))));
+	return h("table", {
+		class: "marks",
+		testid: `fiducials-${side}`,
+		aria: { label: `Fiducial marks, ${side}` }
+	}, h("thead", {}, h("tr", {}, h("th", {}, ""), ...FIELDS.map((field) => h("th", { scope: "col" }, HEADS[field])), h("th", {
+		scope: "col",
+		title: "Residuals vx, vy"
+	}, "v µm"), h("th", {}, ""))), h("tbody", {}, ...body));
+}
+function markInput(side, store, index, field) {
+	const input = h("input", {
+		type: "number",
+		aria: { label: `Mark ${String(index + 1)}, ${HEADS[field]}` }
+	});
+	input.step = "any";
+	input.addEventListener("change", () => {
+		const fiducials = store.state.photos[side].fiducials.map((mark, i) => i === index ? {
+			...mark,
+			[field]: input.valueAsNumber
+		} : mark);
+		store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials }
+		});
+	});
+	return input;
+}
+function removeButton(side, store, index) {
+	const remove = button("×", `remove-fiducial-${side}-${String(index)}`, () => {
+		store.dispatch({
+			type: "photo",
+			side,
+			photo: { fiducials: store.state.photos[side].fiducials.filter((_, i) => i !== index) }
+		});
+	});
+	remove.className = "icon";
+	remove.setAttribute("aria-label", `Remove mark ${String(index + 1)}`);
+	return remove;
+}
+function showMarks(table, fiducials, residuals) {
+	table.querySelectorAll("tbody tr").forEach((line, i) => {
+		line.querySelectorAll("input").forEach((input, f) => {
+			const field = FIELDS[f];
+			const value = field === void 0 ? void 0 : fiducials[i]?.[field];
+			if (value === void 0 || Object.is(input.valueAsNumber, value)) return;
+			input.value = Number.isFinite(value) ? String(value) : "";
+		});
+		const cell = line.querySelector(".residual");
+		const [vx, vy] = residuals[i] ?? [];
+		if (cell !== null) cell.textContent = vx === void 0 ? "" : `${fixed(1e3 * vx, 0)}, ${fixed(1e3 * (vy ?? NaN), 0)}`;
+	});
+}
+/** Where the image lies in the scan whose marks were measured. */
+function originFields(side, store) {
+	const problem = problemLine(`origin-${side}`);
+	const change = () => {
+		const origin = readPair(inputs, problem, allowedOfOrigin);
+		if (origin !== void 0) store.dispatch({
+			type: "photo",
+			side,
+			photo: { origin }
+		});
+		store.dispatch({
+			type: "refused",
+			part: "photos",
+			label: firstRefused(inputs.map((input) => [`Origin of the ${side} image in the scan`, input]))
+		});
+	};
+	const field = (name, testid) => {
+		const input = numberInput(testid, problem, change);
+		input.setAttribute("aria-label", `${side} image in the scan, ${name}, px`);
+		return input;
+	};
+	const inputs = [field("column", `origin-${side}-col`), field("row", `origin-${side}-row`)];
+	store.watch((s) => [s.photos[side].origin], ([origin]) => {
+		inputs.forEach((input, axis) => {
+			showNumber({
+				input,
+				problem
+			}, origin?.[axis]);
+		});
+	});
+	return h("div", { class: "control compact origin" }, h("span", { title: "Column and row of this image’s top-left corner in the scan in which the marks were measured. Empty: the image is the whole scan." }, "Origin in the scan ", h("span", { class: "unit" }, "col, row px")), ...inputs, problem);
+}
+// www/pair/panel/geometry.ts
+/** What relates the two views, by which matches of gradients were verified: the kind of model, its precision, where it is degenerate. */
+function mountGeometry(host, store) {
+	const body = h("div", {});
+	const panel = section("Geometry of the two views", "geometry-section", body);
+	host.append(panel);
+	store.watch((s) => [
+		s.results,
+		s.settings,
+		s.images,
+		s.camera,
+		s.photos,
+		s.masks
+	], () => {
+		const { state } = store;
+		panel.hidden = state.settings === null || !comparesGradients(state.settings);
+		panel.classList.toggle("is-stale", isStale(state, "match"));
+		if (!panel.hidden) fill(body, ...content$2(state));
+	});
+}
+function content$2(state) {
+	const { match } = shownPair(state);
+	if (match === null) return [h("p", { class: "note" }, "Not computed yet.")];
+	if (match.geometry === null) {
+		const none = match.no_geometry;
+		return [h("p", {
+			class: none === null ? "note" : "field-problem",
+			testid: "geometry-reason"
+		}, none === null ? "Not computed yet." : `None: ${message("no_geometry", none)}.`)];
+	}
+	const { degenerate } = match.geometry;
+	return [...degenerate === null ? [] : [h("p", {
+		class: "field-problem",
+		testid: `degenerate-${degenerate}`
+	}, message("degeneracy", degenerate))], facts(figures(match, match.geometry))];
+}
+function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: threshold, focal }) {
+	return [
+		{
+			name: "Model",
+			testid: "geometry-kind",
+			value: message("two_view_model", { kind }, "label"),
+			help: message("two_view_model", { kind }, "help")
+		},
+		{
+			name: "Matches that agree",
+			testid: "geometry-matches",
+			value: count(match.counts.matches),
+			help: "All others are rejected. Matches that only the geometry made unambiguous are among them."
+		},
+		{
+			name: "Standard error of a coordinate",
+			testid: "geometry-sigma",
+			value: `${fixed(sigma, 3)} px`,
+			help: "From the distances of these matches to their epipolar lines, or to their predicted positions."
+		},
+		{
+			name: "Threshold",
+			testid: "geometry-threshold",
+			value: `${fixed(threshold, 2)} px`,
+			help: "Largest distance of a match that agrees. It follows from the scatter of the matches where none is given."
+		},
+		...focal === null ? [] : [{
+			name: "Focal length, estimated",
+			testid: "geometry-focal",
+			value: `${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px`,
+			help: "Of both cameras, from the matches alone, with its standard error. The principal point is assumed at the image centre. A relative error of a tenth is small enough for the relative orientation."
+		}]
+	];
+}
+// www/pair/files/export.ts
+/** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
+/** Rows of a flat array. */
+function rows(values, stride) {
+	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
+}
+function imageOf(state, side) {
+	const opened = state.results[side === "left" ? "openLeft" : "openRight"]?.value;
+	return {
+		name: state.images[side]?.name ?? null,
+		width: opened?.info.width ?? null,
+		height: opened?.info.height ?? null,
+		format: opened?.info.format ?? null,
+		exif: opened?.info.camera ?? null,
+		fiducials: state.photos[side].fiducials,
+		origin: state.photos[side].origin,
+		mask: state.masks[side]?.name ?? null
+	};
+}
+function framesOf(state, side) {
+	const found = state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value;
+	return found === void 0 || found.frames.length === 0 ? null : rows(found.frames, 2);
+}
+function verdicts(state) {
+	const { match } = shownPair(state);
+	if (match === null) return null;
+	const names = state.catalogue?.rules ?? [];
+	return Array.from(match.rules, (rule, i) => ({
+		rule: names[rule] ?? String(rule),
+		best: match.best[i] === -1 ? null : match.best[i] ?? null,
+		place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
+		measure: finite(match.measures[2 * i]),
+		second: finite(match.measures[2 * i + 1])
+	}));
+}
+/** JSON has no infinity: null stands for "no such candidate". */
+function finite(value) {
+	return value !== void 0 && Number.isFinite(value) ? value : null;
+}
+function countsOf(state) {
+	const match = state.results.match?.value.counts;
+	const { matches, ...refused } = match ?? { matches: null };
+	return {
+		left: state.results.pointsLeft?.value.counts ?? null,
+		right: state.results.pointsRight?.value.counts ?? null,
+		matches,
+		refused: match === void 0 ? null : refused
+	};
+}
+/** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
+function everything(state) {
+	const { left, right, match, orientation } = shownPair(state);
+	return {
+		program: "tiepoint",
+		version: state.catalogue?.version ?? null,
+		conventions: {
+			pixel: "the centre of the top-left pixel is (0.5, 0.5); x to the right, y down",
+			photo: "mm, x to the right, y up, origin at the principal point",
+			points: "[x, y, interest value]",
+			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
+			matches: "[x left, y left, x right, y right, measure]",
+			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
+			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]",
+			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
+			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
+		},
+		settings: state.settings,
+		images: {
+			left: imageOf(state, "left"),
+			right: imageOf(state, "right")
+		},
+		camera: pairCameras(state),
+		fiducial_model: state.fiducialModel,
+		given_offset: state.offset,
+		offset: isCurrent(state, "offset") ? state.results.offset?.value ?? null : null,
+		counts: countsOf(state),
+		thresholds: {
+			left: state.results.pointsLeft?.value.threshold ?? null,
+			right: state.results.pointsRight?.value.threshold ?? null
+		},
+		points: {
+			left: left === null ? null : rows(left, 3),
+			right: right === null ? null : rows(right, 3)
+		},
+		frames: {
+			left: framesOf(state, "left"),
+			right: framesOf(state, "right")
+		},
+		matches: match === null ? null : rows(match.matches, 5),
+		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
+		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
+		verdicts: verdicts(state),
+		geometry: match?.geometry ?? null,
+		no_geometry: match?.no_geometry == null ? null : {
+			...match.no_geometry,
+			text: message("no_geometry", match.no_geometry)
+		},
+		interior: {
+			left: state.results.interiorLeft?.value ?? null,
+			right: state.results.interiorRight?.value ?? null,
+			estimated: "missing" in pairCameras(state) ? interiorInUse(state) : null
+		},
+		orientation: orientation === null ? null : {
+			...orientation,
+			points: rows(orientation.points, 9).map((point) => point.map(finite))
+		},
+		truth: trueOrientation(state),
+		score: scoreOf(state)
+	};
+}
+/** The true orientation with the base that its by and bz belong to. */
+function trueOrientation(state) {
+	const truth = truthOf(state);
+	return truth === null ? null : {
+		...truth.orientation,
+		base_mm: truth.baseMm
+	};
+}
+/** How right the matches are, where the truth is known. */
+function scoreOf(state) {
+	const score = state.results.score?.value;
+	return score === void 0 || !isCurrent(state, "score") ? null : {
+		matches: score.matches,
+		strict: score.strict,
+		right: score.right,
+		missed: score.missed
+	};
+}
+async function exportMatches(state, engine) {
+	const { match } = shownPair(state);
+	if (match === null) return;
+	const text = await engine.client("pair").call("matchesCsv", { matches: match.matches });
+	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
+}
+function exportEverything(state) {
+	save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
+}
+async function exportPicture(state, view) {
+	const canvas = view.snapshot();
+	const blob = await new Promise((resolve) => {
+		canvas.toBlob(resolve, "image/png");
+	});
+	if (blob === null) throw new Error("the picture is too large for this browser to encode; make the window smaller");
+	save(blob, `${baseName(state)}.png`);
+}
+function baseName(state) {
+	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
+}
+// www/pair/files/report.ts
+/** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
+/** What the report is made of; null where an image is missing. */
+function inputOf(state) {
+	const { left, right } = state.images;
+	const { settings, camera, photos, masks, offset, fiducialModel } = state;
+	if (left === null || right === null || settings === null) return null;
+	const truth = truthOf(state);
+	const photo = (side) => ({
+		...photos[side],
+		model: fiducialModel
+	});
+	return {
+		images: [left.source, right.source],
+		names: [left.name, right.name],
+		input: {
+			camera,
+			offset,
+			left: photo("left"),
+			right: photo("right")
+		},
+		settings,
+		truth: truth === null ? null : {
+			orientation: truth.orientation,
+			base_mm: truth.baseMm,
+			right_position: truth.rightPosition
+		},
+		masks: [masks.left?.grey ?? null, masks.right?.grey ?? null]
+	};
+}
+async function exportReport(store, engine) {
+	const input = inputOf(store.state);
+	if (input === null) return;
+	const say = (text) => {
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text
+			}
+		});
+	};
+	const client = engine.client("report");
+	try {
+		say("Report: reading the images …");
+		const steps = await client.call("reportOpen", input);
+		for (const [i, step] of steps.entries()) {
+			say(`Report, step ${String(i + 1)} of ${String(steps.length + 1)}: matching, ${step} …`);
+			await client.call("reportStep", null);
+		}
+		say(`Report, step ${String(steps.length + 1)} of ${String(steps.length + 1)}: writing …`);
+		const page = await client.call("reportPage", null);
+		save(new Blob([page], { type: "text/html" }), `${baseName(store.state)}-report.html`);
+		store.dispatch({
+			type: "notice",
+			notice: null
+		});
+	} catch (error) {
+		if (!(error instanceof Cancelled)) throw error;
+		store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: "The report was cancelled."
+			}
+		});
+	} finally {
+		client.cancel();
+	}
+}
+// www/pair/state/residuals.ts
+/** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+/** The residual of each match at its point of one image: stride 4, x, y, dx, dy in px. */
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const vectors = new Float64Array(4 * orientation.residuals_mm.length);
+		orientation.residuals_mm.forEach((residual, i) => {
+			const [vx, vy] = [residual[first] ?? NaN, residual[first + 1] ?? NaN];
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		});
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+/** The y-parallax left in each match that the adjustment kept, in px: the right photo's correction in y minus the left one's. */
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const kept = orientation.residuals_mm.filter((_, i) => !rejected.has(i));
+	return Float64Array.from(kept, ([, left, , right]) => (right - left) / pixel);
+});
+// www/pair/panel/unknowns.ts
+var UNKNOWNS = [
+	{
+		field: "omega_deg",
+		symbol: "ω",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "phi_deg",
+		symbol: "φ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "kappa_deg",
+		symbol: "κ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "by_mm",
+		symbol: "by",
+		unit: "mm",
+		digits: 4
+	},
+	{
+		field: "bz_mm",
+		symbol: "bz",
+		unit: "mm",
+		digits: 4
+	}
+];
+// www/pair/panel/matrix.ts
+var CELL = 44;
+var HEAD = 26;
+/** The part of a cell that the number takes, below the square: a small square would strike it through. */
+var FOOT = 12;
+/** The matrix of correlations: the larger the square the stronger, filled where positive and hatched by its outline where negative. */
+function correlationPicture({ correlations }) {
+	const size = HEAD + CELL * UNKNOWNS.length;
+	const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => `${symbol} and ${other.symbol} ${fixed(correlations[i]?.[i + 1 + k], 2)}`));
+	const heads = UNKNOWNS.flatMap(({ symbol }, i) => [svg("text", {
+		x: HEAD + CELL * (i + .5),
+		y: 18,
+		class: "matrix-name"
+	}, symbol), svg("text", {
+		x: HEAD / 2,
+		y: HEAD + CELL * (i + .5) + 4,
+		class: "matrix-name"
+	}, symbol)]);
+	const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
+	return h("figure", { testid: "correlations" }, h("figcaption", { title: "From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other." }, "Correlations of the unknowns"), svg("svg", {
+		viewBox: `0 0 ${String(size)} ${String(size)}`,
+		class: "correlations",
+		role: "img",
+		"aria-label": `Correlations: ${words.join(", ")}`
+	}, ...heads, ...cells));
+}
+/** The area of the square stands for the magnitude. */
+function cellOf(value, row, column) {
+	const side = 28 * Math.sqrt(Math.min(1, Math.abs(value)));
+	const x = HEAD + CELL * (column + .5);
+	const y = HEAD + CELL * (row + .5);
+	const middle = y - FOOT / 2;
+	return svg("g", { "data-testid": `correlation-${String(row)}-${String(column)}` }, svg("rect", {
+		x: x - CELL / 2,
+		y: y - CELL / 2,
+		width: CELL,
+		height: CELL,
+		class: "matrix-cell"
+	}), svg("rect", {
+		x: x - side / 2,
+		y: middle - side / 2,
+		width: side,
+		height: side,
+		class: value < 0 ? "negative" : "positive"
+	}), svg("text", {
+		x,
+		y: y + CELL / 2 - 3,
+		class: "matrix-value"
+	}, fixed(value, 2)));
+}
+var PLOT = 150;
+/** The standard error ellipse of by and bz, with the truth where it is known. */
+function ellipsePicture(ellipse, deviation) {
+	const { semi_major: major, semi_minor: minor, bearing_deg: angle } = ellipse;
+	const reach = Math.max(2 * major, ...(deviation ?? []).map((d) => 1.15 * Math.abs(d)));
+	const scale = PLOT / 2 / reach;
+	const words = `Standard error ellipse of by and bz: ${significant(major)} by ${significant(minor)} mm, longer axis at ${fixed(angle, 0)} degrees from by`;
+	const truth = deviation === null ? [] : [svg("path", {
+		d: cross(-deviation[0] * scale, deviation[1] * scale),
+		class: "truth"
+	})];
+	return h("figure", { testid: "ellipse" }, h("figcaption", { title: words }, `by, bz: ellipse ${significant(1e3 * major)} × ${significant(1e3 * minor)} µm; dashed: twice as large, 2 standard errors${deviation === null ? "" : "; cross: truth"}`), svg("svg", {
+		viewBox: `${String(-75)} ${String(-75)} ${String(PLOT)} ${String(PLOT)}`,
+		class: "ellipse",
+		role: "img",
+		"aria-label": words
+	}, svg("path", {
+		d: `M${String(-75)} 0h${String(PLOT)}M0 ${String(-75)}v${String(PLOT)}`,
+		class: "axis"
+	}), svg("ellipse", {
+		rx: major * scale,
+		ry: minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline"
+	}), svg("ellipse", {
+		rx: 2 * major * scale,
+		ry: 2 * minor * scale,
+		transform: `rotate(${String(-angle)})`,
+		class: "outline faint"
+	}), ...truth, svg("text", {
+		x: 59,
+		y: -5,
+		class: "matrix-name"
+	}, "by"), svg("text", {
+		x: 12,
+		y: -63,
+		class: "matrix-name"
+	}, "bz")));
+}
+function cross(x, y) {
+	return `M${String(x - 5)} ${String(y - 5)}l10 10M${String(x + 5)} ${String(y - 5)}l-10 10`;
+}
+// www/pair/panel/orientation.ts
+/** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
+var SIGMA_CAVEAT = "σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.";
+function mountOrientation(host, store) {
+	const body = h("div", {});
+	const panel = section("Relative orientation", "orientation-section", body);
+	host.append(panel);
+	store.watch((s) => [
+		s.results,
+		s.settings,
+		s.images,
+		s.failures,
+		s.camera,
+		s.photos,
+		s.offset,
+		s.fiducialModel
+	], () => {
+		const { state } = store;
+		panel.classList.toggle("is-stale", isStale(state, "orientation"));
+		fill(body, ...content$1(state));
+	});
+}
+function content$1(state) {
+	const reason = whyNotOriented(state);
+	if (reason !== null) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, reason)];
+	const result = state.results.orientation?.value;
+	if (result === void 0) return [h("p", {
+		class: "note",
+		testid: "orientation-reason"
+	}, "Not computed yet.")];
+	return [
+		...estimatedFocal(state),
+		valueTable(state, result),
+		...warnings(result),
+		precision(state, result),
+		h("p", {
+			class: "caveat",
+			testid: "sigma-caveat"
+		}, SIGMA_CAVEAT),
+		pictures(state, result)
+	];
+}
+/** Says where the focal length is from, where no camera is known. */
+function estimatedFocal(state) {
+	const { match } = state.results;
+	const focal = match?.value.geometry?.focal ?? null;
+	if (!("missing" in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
+	return [h("p", {
+		class: "note",
+		testid: "estimated-focal"
+	}, `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
+}
+/** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
+var EQUAL_PX = .05;
+function areEqual(matches) {
+	let equal = 0;
+	for (let i = 0; i < matches.length; i += 5) {
+		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = matches.subarray(i, i + 4);
+		if (Math.abs(xr - xl) < EQUAL_PX && Math.abs(yr - yl) < EQUAL_PX) equal += 1;
+	}
+	return matches.length > 0 && equal > .9 * (matches.length / 5);
+}
+/** Why there is no orientation for what is wanted now; null where there is one, or one to come. */
+function whyNotOriented(state) {
+	const keys = wantedKeys(state);
+	if (state.images.left === null || state.images.right === null) return "Two images are needed.";
+	const match = isCurrent(state, "match") ? state.results.match?.value ?? null : null;
+	if (match?.geometry?.degenerate === "pure-rotation") return areEqual(match.matches) ? "Not oriented: both images show the same at the same positions. Is it one photo twice?" : `Not oriented: ${message("no_orientation", { kind: "pure_rotation" })}.`;
+	if (match?.no_geometry != null) return `Not oriented: ${message("no_geometry", match.no_geometry)}. Do both photos show the same ground?`;
+	const cameras = pairCameras(state);
+	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
+		const untold = match?.geometry == null ? "" : ", and the matches do not determine the focal length";
+		return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+	}
+	for (const stage of [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	]) {
+		const failure = state.failures[stage];
+		if (failure !== void 0 && failure.key === keys[stage]) return `Not oriented. ${failure.message}`;
+	}
+	return null;
+}
+/** The true orientation at the scale of a result's base; null where it is not known. */
+function truthFor(state, { base_mm: base }) {
+	const truth = truthOf(state);
+	return truth === null ? null : orientationAt(truth, base);
+}
+function valueTable(state, result) {
+	const truth = truthFor(state, result);
+	const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : void 0;
+	const { standard_errors: errors, total_standard_errors: total } = result;
+	const number = (testid, value, digits, kind = "") => h("td", {
+		testid,
+		class: `number ${kind}`
+	}, fixed(value, digits));
+	const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
+		const error = truth === null ? NaN : result[field] - truth[field];
+		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
+		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], digits, "paper")];
+		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+	});
+	const heads = [
+		["Value", "The right photo relative to the left one, dependent relative orientation."],
+		["Std error", "What the scatter of the matches leaves uncertain."],
+		...total === null ? [] : [["In total", "Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks."]],
+		...paper !== void 0 ? [["Paper", "The paper's Table 3, of its own pair"], ["its error", "The paper's Table 2"]] : [],
+		...truth === null ? [] : [["True error", "Value minus truth; by and bz at the scale of the base used."], ["in std errors", "The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases."]]
+	];
+	const note = paper !== void 0 ? h("p", { class: "note" }, "Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).") : null;
+	return h("div", {}, h("div", { class: "scroll" }, h("table", {
+		class: "tight",
+		aria: { label: "Relative orientation" }
+	}, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Unknown"), ...heads.map(([text, title]) => h("th", {
+		scope: "col",
+		title,
+		class: text === "Paper" || text === "its error" ? "paper" : ""
+	}, text)))), h("tbody", {}, ...rows))), note);
+}
+function warnings({ warnings: found }) {
+	return found.map((warning) => h("p", {
+		class: "field-problem",
+		testid: `warning-${warning.kind}`
+	}, message("warning", warning)));
+}
+function precision(state, result) {
+	const interior = interiorInUse(state)?.left;
+	const pixel = interior === void 0 ? null : pixelMm(interior);
+	const sigma = result.sigma0_mm;
+	const used = result.residuals_mm.length - result.rejected.length;
+	const test = result.global_test;
+	return facts([
+		{
+			name: "σ₀ of a photo coordinate",
+			testid: "sigma0",
+			value: sigma == null ? "–" : `${fixed(1e3 * sigma, 2)} µm${pixel === null ? "" : ` = ${fixed(sigma / pixel, 3)} px`}`,
+			help: `Standard error of one photo coordinate of weight 1, from the residuals. ${SIGMA_CAVEAT}`
+		},
+		{
+			name: "of a y-parallax (√2 σ₀)",
+			testid: "sigma-parallax",
+			value: sigma == null || pixel === null ? "–" : `${fixed(Math.SQRT2 * sigma / pixel, 3)} px`,
+			help: "Standard error of the y-parallax of a match: the distance at which its two rays pass each other."
+		},
+		...test === null ? [] : [{
+			name: "Global test",
+			testid: "global-test",
+			value: `${fixed(test.statistic, 1)}: ${test.passed ? "passed" : "FAILED"}`,
+			...test.passed ? {} : { kind: "problem" },
+			help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`
+		}],
+		{
+			name: "Degrees of freedom",
+			testid: "degrees-of-freedom",
+			value: count(result.degrees_of_freedom),
+			help: "Matches used minus the five unknowns."
+		},
+		{
+			name: "Matches used",
+			testid: "matches-used",
+			value: `${count(used)} of ${count(result.residuals_mm.length)}`,
+			help: "Data snooping rejected the others as gross errors, or their rays meet behind a camera."
+		},
+		{
+			name: "Condition",
+			testid: "condition",
+			value: significant(result.condition),
+			help: "Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they are hardly separable."
+		},
+		{
+			name: "Misfit to a plane",
+			testid: "plane-misfit",
+			value: result.plane_misfit === null ? "–" : `${significant(result.plane_misfit)} σ₀`,
+			help: "How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief."
+		},
+		{
+			name: "Parallax beside a rotation",
+			testid: "rotation-parallax",
+			value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
+			help: "Median parallax that the best rotation of the right photo leaves: what of the difference of the photos only a base explains. Next to nothing where the camera only turned."
+		},
+		{
+			name: "Spread",
+			testid: "spread",
+			value: `${fixed(result.spread, 3)} f`,
+			help: "Root mean square distance of the points from their middle in the left photo, in principal distances. Small where they cover little of the photo."
+		},
+		{
+			name: "Iterations, last step",
+			testid: "iterations",
+			value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+			help: "The last step relative to a millionth of the standard errors: below 1 the adjustment has converged."
+		},
+		{
+			name: "Base b, principal distance",
+			testid: "base",
+			value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`,
+			help: "The base component that was fixed gives by and bz their scale."
+		},
+		...hasPaperCamera(state) ? [{
+			name: "Paper",
+			testid: "paper-sigma0",
+			value: "σ₀ 0.150 mm = 0.6 px",
+			help: "What the paper printed for its own pair."
+		}] : []
+	]);
+}
+function pictures(state, result) {
+	const truth = truthFor(state, result);
+	const deviation = truth === null || Number.isNaN(truth.by_mm) ? null : [result.by_mm - truth.by_mm, result.bz_mm - truth.bz_mm];
+	const ellipse = result.base_ellipse_mm;
+	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
+}
+// www/pair/panel/status.ts
+/** The status line: what runs, how far it is, what went wrong, and what to do. */
+/** A run shorter than this shows no bar: it would only flicker. */
+var PATIENCE_MS = 250;
+function mountStatus(store, actions) {
+	const line = byId("status");
+	const bar = byId("progress");
+	const cancel = byId("cancel");
+	const run = byId("run");
+	cancel.addEventListener("click", actions.cancel);
+	run.addEventListener("click", actions.run);
+	let timer;
+	store.watch((s) => [s], ([state]) => {
+		const busy = isBusy(state);
+		const { wanted, done } = progress(state);
+		bar.max = Math.max(1, wanted);
+		bar.value = done;
+		cancel.disabled = !busy;
+		run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+		show(line, lineOf(state));
+		document.body.classList.toggle("is-pending", anyStale(state));
+		if (!busy) {
+			window.clearTimeout(timer);
+			timer = void 0;
+			bar.classList.remove("is-on");
+		} else timer ??= window.setTimeout(() => {
+			bar.classList.add("is-on");
+		}, PATIENCE_MS);
+	});
+}
+function isBusy(state) {
+	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
+}
+function show(line, { text, kind }) {
+	line.dataset.kind = kind;
+	if (line.textContent !== text) line.textContent = text;
+}
+function lineOf(state) {
+	const failure = currentFailure(state);
+	if (state.notice?.kind === "problem") return {
+		text: state.notice.text,
+		kind: "problem"
+	};
+	const { running, wanted, done } = progress(state);
+	if (running.length > 0) return {
+		text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join("; ")}`,
+		kind: "busy"
+	};
+	if (state.notice?.kind === "busy") return {
+		text: state.notice.text,
+		kind: "busy"
+	};
+	if (state.paused) return {
+		text: "Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.",
+		kind: "idle"
+	};
+	if (failure !== null && !isOrientation(failure)) return {
+		text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(),
+		kind: "problem"
+	};
+	const [refused] = Object.values(state.refused);
+	if (refused !== void 0) return {
+		text: refusedText(refused),
+		kind: "problem"
+	};
+	const line = resting(state, wanted, done);
+	if (state.notice === null) return line;
+	return line.kind === "done" || line.kind === "partial" ? {
+		...line,
+		text: `${line.text} ${state.notice.text}`
+	} : {
+		text: state.notice.text,
+		kind: "idle"
+	};
+}
+function resting(state, wanted, done) {
+	if (state.catalogue === null) return {
+		text: "Loading the program …",
+		kind: "busy"
+	};
+	if (state.images.left === null && state.images.right === null) return {
+		text: "Ready. Open two overlapping images, or use the sample pair.",
+		kind: "idle"
+	};
+	if (state.images.left === null || state.images.right === null) return {
+		text: `One image is open. Open the ${state.images.left === null ? "left" : "right"} one.`,
+		kind: "idle"
+	};
+	if (done < wanted) return {
+		text: "Waiting …",
+		kind: "busy"
+	};
+	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" ? 0 : result.milliseconds), 0);
+	const matched = `${summary(state)}, ${fixed(milliseconds / 1e3, 2)} s of work.`;
+	const reason = whyNotOriented(state);
+	return reason === null ? {
+		text: `Done: ${matched}`,
+		kind: "done"
+	} : {
+		text: `${matched} ${reason}`,
+		kind: "partial"
+	};
+}
+/** Matches that determine no orientation are a result all the same. */
+function isOrientation({ stage, ended }) {
+	return !ended && stage === "orientation";
+}
+/** Without an interior orientation there are matches, but no more. */
+function matchedAllTheSame(state, failed) {
+	const matches = summary(state);
+	return (failed === "interiorLeft" || failed === "interiorRight") && matches !== "" ? `Not oriented: ${matches}.` : "";
+}
+// www/pair/panel/header.ts
+/** The bar of the page as the pair uses it: what opens, exchanges and exports its images. */
+function pickerOf(files) {
+	const input = byId("file-input");
+	let wanted = {
+		side: null,
+		what: "any"
+	};
+	input.addEventListener("change", () => {
+		const given = [...input.files ?? []];
+		const [first] = given;
+		if (wanted.what === "mask" && wanted.side !== null && first !== void 0) files.takeMask(first, wanted.side);
+		else files.take(given, wanted.side);
+		input.value = "";
+		input.multiple = true;
+		wanted = {
+			side: null,
+			what: "any"
+		};
+	});
+	return (side, what = "any") => {
+		wanted = {
+			side,
+			what
+		};
+		input.multiple = side === null;
+		input.click();
+	};
+}
+function mountHeader({ store, engine, view, files, pick, attempt }) {
+	const on = (id, action) => {
+		byId(id).addEventListener("click", () => {
+			attempt(action);
+		});
+	};
+	for (const id of ["open", "open-first"]) on(id, () => {
+		pick(null);
+	});
+	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
+	on("swap", () => {
+		swap(store, engine);
+	});
+	on("export-csv", () => exportMatches(store.state, engine));
+	on("export-json", () => {
+		exportEverything(store.state);
+	});
+	on("export-report", () => exportReport(store, engine));
+	on("export-png", () => exportPicture(store.state, view));
+	store.watch((s) => [
+		s.images,
+		s.results,
+		s.catalogue,
+		s.notice,
+		s.running
+	], ([images, , catalogue]) => {
+		const both = images.left !== null && images.right !== null;
+		const none = images.left === null && images.right === null;
+		const set = (id, disabled) => {
+			byId(id).disabled = disabled;
+		};
+		set("swap", none);
+		set("sample", catalogue === null);
+		set("sample-first", catalogue === null);
+		set("export-csv", !both || shownPair(store.state).match === null);
+		set("export-json", !both || store.state.results.pointsLeft === void 0);
+		set("export-report", !both || isBusy(store.state));
+		set("export-png", none);
+		leaveWelcome(!none);
+	});
+}
+/** What is known of the truth says where left pixels are seen in the right image: it holds in the simulated order alone. */
+function swap(store, engine) {
+	const known = truthOf(store.state) !== null;
+	engine.swap();
+	if (known) store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "info",
+			text: "The truth of the simulated pair holds in its own order only: swap again to compare."
+		}
+	});
+}
+/** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */
+function leaveWelcome(left) {
+	const welcome = byId("welcome");
+	const { activeElement } = document;
+	const focused = welcome.contains(activeElement) || !welcome.hidden && [byId("open"), byId("sample")].some((press) => press === activeElement);
+	welcome.hidden = left;
+	if (left && focused) byId("view").focus();
+}
+// www/pair/state/histogram.ts
+/** A quantile of sorted values; NaN of none. */
+function quantile(sorted, q) {
+	return sorted[Math.min(sorted.length - 1, Math.floor(q * sorted.length))] ?? NaN;
+}
+/** One value of each row of a flat array. */
+function columnOf(values, stride, at) {
+	const column = new Float64Array(Math.floor(values.length / stride));
+	for (let i = 0; i < column.length; i++) column[i] = values[i * stride + at] ?? NaN;
+	return column;
+}
+/** The finite values in ascending order. */
+function sortedFinite(values) {
+	const sorted = values.slice().sort();
+	let end = sorted.length;
+	while (end > 0 && !((sorted[end - 1] ?? NaN) < Infinity)) end -= 1;
+	let start = 0;
+	while (start < end && sorted[start] === -Infinity) start += 1;
+	return sorted.subarray(start, end);
+}
+/**
+* The histogram of the finite values in `bins` bins. The range is that of the values from the 0.5 % to the 99.5 % quantile, so that
+* a few extreme ones do not squeeze the rest into one bin; `symmetric` centres it on 0, `from` fixes its lower end.
+*/
+function histogram(values, bins, { symmetric = false, from } = {}) {
+	const sorted = sortedFinite(values);
+	let low = from ?? quantile(sorted, .005);
+	let high = quantile(sorted, .995);
+	if (symmetric) {
+		high = Math.max(Math.abs(low), Math.abs(high));
+		low = -high;
+	}
+	if (!(high > low)) high = low + 1;
+	const counts = new Array(bins).fill(0);
+	let outside = 0;
+	for (const value of sorted) {
+		if (value < low || value > high) outside += 1;
+		const bin = Math.min(bins - 1, Math.max(0, Math.floor((value - low) / (high - low) * bins)));
+		counts[bin] = (counts[bin] ?? 0) + 1;
+	}
+	return {
+		low,
+		high,
+		counts,
+		outside,
+		total: sorted.length,
+		median: quantile(sorted, .5)
+	};
+}
+// www/pair/panel/histograms.ts
+/** Histograms: the measure of the matches, what the adjustment left, the interest value. */
+var BINS = 40;
+var WIDTH = 320;
+var HEIGHT = 84;
+var measures = remember((matches) => histogram(columnOf(matches, 5, 4), BINS, { from: 0 }));
+var residuals = remember((values) => histogram(values, BINS, { symmetric: true }));
+var interestLeft = remember((points) => histogram(columnOf(points, 3, 2), BINS));
+var interestRight = remember((points) => histogram(columnOf(points, 3, 2), BINS));
+function mountHistograms(host, store) {
+	const body = h("div", { class: "histograms" });
+	const panel = section("Histograms", "histograms-section", body);
+	host.append(panel);
+	let round = 0;
+	store.watch((s) => [
+		s.results,
+		s.images,
+		s.settings,
+		s.camera,
+		s.photos,
+		s.offset,
+		s.fiducialModel,
+		s.failures
+	], () => {
+		panel.classList.toggle("is-stale", isStale(store.state, "match"));
+		round += 1;
+		update(body, store, () => round, round);
+	});
+}
+/** Draws the charts one after the other, each in its own task: with many points each takes some ms, and input comes between. */
+async function update(body, store, round, own) {
+	const charts = [];
+	for (const make of CHARTS) {
+		await new Promise((resolve) => {
+			window.setTimeout(resolve, 0);
+		});
+		if (round() !== own) return;
+		const made = make(store.state);
+		if (made !== null) charts.push(made);
+	}
+	fill(body, ...charts.length > 0 ? charts : [h("p", { class: "note" }, "No points yet.")]);
+}
+var CHARTS = [
+	(state) => {
+		const { match } = shownPair(state);
+		return match === null || match.counts.matches === 0 ? null : chart("Measure of the matches", "", measures(match.matches), "histogram-measure");
+	},
+	(state) => {
+		const { orientation } = shownPair(state);
+		const interior = interiorInUse(state)?.left;
+		if (orientation === null || interior === void 0) return null;
+		return markStale(chart("y-parallax residuals of the matches used", "px", residuals(parallaxResiduals(orientation, interior)), "histogram-residuals"), isStale(state, "orientation") && !isStale(state, "match"));
+	},
+	(state) => {
+		const { left } = shownPair(state);
+		return left === null || left.length === 0 ? null : chart("Interest value, left", "", interestLeft(left), "histogram-interest-left");
+	},
+	(state) => {
+		const { right } = shownPair(state);
+		return right === null || right.length === 0 ? null : chart("Interest value, right", "", interestRight(right), "histogram-interest-right");
+	}
+];
+function chart(title, unit, data, testid) {
+	const most = Math.max(...data.counts, 1);
+	const width = WIDTH / data.counts.length;
+	const bars = data.counts.map((n, i) => {
+		const bar = Math.round(HEIGHT * n / most * 100) / 100;
+		return n === 0 ? "" : `M${String(i * width + .5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
+	}).join("");
+	const at = (value) => WIDTH * (value - data.low) / (data.high - data.low);
+	const suffix = unit === "" ? "" : ` ${unit}`;
+	const words = `${title}: ${count(data.total)} values, median ${significant(data.median)}${suffix}, shown from ${significant(data.low)} to ${significant(data.high)}${suffix}, at most ${count(most)} in a bar`;
+	const picture = svg("svg", {
+		viewBox: `0 0 ${String(WIDTH)} ${String(85)}`,
+		class: "histogram",
+		role: "img",
+		"aria-label": words,
+		preserveAspectRatio: "none"
+	}, svg("path", {
+		d: bars,
+		class: "bars"
+	}), svg("path", {
+		d: `M0 ${String(84.5)}h${String(WIDTH)}`,
+		class: "axis"
+	}), svg("path", {
+		d: `M${String(at(data.median))} 0v${String(HEIGHT)}`,
+		class: "median"
+	}));
+	return h("figure", { testid }, h("figcaption", {}, title, h("span", { class: "unit" }, `${suffix} · n = ${count(data.total)}`)), picture, h("div", { class: "scale" }, h("span", {}, significant(data.low)), h("span", {}, `median ${significant(data.median)}`), h("span", {}, significant(data.high))));
+}
+// www/pair/panel/panes.ts
+function mountPanes(view, store, actions) {
+	const labels = {
+		left: label("left", actions),
+		right: label("right", actions)
+	};
+	view.host.append(labels.left.element, labels.right.element);
+	const place = () => {
+		const panes = panesOf(view.host.clientWidth, view.host.clientHeight);
+		for (const side of SIDES) {
+			const { style } = labels[side].element;
+			const { left, top, width, height } = panes[side];
+			Object.assign(style, {
+				left: `${String(left)}px`,
+				top: `${String(top)}px`,
+				width: `${String(width)}px`,
+				height: `${String(height)}px`
+			});
+		}
+	};
+	new ResizeObserver(place).observe(view.host);
+	store.watch((s) => [
+		s.images,
+		s.masks,
+		s.results.openLeft,
+		s.results.openRight,
+		s.activeSide
+	], () => {
+		for (const side of SIDES) {
+			labels[side].element.classList.toggle("is-active", store.state.activeSide === side);
+			labels[side].element.classList.toggle("is-empty", store.state.images[side] === null);
+			labels[side].show(store.state);
+		}
+	});
+}
+function label(side, actions) {
+	const name = h("span", {
+		class: "pane-name",
+		testid: `name-${side}`
+	});
+	const replace = button("Replace …", `replace-${side}`, () => {
+		actions.open(side);
+	});
+	replace.setAttribute("aria-label", `Replace the ${side} image`);
+	const empty = button(`Open the ${side} image …`, `open-${side}`, () => {
+		actions.open(side);
+	});
+	empty.className = "invitation";
+	const mask = button("Mask …", `mask-${side}`, () => {
+		actions.mask(side);
+	}, "An image of the same size: no points are detected where it is 0 (black)");
+	const unmask = button("× mask", `unmask-${side}`, () => {
+		actions.unmask(side);
+	});
+	unmask.setAttribute("aria-label", `Remove the mask of the ${side} image`);
+	const head = h("div", { class: "pane-head" }, name, replace, mask, unmask);
+	const element = h("div", {
+		class: "pane-frame",
+		testid: `pane-${side}`
+	}, head, empty);
+	const show = (state) => {
+		const image = state.images[side];
+		const opened = state.results[side === "left" ? "openLeft" : "openRight"];
+		const given = state.masks[side];
+		head.hidden = image === null;
+		mask.hidden = given !== null;
+		unmask.hidden = given === null;
+		unmask.title = given === null ? "" : `Remove ${given.name}`;
+		empty.hidden = image !== null;
+		const size = opened === void 0 || image === null ? "" : ` · ${count(opened.value.info.width)} × ${count(opened.value.info.height)} px`;
+		name.title = image === null ? "" : `${image.name}${size}`;
+		fill(name, h("span", {}, image?.name ?? ""), h("span", {}, size));
+	};
+	return {
+		element,
+		show
+	};
+}
+// www/pair/state/statistics.ts
+/** Values a match has in `RelativeOrientation.points`. */
+var POINT_STRIDE = 9;
+var POSITION = [{
+	key: "x",
+	label: "x",
+	unit: "px",
+	digits: 1,
+	help: "Column of the left point; the top-left pixel’s centre is at 0.5."
+}, {
+	key: "y",
+	label: "y",
+	unit: "px",
+	digits: 1,
+	help: "Row of the left point."
+}];
+var MEASURE = {
+	key: "measure",
+	label: "measure",
+	unit: "",
+	digits: 4,
+	help: "Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good."
+};
+var FIT = {
+	key: "standard_error",
+	label: "s(x, y)",
+	unit: "px",
+	digits: 3,
+	help: "Standard error of the right position from least squares matching, in its worse direction."
+};
+/** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
+var ADJUSTED = [
+	{
+		key: "v",
+		label: "y-parallax",
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: "Residual y-parallax: the distance at which the two rays pass each other, at photo scale."
+	},
+	{
+		key: "r",
+		label: "r",
+		unit: "",
+		digits: 3,
+		help: "Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it."
+	},
+	{
+		key: "w",
+		label: "w",
+		unit: "",
+		digits: 2,
+		help: "w-statistic: standardised residual. Data snooping rejects above the limit that α₀ sets (3.29 for 0.001)."
+	},
+	{
+		key: "detectable",
+		label: "∇",
+		unit: "px",
+		digits: 3,
+		inPixels: true,
+		help: "Minimal detectable bias (MDB) across the epipolar line: an error of this size is detected with the probability β₀."
+	},
+	{
+		key: "influence",
+		label: "δ",
+		unit: "",
+		digits: 2,
+		help: "External reliability: the largest effect of an undetected error of that size on an unknown, in its standard errors."
+	},
+	{
+		key: "weight",
+		label: "weight",
+		unit: "",
+		digits: 2,
+		help: "Weight in the adjustment; 0 where rejected."
+	},
+	{
+		key: "model_x",
+		label: "X",
+		unit: "mm",
+		digits: 2,
+		help: "Model coordinate at photo scale, along the base."
+	},
+	{
+		key: "model_y",
+		label: "Y",
+		unit: "mm",
+		digits: 2,
+		help: "Model coordinate at photo scale, across the base."
+	},
+	{
+		key: "model_z",
+		label: "Z",
+		unit: "mm",
+		digits: 2,
+		help: "Model coordinate at photo scale, upwards; the photo lies at minus the principal distance."
+	}
+];
+/** The larger semi-axis of the error ellipse of a fit, in px. */
+function worstError(fits, match) {
+	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
+	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
+}
+/** The statistics of a pair's matches; those of the adjustment where there is one. */
+var statisticsOf = remember((match, orientation, score, pixel) => {
+	const count = match.matches.length / 5;
+	const figure = (described, value) => ({
+		...described,
+		value,
+		text: (i) => fixed(value(i), described.digits)
+	});
+	const columns = POSITION.map((column, k) => figure(column, (i) => match.matches[5 * i + k] ?? NaN));
+	columns.push(figure(MEASURE, (i) => match.matches[5 * i + 4] ?? NaN));
+	if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+	const rejected = new Uint8Array(count);
+	if (orientation !== null) {
+		for (const i of orientation.rejected) rejected[i] = 1;
+		const { points } = orientation;
+		ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+			const scale = inPixels ? pixel ?? NaN : 1;
+			columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
+		});
+	}
+	return {
+		count,
+		columns,
+		rejected,
+		rightness: score !== null && score.rightness.length === count ? score.rightness : null
+	};
+});
+/** Whether a filter keeps a match. */
+function isKept({ rejected, rightness }, filter, match) {
+	switch (filter) {
+		case "all": return true;
+		case "used": return rejected[match] === 0;
+		case "rejected": return rejected[match] === 1;
+		case "wrong": return rightness?.[match] === 0;
+	}
+}
+// www/pair/panel/feature.ts
+/** Gradient descriptors as pictures: the patch around a point, and a star of eight directions in each of its 4 x 4 cells. */
+/** Canvas px of a sample. */
+var PIXEL = 3;
+var SIZE = 112 * PIXEL;
+var STAR = "#ffd400";
+var GRID = "rgb(255 212 0 / 0.55)";
+/** Both points: as they lie in their images with the grid of their descriptors, then turned and scaled to their frames. */
+function featurePictures({ features }) {
+	if (features === null) return [];
+	const both = (name, testid, picture, text) => {
+		const one = (side, label) => {
+			const feature = features[side];
+			if (feature === null) return h("figure", {}, h("p", { class: "note" }, "No point."), h("figcaption", {}, label));
+			const canvas = picture(feature);
+			canvas.setAttribute("aria-label", `${label} point, ${name}`);
+			return h("figure", {}, canvas, h("figcaption", {}, `${label}${text(feature)}`));
+		};
+		return [h("h4", {}, name), h("div", {
+			class: "windows",
+			testid
+		}, one("left", "Left"), one("right", "Right"))];
+	};
+	return [...both("Turned and scaled to the point, contrast stretched", "point-patches", turnedPicture, () => ""), ...both("Descriptor, as it lies in the image", "point-descriptors", uprightPicture, ({ scale, direction, reach }) => ` · scale ${fixed(scale, 1)} px, direction ${fixed(direction * 180 / Math.PI, 0)}°, ${fixed(reach, 0)} px wide`)];
+}
+/** Grey values from black to white: what is dull would show nothing. */
+function stretched(grey) {
+	const [low, high] = grey.reduce(([least, most], value) => [Math.min(least, value), Math.max(most, value)], [255, 0]);
+	return grey.map((value) => 255 * (value - low) / Math.max(1, high - low));
+}
+function canvasOf(grey) {
+	const canvas = h("canvas", {
+		class: "window",
+		role: "img"
+	});
+	canvas.width = SIZE;
+	canvas.height = SIZE;
+	const context = canvas.getContext("2d");
+	stretched(grey).forEach((value, i) => {
+		if (context === null) return;
+		context.fillStyle = `rgb(${String(value)} ${String(value)} ${String(value)})`;
+		context.fillRect(i % 112 * PIXEL, Math.floor(i / 112) * PIXEL, PIXEL, PIXEL);
+	});
+	return [canvas, context];
+}
+/** What the descriptor describes: of a right match it is the same in both images. */
+function turnedPicture({ turned }) {
+	return canvasOf(turned)[0];
+}
+function uprightPicture({ upright, descriptor, direction }) {
+	const [canvas, context] = canvasOf(upright);
+	if (context === null) return canvas;
+	context.translate(SIZE / 2, SIZE / 2);
+	context.rotate(direction);
+	drawGrid(context, SIZE / SURROUNDINGS);
+	drawStars(context, SIZE / SURROUNDINGS, descriptor);
+	return canvas;
+}
+/** The cells, and their first direction, which is that of the point. */
+function drawGrid(context, side) {
+	context.strokeStyle = GRID;
+	context.lineWidth = 1.5;
+	context.beginPath();
+	for (let k = 0; k <= 4; k++) {
+		const at = side * (k / 4 - .5);
+		context.moveTo(at, -side / 2);
+		context.lineTo(at, side / 2);
+		context.moveTo(-side / 2, at);
+		context.lineTo(side / 2, at);
+	}
+	context.moveTo(side / 2, 0);
+	context.lineTo(side / 2 + 14, 0);
+	context.stroke();
+}
+/** In each cell a ray a direction, as long as the descriptor's number; the longest of all reaches the cell's border. */
+function drawStars(context, side, descriptor) {
+	const cell = side / 4;
+	const most = descriptor.reduce((a, b) => Math.max(a, b), 1);
+	context.strokeStyle = STAR;
+	context.lineWidth = 2.5;
+	context.beginPath();
+	descriptor.forEach((value, i) => {
+		const place = Math.floor(i / 8);
+		const x = (place % 4 + .5) * cell - side / 2;
+		const y = (Math.floor(place / 4) + .5) * cell - side / 2;
+		const angle = i % 8 * 2 * Math.PI / 8;
+		const length = .5 * cell * value / most;
+		context.moveTo(x, y);
+		context.lineTo(x + length * Math.cos(angle), y + length * Math.sin(angle));
+	});
+	context.stroke();
+}
+// www/pair/panel/verdict.ts
+/** Why a point was matched or refused, with the numbers that its rule compared. */
+/** The rule that decided about the selected point, in words. */
+function verdictOf(state, shown, match) {
+	const { selection, settings } = state;
+	const leftIndex = leftIndexOf(state, match.best, match.rules);
+	if (selection === null || settings === null) return {
+		code: MATCHED,
+		text: ""
+	};
+	if (leftIndex < 0) return {
+		code: UNDECIDED,
+		text: comparesGreyValues(settings) ? "No left point was matched to this one: this strategy searches the right image itself, at the left points." : "No left point has this point as its best candidate."
+	};
+	const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
+	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
+	return {
+		code,
+		text: `${selection.side === "right" && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : ""}${message("verdict", CODES[code] ?? "undecided")} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
+	};
+}
+function numbers(code, index, match, settings) {
+	const { matching } = settings;
+	const gradients = comparesGradients(settings);
+	const largest = resolved(settings).matching.ambiguity ?? 1;
+	const best = match.measures[2 * index] ?? Infinity;
+	const second = match.measures[2 * index + 1] ?? Infinity;
+	const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : "without a second candidate";
+	const byGrey = comparesGreyValues(settings);
+	const correlation = `Correlation ${fixed(1 - best, 4)}, measure ${fixed(best, 4)}`;
+	switch (code) {
+		case "matched":
+		case "gross_error":
+			if (gradients) return agreeing(best, second, largest);
+			return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
+		case "threshold":
+			if (!Number.isFinite(best)) return "";
+			return byGrey ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.` : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
+		case "ambiguous": return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(largest)}.`;
+		case "parallax":
+			if (gradients) return outOfGeometry(match, ratio, best);
+			return `Tolerance: ${String(matching.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
+		case "border":
+		case "left_right": return byGrey && Number.isFinite(best) ? `${correlation}.` : gradients ? `Distance ${fixed(best, 4)}, ${ratio}.` : "";
+		case "imprecise": return `Allowed: ${String(matching.max_standard_error)} px.`;
+		default: return "";
+	}
+}
+/** A verified match: where its descriptor alone would not have decided, the geometry did. */
+function agreeing(best, second, largest) {
+	const distance = `Distance ${fixed(best, 4)}`;
+	if (!Number.isFinite(second)) return `${distance}, the only candidate that agrees with the geometry of the two views.`;
+	const ratio = `${distance}, ${fixed(best / second, 3)} of the second best (${fixed(second, 4)})`;
+	return best > largest * second ? `${ratio}: more than ${String(largest)}, but it agrees with the geometry of the two views, which leaves few to choose from.` : `${ratio}. It agrees with the geometry of the two views.`;
+}
+/** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
+function outOfGeometry({ geometry, no_geometry: none }, ratio, best) {
+	const alike = `Distance ${fixed(best, 4)}, ${ratio}`;
+	if (geometry === null) return `${alike}. No geometry of the two views was found${none === null ? "" : `: ${message("no_geometry", none)}`}.`;
+	const what = "fundamental" in geometry.model ? "its epipolar line" : "the place that the map gives";
+	return `${alike}; but it does not fit: allowed are up to ${fixed(geometry.threshold_px, 2)} px from ${what}.`;
+}
+// www/pair/panel/window.ts
+/** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
+function windowPicture(report, col, row, axis) {
+	const { side } = report;
+	const canvas = h("canvas", {
+		class: "window",
+		role: "img",
+		aria: { label: `${String(side)} × ${String(side)} px window, enlarged` }
+	});
+	const pixel = Math.max(2, Math.floor(264 / side));
+	canvas.width = side * pixel;
+	canvas.height = side * pixel;
+	const context = canvas.getContext("2d");
+	if (context === null) return canvas;
+	for (let i = 0; i < side * side; i++) {
+		const grey = String(report.grey[i] ?? 0);
+		context.fillStyle = report.mask[i] === false ? `rgb(${grey} ${grey} ${grey} / 0.25)` : `rgb(${grey} ${grey} ${grey})`;
+		context.fillRect(i % side * pixel, Math.floor(i / side) * pixel, pixel, pixel);
+	}
+	if (axis) drawAxis(context, report, [report.centroid_px[0] - col - .5, report.centroid_px[1] - row - .5], pixel);
+	return canvas;
+}
+function drawAxis(context, report, [dx, dy], pixel) {
+	const middle = report.side * pixel / 2;
+	const x = middle + dx * pixel;
+	const y = middle + dy * pixel;
+	const angle = report.axis_angle_deg * Math.PI / 180;
+	const reach = .45 * report.side * pixel;
+	context.strokeStyle = "#ffd400";
+	context.lineWidth = 2;
+	context.beginPath();
+	context.moveTo(x - reach * Math.cos(angle), y - reach * Math.sin(angle));
+	context.lineTo(x + reach * Math.cos(angle), y + reach * Math.sin(angle));
+	context.stroke();
+	context.beginPath();
+	context.arc(x, y, 5, 0, 2 * Math.PI);
+	context.stroke();
+}
+// www/pair/panel/point.ts
+var MOST_ROWS = 50;
+function mountPoint(host, store, select) {
+	const body = h("div", { testid: "point-panel" });
+	host.append(body);
+	store.watch((s) => [
+		s.selection,
+		s.results,
+		s.images,
+		s.settings,
+		s.failures
+	], () => {
+		const { state } = store;
+		body.classList.toggle("is-stale", state.selection !== null && state.results.match !== void 0 && !isCurrent(state, "match"));
+		const focused = body.contains(document.activeElement);
+		fill(body, ...content(state, select));
+		if (focused) host.focus({ preventScroll: true });
+	});
+}
+function content(state, select) {
+	const { selection } = state;
+	const shown = shownPair(state);
+	const points = selection === null ? null : shown[selection.side];
+	if (selection === null || points === null || 3 * selection.index >= points.length) return [h("p", { class: "note" }, "Click a point in an image, or press N with the image in focus, to see what was compared, its candidates and the rule that decided.")];
+	const at = points.subarray(3 * selection.index, 3 * selection.index + 3);
+	const parts = [h("h3", {}, `${selection.side === "left" ? "Left" : "Right"} point ${count(selection.index + 1)}`), h("p", {
+		class: "facts-line",
+		testid: "point-position"
+	}, `x ${fixed(at[0], 1)} px, y ${fixed(at[1], 1)} px, interest value ${significant(at[2] ?? 0)}`)];
+	if (shown.match === null) return [...parts, h("p", { class: "note" }, "Not matched yet.")];
+	parts.push(verdict(state, shown, shown.match));
+	const inspection = state.results.inspection?.value;
+	if (inspection === void 0 || !isCurrent(state, "inspection")) return [...parts, h("p", { class: "note" }, problemOr(state, "Loading the window and the candidates …"))];
+	const byGrey = state.settings !== null && comparesGreyValues(state.settings);
+	const compared = state.settings !== null && comparesGradients(state.settings) ? featurePictures(inspection) : [windows(inspection, !byGrey), ...byGrey ? [] : moments(inspection)];
+	return [
+		...parts,
+		...compared,
+		...lineNote(inspection, shown.match),
+		...matchStatistics(state, shown, shown.match),
+		...candidateTable(state, shown.match, inspection, select)
+	];
+}
+/** What is drawn of the geometry in the other image. */
+function lineNote({ line }, { geometry }) {
+	if (line === null || geometry === null) return [];
+	const text = "fundamental" in geometry.model ? `The dashed line in the ${line.side} image is the epipolar line of this point: its match lies on it, whatever the height.` : `The cross in the ${line.side} image is where the geometry has this point.`;
+	return [h("p", {
+		class: "note",
+		testid: "point-line"
+	}, line.positions.length === 0 ? `By the geometry of the two views this point lies outside the ${line.side} image.` : text)];
+}
+function problemOr(state, text) {
+	return state.failures.inspection?.message ?? text;
+}
+function verdict(state, shown, match) {
+	const { code, text } = verdictOf(state, shown, match);
+	return h("p", {
+		class: "verdict",
+		testid: "point-verdict"
+	}, swatch(code), h("span", {}, text));
+}
+function windows({ left, right }, axes) {
+	const one = (name, window) => {
+		const report = window?.report ?? null;
+		return h("figure", {}, window === null || report === null ? h("p", { class: "note" }, window?.problem ?? "No point.") : windowPicture(report, window.col, window.row, axes), h("figcaption", {}, name, report === null || !axes ? "" : ` · axis ${fixed(report.axis_angle_deg, 1)}°`));
+	};
+	return h("div", {
+		class: "windows",
+		testid: "point-windows"
+	}, one("Left window", left), one("Right window", right));
+}
+var MOMENTS = [
+	["mu20", "µ′₂₀"],
+	["mu11", "µ′₁₁"],
+	["mu02", "µ′₀₂"],
+	["mu30", "µ′₃₀"],
+	["mu21", "µ′₂₁"],
+	["mu12", "µ′₁₂"],
+	["mu03", "µ′₀₃"]
+];
+function moments({ left, right }) {
+	if ((left?.report ?? right?.report ?? null) === null) return [];
+	const value = (number) => h("td", { class: "number" }, number === void 0 ? "–" : significant(number));
+	const head = (text) => h("thead", {}, h("tr", {}, h("th", { scope: "col" }, text), h("th", { scope: "col" }, "Left"), h("th", { scope: "col" }, "Right")));
+	return [h("div", { class: "moments" }, h("table", {
+		testid: "point-moments",
+		aria: { label: "Normalised central moments" }
+	}, head("Moment"), h("tbody", {}, ...MOMENTS.map(([field, name]) => row(name, value(left?.report?.normalized[field]), value(right?.report?.normalized[field]))))), h("table", {
+		testid: "point-invariants",
+		aria: { label: "Invariants" }
+	}, head("Invariant"), h("tbody", {}, ...MOMENTS.map((_, i) => row(`I${"₀₁₂₃₄₅₆".charAt(i)}`, value(left?.report?.invariants[i]), value(right?.report?.invariants[i]))))))];
+}
+/** The figures of the point's match, each with what it is. */
+function matchStatistics(state, shown, match) {
+	const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
+	if (index < 0) return [];
+	const interior = interiorInUse(state)?.left;
+	const { columns } = statisticsOf(match, shown.orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+	const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
+	const list = [{
+		name: "Right position",
+		testid: "match-right",
+		value: `${fixed(right[0], 2)}, ${fixed(right[1], 2)} px`,
+		help: "Where the match lies in the right image."
+	}, ...columns.filter(({ key }) => key !== "x" && key !== "y").map(({ key, label, unit, digits, help, value }) => ({
+		name: label,
+		testid: `match-${key}`,
+		value: `${fixed(value(index), digits)}${unit === "" ? "" : ` ${unit}`}`,
+		help
+	}))];
+	return [h("h4", {}, `Match ${count(index + 1)}`), facts(list)];
+}
+function candidateTable(state, match, { candidates }, select) {
+	const points = state.results.pointsRight?.value.points;
+	const total = candidates.length / 2;
+	const leftIndex = leftIndexOf(state, match.best, match.rules);
+	if (points === void 0 || leftIndex < 0 || total === 0) return [];
+	const rows = Array.from({ length: Math.min(total, MOST_ROWS) }, (_, i) => {
+		const index = candidates[2 * i] ?? 0;
+		const go = h("button", {
+			type: "button",
+			class: "link",
+			aria: { label: `Select right point ${String(index + 1)}` }
+		}, count(index + 1));
+		go.addEventListener("click", () => {
+			select("right", index);
+		});
+		const cells = [points[3 * index], points[3 * index + 1]].map((v) => h("td", { class: "number" }, fixed(v, 1)));
+		const [least = NaN, own = NaN] = [candidates[1], candidates[2 * i + 1]];
+		return h("tr", { class: index === match.best[leftIndex] ? "best" : "" }, h("td", {}, String(i + 1)), h("td", {}, go), ...cells, h("td", { class: "number" }, fixed(own, 4)), h("td", { class: "number" }, i === 0 ? "" : fixed(least / own, 3)));
+	});
+	const heads = [
+		"",
+		"Right point",
+		"x px",
+		"y px",
+		state.settings !== null && comparesGradients(state.settings) ? "Distance" : "Measure"
+	].map((text) => h("th", { scope: "col" }, text));
+	heads.push(h("th", {
+		scope: "col",
+		title: "The smallest measure divided by its own: that of the second decides whether the best is ambiguous."
+	}, "Ratio"));
+	const caption = `${count(total)} ${total === 1 ? "candidate" : "candidates"} of left point ${count(leftIndex + 1)}${total > MOST_ROWS ? `, the best ${String(MOST_ROWS)}` : ""}`;
+	return [h("h4", {}, caption), h("div", { class: "scroll candidates" }, h("table", {
+		testid: "point-candidates",
+		aria: { label: caption }
+	}, h("thead", {}, h("tr", {}, ...heads)), h("tbody", {}, ...rows)))];
+}
+// www/pair/panel/simulate.ts
+/** A flight to simulate: presets, a control for each of its parameters, and a small picture of the pair that follows every change. */
+/** Longest side of the preview's images, in px. */
+var PREVIEW_SIDE = 240;
+/** Quiet time after a change before the preview is rendered, in ms. */
+var DEBOUNCE_MS = 120;
+var PRESETS = {
+	sample: "Sample: the built-in pair",
+	paper: "Paper: its geometry and angles",
+	hard: "Hard: high relief, blur, noise",
+	lively: "Lively: river, traffic, grain, haze"
+};
+function mountSimulate(host, store, engine, render) {
+	store.watch((s) => [s.catalogue], ([catalogue]) => {
+		if (catalogue !== null) new SimulatePanel(host, store, engine, catalogue, render);
+	});
+}
+var SimulatePanel = class {
+	host;
+	store;
+	engine;
+	catalogue;
+	preset = h("select", {
+		id: "flight-preset",
+		testid: "flight-preset"
+	});
+	problem = h("p", {
+		class: "field-problem",
+		role: "alert",
+		testid: "flight-problem"
+	});
+	pictures = [h("canvas", {
+		class: "preview",
+		testid: "preview-left"
+	}), h("canvas", {
+		class: "preview",
+		testid: "preview-right"
+	})];
+	sections;
+	timer;
+	rendering = false;
+	shown = null;
+	constructor(host, store, engine, catalogue, render) {
+		this.host = host;
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+		for (const { name } of catalogue.flights) this.preset.append(new Option(PRESETS[name] ?? name, name));
+		this.preset.addEventListener("change", () => {
+			store.dispatch({
+				type: "flight",
+				flight: this.standard()
+			});
+		});
+		this.sections = makeSections(catalogue.flightParameters, {
+			change: (key, value) => {
+				const { flight } = store.state;
+				if (flight !== null) store.dispatch({
+					type: "flight",
+					flight: withSetting(flight, key, value)
+				});
+			},
+			defaults: () => this.standard()
+		});
+		const go = button("Render this pair", "render-flight", () => {
+			const { flight } = store.state;
+			if (flight !== null) render(this.preset.value, flight);
+		});
+		go.className = "primary";
+		const another = button("Another town", "flight-reseed", () => {
+			const { flight } = store.state;
+			if (flight !== null) store.dispatch({
+				type: "flight",
+				flight: {
+					...flight,
+					seed: (flight.seed + 1) % 2 ** 32
+				}
+			});
+		}, "The next seed");
+		host.append(h("p", { class: "note" }, "A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors."), h("div", { class: "control" }, h("label", { for: "flight-preset" }, "Preset"), this.preset), h("div", { class: "previews" }, ...this.pictures), this.problem, h("div", { class: "buttons" }, go, another), ...this.sections.elements);
+		store.watch((s) => [s.flight], ([flight]) => {
+			if (flight === null) return;
+			this.sections.show(flight);
+			this.later();
+		});
+		new IntersectionObserver(() => {
+			this.later();
+		}).observe(host);
+	}
+	standard() {
+		const found = this.catalogue.flights.find(({ name }) => name === this.preset.value) ?? this.catalogue.flights[0];
+		if (found === void 0) throw new Error("the program names no flight");
+		return found.flight;
+	}
+	later() {
+		window.clearTimeout(this.timer);
+		this.timer = window.setTimeout(() => {
+			this.preview();
+		}, DEBOUNCE_MS);
+	}
+	/** Renders the newest flight, one rendering at a time. */
+	async preview() {
+		const { flight } = this.store.state;
+		if (this.rendering || flight === null || flight === this.shown || this.host.offsetParent === null) return;
+		this.shown = flight;
+		const problem = problemOfFlight(flight);
+		this.say(problem);
+		if (problem !== null) {
+			this.sections.controls.find(({ parameter }) => problem.startsWith(`${parameter.key} is `))?.refuse(`${readable(this.catalogue, problem)}.`);
+			return;
+		}
+		this.rendering = true;
+		try {
+			const { left, right } = await this.engine.client("preview").call("simulate", reduced(flight, this.catalogue));
+			paint(this.pictures[0], left, "Preview of the left image");
+			paint(this.pictures[1], right, "Preview of the right image");
+		} catch (error) {
+			if (error instanceof CallError) this.say(`no preview: ${error.message}`);
+			else if (!(error instanceof Cancelled)) throw error;
+		} finally {
+			this.rendering = false;
+		}
+		if (this.store.state.flight !== flight) this.later();
+	}
+	say(problem) {
+		this.problem.textContent = problem === null ? "" : `${readable(this.catalogue, problem)}.`;
+	}
+};
+/** The same flight with coarser pixels: as coarse as the preview is small, within what the crate flies. */
+function reduced(flight, { flightParameters }) {
+	const { pixel_mm: pixel, width_px: width, height_px: height } = flight;
+	const range = (field) => {
+		const parameter = flightParameters.find(({ key }) => key === `flight.${field}`);
+		return parameter?.kind === "integer" || parameter?.kind === "real" ? parameter : {
+			min: 1,
+			max: Infinity
+		};
+	};
+	const thinnest = Math.min(width / range("width_px").min, height / range("height_px").min);
+	const factor = Math.max(1, Math.floor(Math.min(Math.ceil(Math.max(width, height) / PREVIEW_SIDE), range("pixel_mm").max / pixel, thinnest)));
+	return {
+		...flight,
+		pixel_mm: pixel * factor,
+		width_px: Math.floor(width / factor),
+		height_px: Math.floor(height / factor)
+	};
+}
+function paint(canvas, { width, height, grey }, words) {
+	canvas.width = width;
+	canvas.height = height;
+	canvas.setAttribute("role", "img");
+	canvas.setAttribute("aria-label", words);
+	const pixels = new ImageData(width, height);
+	grey.forEach((value, i) => {
+		pixels.data.fill(value, 4 * i, 4 * i + 3);
+		pixels.data[4 * i + 3] = 255;
+	});
+	canvas.getContext("2d")?.putImageData(pixels, 0, 0);
+}
+// www/pair/panel/statistics.ts
+/** The table of matches: each with its statistics, sorted by any of them, linked both ways to the images. */
+var FILTERS = [
+	["all", "all matches"],
+	["used", "used"],
+	["rejected", "gross errors"],
+	["wrong", "wrong by the truth"]
+];
+var RIGHTNESS = [
+	"wrong",
+	"at an edge",
+	"right"
+];
+function mountStatistics(host, store, select) {
+	const filter = h("select", {
+		testid: "statistics-filter",
+		aria: { label: "Matches to show" }
+	});
+	const caption = h("p", {
+		class: "note",
+		testid: "statistics-caption"
+	});
+	const sideways = h("p", {
+		class: "note",
+		hidden: true,
+		testid: "statistics-sideways"
+	}, "Scroll sideways for more columns →");
+	host.append(h("div", { class: "statistics-head" }, filter, caption), sideways);
+	const table = new Table(host, {
+		testid: "statistics",
+		words: {
+			table: "Matches with their statistics",
+			region: "Table of matches"
+		},
+		choose: (match) => {
+			const left = shownPair(store.state).match?.indices[2 * match];
+			if (left !== void 0) select("left", left);
+		},
+		chooseLabel: (match) => `Select match ${String(match + 1)}`
+	});
+	new ResizeObserver(() => {
+		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
+	}).observe(table.head);
+	let statistics = null;
+	let columns = [];
+	const show = () => {
+		const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value, match));
+		fill(caption, statistics === null ? "No matches yet." : `${count(shown)} of ${count(statistics.count)} matches`);
+	};
+	filter.addEventListener("change", show);
+	store.watch((s) => [
+		s.results,
+		s.images,
+		s.settings,
+		s.camera,
+		s.photos,
+		s.offset,
+		s.fiducialModel,
+		s.failures
+	], () => {
+		const { state } = store;
+		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
+		const now = statisticsOfState(state);
+		if (now === statistics && filter.options.length > 0) return;
+		statistics = now;
+		columns = now === null ? [] : columnsOf(now);
+		const { value } = filter;
+		const offered = FILTERS.filter(([kind]) => kind !== "wrong" || now?.rightness != null);
+		fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
+		show();
+	});
+	store.watch((s) => [s.selection, s.results], () => {
+		table.mark(selectedMatch(store.state));
+	});
+}
+function columnsOf({ columns, rejected, rightness }) {
+	const word = (key, help, text) => ({
+		key,
+		label: key,
+		unit: "",
+		help,
+		value: text,
+		text
+	});
+	return [
+		{
+			key: "",
+			label: "Match",
+			unit: "",
+			help: "Number of the match, in the order of its left points.",
+			value: (match) => match,
+			text: (match) => count(match + 1)
+		},
+		...columns,
+		word("state", "Whether the adjustment used the match.", (match) => rejected[match] === 1 ? "gross error" : "used"),
+		...rightness === null ? [] : [word("truth", "Whether the match is right: within 1.5 px of where the surface is seen, there or at a neighbouring pixel.", (match) => RIGHTNESS[rightness[match] ?? 0] ?? "")]
+	];
+}
+function statisticsOfState(state) {
+	const { match, orientation } = shownPair(state);
+	if (match === null || match.counts.matches === 0) return null;
+	const interior = interiorInUse(state)?.left;
+	return statisticsOf(match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+}
+/** The match of the selected point; -1 where it has none. */
+function selectedMatch(state) {
+	const { match } = shownPair(state);
+	const { selection } = state;
+	if (match === null || selection === null) return -1;
+	if (selection.side === "left") return matchOfLeft(match)[selection.index] ?? -1;
+	return match.indices.findIndex((index, i) => i % 2 === 1 && index === selection.index) >> 1;
+}
+// www/pair/view/scene.ts
+function pictureOf(state, side) {
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const image = state.images[side];
+	const opened = state.results[stage];
+	if (image === null || opened === void 0 || opened.key !== wantedKeys(state)[stage]) return null;
+	const { info, overview } = opened.value;
+	return {
+		imageId: image.id,
+		width: info.width,
+		height: info.height,
+		overview
+	};
+}
+/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
+function sceneOf(state, width, height) {
+	const rects = panesOf(width, height);
+	const shown = shownPair(state);
+	const codes = {
+		left: leftCodes(shown.left, shown.match, shown.orientation),
+		right: rightCodes(shown.right, shown.match, shown.orientation)
+	};
+	const pane = (side) => {
+		const picture = pictureOf(state, side);
+		const view = state.views[side] ?? (picture === null ? {
+			x: 0,
+			y: 0,
+			scale: 1
+		} : fitView(rects[side], picture.width, picture.height));
+		const interior = interiorInUse(state)?.[side];
+		const vectors = shown.match !== null && shown.orientation !== null && interior !== void 0 ? residualVectors[side](shown.match, shown.orientation, interior) : null;
+		return {
+			side,
+			rect: rects[side],
+			transform: transformOf(rects[side], view),
+			picture,
+			points: picture === null ? null : shown[side],
+			frames: state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.frames ?? null,
+			codes: codes[side],
+			vectors
+		};
+	};
+	const ofMatches = matchCodes(shown.match, shown.orientation);
+	return {
+		panes: {
+			left: pane("left"),
+			right: pane("right")
+		},
+		match: shown.match,
+		orientation: shown.orientation,
+		matchCodes: ofMatches,
+		places: loosePlaces(shown.match, ofMatches)
+	};
+}
+/** Codes of points that the layer settings show. */
+function isShown({ points, hidden }, code) {
+	if (hidden.includes(code)) return false;
+	return points === "all" || points === "matched" && (code === MATCHED || code === GROSS_ERROR);
+}
+/** The pane at a canvas position. */
+function paneAt(scene, x, y) {
+	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
+	return side === void 0 ? null : scene.panes[side];
+}
+// www/pair/view/frames.ts
+/** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
+/** Radius of the circle in scales. */
+var SCALES = 2;
+/** Least radius in CSS px at which a circle is drawn, and how many are: where more are in sight, zooming in shows them. */
+var LEAST_RADIUS = 6;
+var MOST_DRAWN = 250;
+/** Whether the directions of the frames were sought. */
+function haveDirections(settings) {
+	return settings !== null && comparesGradients(settings) && !settings.gradient.upright;
+}
+/** Draws the frames of the shown points that `clip` shows. */
+function drawFrames(context, state, pane, transform, clip) {
+	const { points, frames, codes } = pane;
+	if (points === null || frames === null || frames.length === 0 || state.display.points === "none") return;
+	const ticks = haveDirections(state.settings);
+	const paths = /* @__PURE__ */ new Map();
+	let drawn = 0;
+	codes.forEach((code, i) => {
+		const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
+		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isShown(state.display, code)) return;
+		const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
+		if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
+		drawn += 1;
+		const path = paths.get(code) ?? new Path2D();
+		paths.set(code, path);
+		addFrame(path, [x, y], radius, ticks ? frames[2 * i + 1] ?? 0 : null);
+	});
+	if (drawn > MOST_DRAWN) return;
+	context.lineWidth = 1;
+	for (const [code, path] of paths) {
+		context.strokeStyle = STYLES[code]?.colour ?? "#ffffff";
+		context.stroke(path);
+	}
+}
+function addFrame(path, [x, y], radius, direction) {
+	path.moveTo(x + radius, y);
+	path.arc(x, y, radius, 0, 2 * Math.PI);
+	if (direction === null) return;
+	path.moveTo(x, y);
+	path.lineTo(x + radius * Math.cos(direction), y + radius * Math.sin(direction));
+}
+/** Draws what the gradient descriptor of a point describes: its cells' outline, turned and scaled, with the direction. */
+function drawSupport(context, settings, { points, frames, transform }, index) {
+	if (index < 0) return;
+	const [x, y] = points?.subarray(3 * index, 3 * index + 2) ?? [];
+	const [scale, direction = 0] = frames?.subarray(2 * index, 2 * index + 2) ?? [];
+	if (x === void 0 || y === void 0 || scale === void 0) return;
+	const half = 2 * settings.gradient.cell * scale * transform.scale;
+	context.save();
+	context.translate(...toCanvas(transform, x, y));
+	context.rotate(direction);
+	context.lineWidth = 1.5;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(-half, -half, 2 * half, 2 * half);
+	context.beginPath();
+	context.moveTo(0, 0);
+	context.lineTo(half, 0);
+	context.stroke();
+	context.restore();
+}
+var ALL = 4294967295;
+var NOT_DRAWN = 255;
+/** Half the size of a mark in CSS px: small in the overview, larger when pixels are enlarged. */
+function halfSize(scale) {
+	return Math.min(7, Math.max(1.5, 2.6 * scale));
+}
+/** The styles in drawing order, refused points smaller than matches. */
+function stylesAt(scale) {
+	const half = halfSize(scale);
+	const rows = DRAWN.map((code) => {
+		const matched = code === MATCHED || code === GROSS_ERROR;
+		return [
+			STYLES[code]?.shape ?? 0,
+			matched ? half : .75 * half,
+			matched ? 1.6 : 1.2
+		];
+	});
+	return {
+		styles: Float64Array.from(rows.flat()),
+		colours: DRAWN.map((code) => STYLES[code]?.colour ?? "#ffffff")
+	};
+}
+function makeSlots() {
+	return remember((codes, points, hidden) => {
+		const slots = Uint8Array.from(STYLES, (_, code) => isShown({
+			points,
+			hidden
+		}, code) ? DRAWN.indexOf(code) : NOT_DRAWN);
+		return codes.map((code) => slots[code] ?? NOT_DRAWN);
+	});
+}
+/** For each point the place of its style in the drawing order; kept until codes or layers change, as a drag draws many times. */
+var slotsOf = {
+	left: makeSlots(),
+	right: makeSlots()
+};
+var slotsOfPlaces = makeSlots();
+/** Draws the points of one image where `clip` shows them, and the matched places that are no points. */
+function drawPoints(context, state, scene, pane, transform, clip) {
+	const { points, hidden } = state.display;
+	if (pane.points === null || points === "none") return;
+	const { styles, colours } = stylesAt(transform.scale);
+	const view = drawView(transform, clip);
+	draw_points(context, pane.points, slotsOf[pane.side](pane.codes, points, hidden), styles, colours, view);
+	drawFrames(context, state, pane, transform, clip);
+	if (pane.side === "right") draw_points(context, scene.places.points, slotsOfPlaces(scene.places.codes, points, hidden), styles, colours, view);
+}
+function drawLines(context, state, scene) {
+	const { lines } = state.display;
+	if (scene.match === null || lines === "none") return;
+	const { left, right } = scene.panes;
+	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
+	draw_match_lines(context, scene.match.matches, codes, Float64Array.of(1, 1), [LINE, LINE_REJECTED], drawView(left.transform, left.rect), drawView(right.transform, right.rect), lines === "all" ? ALL : 100);
+}
+function drawResiduals(context, state, scene, pane) {
+	if (pane.vectors === null || state.display.vectors === 0) return;
+	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
+	draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), ["#f0e442", "#ff7a1a"], state.display.vectors, drawView(pane.transform, pane.rect));
+}
+/** Draws all layers of marks over both panes. */
+function drawMarks(context, state, scene) {
+	drawLines(context, state, scene);
+	for (const side of SIDES) {
+		const pane = scene.panes[side];
+		within(context, pane.rect, () => {
+			drawPoints(context, state, scene, pane, pane.transform, pane.rect);
+			drawResiduals(context, state, scene, pane);
+		});
+	}
+}
+// www/pair/panel/toolbar.ts
+var VECTOR_FACTORS = [
+	0,
+	10,
+	20,
+	50,
+	100,
+	200,
+	500,
+	1e3
+];
+function choice(label, testid, options, onChange) {
+	const select = h("select", { testid });
+	for (const [value, text] of options) select.append(new Option(text, value));
+	select.addEventListener("change", () => {
+		onChange(select.value);
+	});
+	return [h("label", { class: "choice" }, h("span", {}, label), select), select];
+}
+function toggle(label, testid, title, onChange) {
+	const made = button(label, testid, () => {
+		onChange(made.getAttribute("aria-pressed") !== "true");
+	}, title);
+	made.setAttribute("aria-pressed", "false");
+	return made;
+}
+function mountToolbar(host, store, navigator) {
+	const set = (display) => {
+		store.dispatch({
+			type: "display",
+			display
+		});
+	};
+	const [points, pointSelect] = choice("Points", "layer-points", [
+		["all", "all"],
+		["matched", "matched"],
+		["none", "none"]
+	], (value) => {
+		set({ points: value });
+	});
+	const [lines, lineSelect] = choice("Lines", "layer-lines", [
+		["none", "none"],
+		["some", `≤ ${String(100)}`],
+		["all", "all"]
+	], (value) => {
+		set({ lines: value });
+	});
+	const [vectors, vectorSelect] = choice("Residuals", "layer-vectors", VECTOR_FACTORS.map((f) => [String(f), f === 0 ? "none" : `× ${String(f)}`]), (value) => {
+		set({ vectors: Number(value) });
+	});
+	const linked = toggle("Linked", "linked", "Pan and zoom both images together (L)", (on) => {
+		set({ linked: on });
+	});
+	const magnifier = toggle("Magnifier", "magnifier", "Enlarge what is under the pointer (M)", (on) => {
+		set({ magnifier: on });
+	});
+	host.append(points, lines, vectors, h("span", { class: "divider" }), linked, magnifier, h("span", { class: "divider" }), ...zoomButtons("", "Whole images", () => navigator), labelled("1:1", "zoom-actual", "One image pixel to one screen pixel (1)", () => {
+		navigator.actualSize();
+	}), h("span", { class: "divider" }), labelled("‹", "previous-point", "Previous point (P)", () => {
+		navigator.step(-1);
+	}), labelled("›", "next-point", "Next point (N)", () => {
+		navigator.step(1);
+	}));
+	store.watch((s) => [s.display], ([display]) => {
+		pointSelect.value = display.points;
+		lineSelect.value = display.lines;
+		vectorSelect.value = String(display.vectors);
+		linked.setAttribute("aria-pressed", String(display.linked));
+		magnifier.setAttribute("aria-pressed", String(display.magnifier));
+	});
+}
+// www/pair/state/reducer.ts
+var NO_DATA = {
+	fiducials: [],
+	origin: null
+};
+/** What a user does; what was said of an earlier deed is then over. Looking at points or moving the view is none of it. */
+var DEEDS = /* @__PURE__ */ new Set([
+	"images",
+	"simulated",
+	"flight",
+	"swap",
+	"settings",
+	"camera",
+	"photo",
+	"mask",
+	"fiducialModel",
+	"offset",
+	"display",
+	"resume"
+]);
+function reduce(state, action) {
+	const next = withShown(state, changed(state, action));
+	return DEEDS.has(action.type) && next.notice !== null && next.notice.kind !== "busy" ? {
+		...next,
+		notice: null
+	} : next;
+}
+/** Fields show new values in place of what they held. */
+function withShown(state, next) {
+	const shown = TYPED_PARTS.filter((part) => part in next.refused && next[part] !== state[part]);
+	return shown.length === 0 ? next : {
+		...next,
+		refused: shown.reduce(without, next.refused)
+	};
+}
+function changed(state, action) {
+	switch (action.type) {
+		case "ready": return {
+			...state,
+			catalogue: action.catalogue,
+			settings: action.catalogue.defaults,
+			flight: action.catalogue.flights[0]?.flight ?? null
+		};
+		case "images": return withImages(state, action.images);
+		case "simulated": return withSimulated(state, action);
+		case "flight": return {
+			...state,
+			flight: action.flight
+		};
+		case "swap": return swapped(state);
+		case "settings": return {
+			...state,
+			settings: action.settings,
+			paused: false
+		};
+		case "refused": return {
+			...state,
+			refused: action.label === null ? without(state.refused, action.part) : {
+				...state.refused,
+				[action.part]: action.label
+			}
+		};
+		case "camera": return {
+			...state,
+			camera: action.camera,
+			paused: false
+		};
+		case "photo": return {
+			...state,
+			photos: {
+				...state.photos,
+				[action.side]: {
+					...state.photos[action.side],
+					...action.photo
+				}
+			},
+			paused: false
+		};
+		case "mask": return {
+			...state,
+			masks: {
+				...state.masks,
+				[action.side]: action.mask
+			},
+			paused: false
+		};
+		case "fiducialModel": return {
+			...state,
+			fiducialModel: action.model,
+			paused: false
+		};
+		case "offset": return {
+			...state,
+			offset: action.offset,
+			paused: false
+		};
+		case "select": return {
+			...state,
+			selection: action.selection,
+			activeSide: action.selection?.side ?? state.activeSide
+		};
+		case "activeSide": return {
+			...state,
+			activeSide: action.side
+		};
+		case "views": return {
+			...state,
+			views: {
+				...state.views,
+				...action.views
+			}
+		};
+		case "display": return {
+			...state,
+			display: {
+				...state.display,
+				...action.display
+			}
+		};
+		case "notice": return {
+			...state,
+			notice: action.notice
+		};
+		default: return withRun(state, action);
+	}
+}
+/** What the engine reports. */
+function withRun(state, action) {
+	switch (action.type) {
+		case "stageStarted": return {
+			...state,
+			running: {
+				...state.running,
+				[action.stage]: action.key
+			}
+		};
+		case "stageDone": return {
+			...state,
+			running: without(state.running, action.stage),
+			failures: without(state.failures, action.stage),
+			results: {
+				...state.results,
+				[action.stage]: action.result
+			},
+			selection: action.stage === (state.selection?.side === "left" ? "pointsLeft" : "pointsRight") ? null : state.selection
+		};
+		case "stageFailed": return {
+			...state,
+			running: without(state.running, action.stage),
+			failures: {
+				...state.failures,
+				[action.stage]: action.failure
+			}
+		};
+		case "stageStopped": return {
+			...state,
+			running: without(state.running, action.stage)
+		};
+		case "cancelled": return {
+			...state,
+			running: {},
+			paused: state.paused || Object.keys(state.running).length > 0
+		};
+		case "resume": return {
+			...state,
+			paused: false,
+			failures: {}
+		};
+	}
+}
+function without(object, key) {
+	if (!(key in object)) return object;
+	const copy = { ...object };
+	delete copy[key];
+	return copy;
+}
+/** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
+function withImages(state, images) {
+	const before = state.truth === null ? state : withoutTruth(state);
+	return {
+		...before,
+		images: {
+			...before.images,
+			...images
+		},
+		masks: {
+			left: images.left === void 0 ? before.masks.left : null,
+			right: images.right === void 0 ? before.masks.right : null
+		},
+		selection: null,
+		paused: false,
+		failures: {},
+		views: {
+			left: null,
+			right: null
+		}
+	};
+}
+function withoutTruth(state) {
+	return {
+		...state,
+		settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null),
+		truth: null,
+		camera: null,
+		photos: {
+			left: NO_DATA,
+			right: NO_DATA
+		},
+		offset: null
+	};
+}
+function withBase({ settings }, base) {
+	return settings === null ? null : {
+		...settings,
+		orientation: {
+			...settings.orientation,
+			base_mm: base
+		}
+	};
+}
+function withSimulated(state, { left, right, pair }) {
+	const given = withImages({
+		...state,
+		truth: null
+	}, {
+		left,
+		right
+	});
+	return {
+		...given,
+		settings: withBase(given, pair.base_mm === 0 ? null : pair.base_mm),
+		camera: pair.camera,
+		photos: {
+			left: {
+				fiducials: pair.left_fiducials,
+				origin: pair.left_origin
+			},
+			right: {
+				fiducials: pair.right_fiducials,
+				origin: pair.right_origin
+			}
+		},
+		offset: null,
+		truth: {
+			leftId: left.id,
+			rightId: right.id,
+			orientation: pair.truth,
+			baseMm: pair.base_mm,
+			rightPosition: pair.right_position,
+			leftWidth: pair.left.width,
+			leftHeight: pair.left.height
+		}
+	};
+}
+/** Left becomes right: images, their data, and the results that belong to one image alone. */
+function swapped(state) {
+	const results = { ...state.results };
+	exchange(results, "openLeft", "openRight");
+	exchange(results, "pointsLeft", "pointsRight");
+	exchange(results, "descriptorsLeft", "descriptorsRight");
+	return {
+		...state,
+		results,
+		images: {
+			left: state.images.right,
+			right: state.images.left
+		},
+		photos: {
+			left: state.photos.right,
+			right: state.photos.left
+		},
+		masks: {
+			left: state.masks.right,
+			right: state.masks.left
+		},
+		offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
+		views: {
+			left: state.views.right,
+			right: state.views.left
+		},
+		selection: null,
+		failures: {},
+		paused: false
+	};
+}
+function exchange(results, a, b) {
+	const kept = results[a];
+	results[a] = results[b];
+	results[b] = kept;
+}
+// www/pair/state/store.ts
+/** Holds the state of the pair. */
+var Store = class extends Holder {
+	constructor() {
+		super(INITIAL, reduce);
+	}
+};
+// www/pair/view/input.ts
+/** Pointer, wheel, touch and keys on the images. */
+function mountInput(view, store, navigator) {
+	const { host } = view;
+	const activate = (side) => {
+		if (store.state.activeSide !== side) store.dispatch({
+			type: "activeSide",
+			side
+		});
+	};
+	listen(host, {
+		at: (x, y) => {
+			const pane = paneAt(view.scene(), x, y);
+			return pane?.picture == null ? null : pane.side;
+		},
+		focused: () => store.state.activeSide,
+		pan: (side, dx, dy) => {
+			navigator.pan(side, dx, dy);
+		},
+		zoom: (side, factor, x, y) => {
+			navigator.zoom(side, factor, x, y);
+		},
+		zoomMiddle: (factor) => {
+			navigator.zoomMiddle(factor);
+		},
+		fit: () => {
+			navigator.fit();
+		},
+		grabbed: activate,
+		pressed: (x, y) => {
+			navigator.select(view.hit(x, y));
+		},
+		pointed: (at) => {
+			view.point(at);
+		},
+		command: (key) => command(key, store, navigator)
+	}, host.closest(".stage") ?? host);
+}
+/** Runs the command of a key; false where it has none. */
+function command(key, store, navigator) {
+	const { activeSide, display } = store.state;
+	switch (key) {
+		case "1":
+			navigator.actualSize();
+			return true;
+		case "n":
+		case "N":
+			navigator.step(1);
+			return true;
+		case "p":
+		case "P":
+			navigator.step(-1);
+			return true;
+		case "o":
+		case "O":
+			store.dispatch({
+				type: "activeSide",
+				side: otherSide(activeSide)
+			});
+			return true;
+		case "l":
+		case "L":
+			store.dispatch({
+				type: "display",
+				display: { linked: !display.linked }
+			});
+			return true;
+		case "m":
+		case "M":
+			store.dispatch({
+				type: "display",
+				display: { magnifier: !display.magnifier }
+			});
+			return true;
+		case "Escape":
+			navigator.select(null);
+			return true;
+		default: return false;
+	}
+}
+// www/pair/state/offset.ts
+/** The node below a position along one axis, the one above, and how far between them. */
+function along(position, spacing, nodes) {
+	const place = Math.min(nodes - 1, Math.max(0, position / spacing));
+	const first = Math.min(Math.floor(place), Math.max(0, nodes - 2));
+	return [
+		first,
+		Math.min(first + 1, nodes - 1),
+		place - first
+	];
+}
+/** The left position plus the field's offset there, bilinear between nodes, as the crate's `OffsetField::at`. */
+function expectedPosition(field, [x, y]) {
+	const [left, right, u] = along(x, field.spacing_px, field.columns);
+	const [top, bottom, v] = along(y, field.spacing_px, field.rows);
+	const node = (column, row, axis) => field.offsets[row * field.columns + column]?.[axis] ?? 0;
+	const offset = (axis) => {
+		const above = node(left, top, axis) * (1 - u) + node(right, top, axis) * u;
+		const below = node(left, bottom, axis) * (1 - u) + node(right, bottom, axis) * u;
+		return above * (1 - v) + below * v;
+	};
+	return [x + offset(0), y + offset(1)];
+}
+/** The left position whose expected position is this right one: the field is smooth, so that a few repetitions settle. */
+function expectedOrigin(field, [x, y]) {
+	let at = [x - field.median_px[0], y - field.median_px[1]];
+	for (let i = 0; i < 3; i++) {
+		const [ex, ey] = expectedPosition(field, at);
+		at = [at[0] + x - ex, at[1] + y - ey];
+	}
+	return at;
+}
+// www/pair/state/follow.ts
+/** Where the ground at a place of one image lies in the other, so that linked panes show the same: by the offset, or by the matches. */
+/** Matches below which a map is not trusted. */
+var LEAST_MATCHES = 10;
+/** The affine map from left to right that fits all matches best (stride 5); null where they are few or lie along a line. */
+var affineOf = remember((matches) => {
+	const count = matches.length / 5;
+	if (count < LEAST_MATCHES) return null;
+	const [mx = NaN, my = NaN, mu = NaN, mv = NaN] = [
+		0,
+		1,
+		2,
+		3
+	].map((k) => {
+		let sum = 0;
+		for (let i = k; i < matches.length; i += 5) sum += matches[i] ?? 0;
+		return sum / count;
+	});
+	let [xx, xy, yy, xu, yu, xv, yv] = [
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	for (let i = 0; i < matches.length; i += 5) {
+		const [x, y] = [(matches[i] ?? 0) - mx, (matches[i + 1] ?? 0) - my];
+		const [u, v] = [(matches[i + 2] ?? 0) - mu, (matches[i + 3] ?? 0) - mv];
+		xx += x * x;
+		xy += x * y;
+		yy += y * y;
+		xu += x * u;
+		yu += y * u;
+		xv += x * v;
+		yv += y * v;
+	}
+	const determinant = xx * yy - xy * xy;
+	if (!(determinant > 1e-6 * xx * yy)) return null;
+	const [a, b] = [(yy * xu - xy * yu) / determinant, (xx * yu - xy * xu) / determinant];
+	const [d, e] = [(yy * xv - xy * yv) / determinant, (xx * yv - xy * xv) / determinant];
+	return [
+		a,
+		b,
+		mu - a * mx - b * my,
+		d,
+		e,
+		mv - d * mx - e * my
+	];
+});
+function mapped([a, b, c, d, e, f], [x, y]) {
+	return [a * x + b * y + c, d * x + e * y + f];
+}
+function mappedBack([a, b, c, d, e, f], [x, y]) {
+	const determinant = a * e - b * d;
+	return [(e * (x - c) - b * (y - f)) / determinant, (a * (y - f) - d * (x - c)) / determinant];
+}
+/** The place in the other image of what lies at a place of one; null where nothing tells it yet. */
+function sameGround(state, side, at) {
+	const { settings, results } = state;
+	if (settings !== null && comparesGradients(settings)) {
+		const map = results.match !== void 0 && isCurrent(state, "match") ? affineOf(results.match.value.matches) : null;
+		if (map === null) return null;
+		return side === "left" ? mapped(map, at) : mappedBack(map, at);
+	}
+	const field = isCurrent(state, "offset") ? results.offset?.value : void 0;
+	if (field === void 0) return null;
+	return side === "left" ? expectedPosition(field, at) : expectedOrigin(field, at);
+}
+// www/pair/view/navigate.ts
+/** Moves through the images and from point to point. */
+var Navigator = class {
+	store;
+	view;
+	constructor(store, view) {
+		this.store = store;
+		this.view = view;
+	}
+	/** Moves the content by CSS px; both panes where they are linked. */
+	pan(side, dx, dy) {
+		this.change(side, (pane, own) => ({
+			...own,
+			x: own.x - dx / pane.transform.scale,
+			y: own.y - dy / pane.transform.scale
+		}));
+	}
+	/** Zooms about a canvas position; in a linked pane about the same place of the pane. */
+	zoom(side, factor, x, y) {
+		const origin = this.view.scene().panes[side].rect;
+		this.change(side, (pane, own, least) => zoomed(pane.rect, own, factor, x - origin.left + pane.rect.left, y - origin.top + pane.rect.top, least));
+	}
+	/** Zooms about the selected point where the active pane shows it, else about the pane's middle. */
+	zoomMiddle(factor) {
+		const pane = this.activePane();
+		const { rect } = pane;
+		const middle = [rect.left + rect.width / 2, rect.top + rect.height / 2];
+		this.zoom(pane.side, factor, ...this.selectedPlace(pane) ?? middle);
+	}
+	/** Shows whole images. */
+	fit() {
+		this.store.dispatch({
+			type: "views",
+			views: {
+				left: null,
+				right: null
+			}
+		});
+	}
+	/** One image px to one CSS px. */
+	actualSize() {
+		this.zoomMiddle(1 / this.activePane().transform.scale);
+	}
+	/** Selects the next or previous shown point of the active side, in raster order. */
+	step(by) {
+		const { state } = this.store;
+		const pane = this.activePane();
+		const count = pane.codes.length;
+		const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
+		for (let i = start + by; i >= 0 && i < count; i += by) if (isShown(state.display, pane.codes[i] ?? 0)) {
+			this.select({
+				side: pane.side,
+				index: i
+			});
+			return;
+		}
+	}
+	/** Selects a point and brings it, and its match, into view. */
+	select(selection) {
+		this.store.dispatch({
+			type: "select",
+			selection
+		});
+		if (selection === null) return;
+		const scene = this.view.scene();
+		this.bringIntoView(scene, selection);
+		const partner = partnerOf(scene, selection);
+		if (partner !== null) this.bringIntoView(scene, partner);
+	}
+	activePane() {
+		return this.view.scene().panes[this.store.state.activeSide];
+	}
+	selectedPlace(pane) {
+		const { selection } = this.store.state;
+		if (selection?.side !== pane.side) return null;
+		const x = pane.points?.[3 * selection.index];
+		const y = pane.points?.[3 * selection.index + 1];
+		if (x === void 0 || y === void 0) return null;
+		const place = toCanvas(pane.transform, x, y);
+		return contains(pane.rect, ...place) ? place : null;
+	}
+	bringIntoView(scene, { side, index }) {
+		const pane = scene.panes[side];
+		const x = pane.points?.[3 * index];
+		const y = pane.points?.[3 * index + 1];
+		if (x === void 0 || y === void 0 || contains(pane.rect, ...toCanvas(pane.transform, x, y))) return;
+		this.store.dispatch({
+			type: "views",
+			views: { [side]: {
+				x,
+				y,
+				scale: pane.transform.scale
+			} }
+		});
+	}
+	/** Changes the view of a side; a linked one follows to the same ground, where that is known. */
+	change(side, next) {
+		const scene = this.view.scene();
+		const { state } = this.store;
+		const move = (pane) => {
+			if (pane.picture === null) return [];
+			const whole = fitView(pane.rect, pane.picture.width, pane.picture.height);
+			return [[pane.side, clamped(next(pane, state.views[pane.side] ?? whole, whole.scale / 4), pane.picture)]];
+		};
+		const own = move(scene.panes[side]);
+		const other = state.display.linked ? move(scene.panes[otherSide(side)]) : [];
+		this.store.dispatch({
+			type: "views",
+			views: Object.fromEntries([...own, ...other.map((entry) => this.followed(side, own[0]?.[1], entry))])
+		});
+	}
+	/** The view of the linked pane, centred where the ground at the other one's centre is expected. */
+	followed(side, leader, [other, view]) {
+		const ground = leader === void 0 ? null : sameGround(this.store.state, side, [leader.x, leader.y]);
+		return ground === null ? [other, view] : [other, {
+			x: ground[0],
+			y: ground[1],
+			scale: view.scale
+		}];
+	}
+};
+/** The best right point of a left one, or the left point that a right one is matched to. */
+function partnerOf(scene, { side, index }) {
+	const best = scene.match?.best;
+	if (best === void 0) return null;
+	const found = side === "left" ? best[index] ?? -1 : best.findIndex((right, left) => right === index && scene.match?.rules[left] === 0);
+	return found < 0 ? null : {
+		side: otherSide(side),
+		index: found
+	};
+}
+// www/pair/view/grid.ts
+/** Finds the point nearest to a position: points sorted into square cells. */
+var PointGrid = class {
+	points;
+	start;
+	order;
+	columns;
+	rows;
+	side;
+	/** `points`: stride 3, x, y, value, in an image of `width` x `height` px. */
+	constructor(points, width, height) {
+		this.points = points;
+		const count = points.length / 3;
+		this.side = Math.max(4, Math.sqrt(2 * width * height / Math.max(count, 1)));
+		this.columns = Math.ceil(width / this.side) || 1;
+		this.rows = Math.ceil(height / this.side) || 1;
+		this.start = new Uint32Array(this.columns * this.rows + 1);
+		this.order = new Uint32Array(count);
+		const cells = Uint32Array.from({ length: count }, (_, i) => this.cell(points[3 * i] ?? 0, points[3 * i + 1] ?? 0));
+		for (const cell of cells) this.start[cell + 1] = (this.start[cell + 1] ?? 0) + 1;
+		for (let c = 1; c < this.start.length; c++) this.start[c] = (this.start[c] ?? 0) + (this.start[c - 1] ?? 0);
+		const next = this.start.slice();
+		cells.forEach((cell, i) => {
+			const at = next[cell] ?? 0;
+			this.order[at] = i;
+			next[cell] = at + 1;
+		});
+	}
+	/** Index of the nearest accepted point within `radius` px; -1 where there is none. */
+	nearest(x, y, radius, accept) {
+		let found = -1;
+		let least = radius * radius;
+		const [firstColumn, lastColumn] = this.range(x, radius, this.columns);
+		const [firstRow, lastRow] = this.range(y, radius, this.rows);
+		for (let row = firstRow; row <= lastRow; row++) {
+			const line = row * this.columns;
+			for (let k = this.start[line + firstColumn] ?? 0; k < (this.start[line + lastColumn + 1] ?? 0); k++) {
+				const index = this.order[k] ?? 0;
+				const dx = (this.points[3 * index] ?? 0) - x;
+				const dy = (this.points[3 * index + 1] ?? 0) - y;
+				const distance = dx * dx + dy * dy;
+				if (distance <= least && accept(index)) {
+					least = distance;
+					found = index;
+				}
+			}
+		}
+		return found;
+	}
+	cell(x, y) {
+		const column = Math.min(this.columns - 1, Math.max(0, Math.floor(x / this.side)));
+		return Math.min(this.rows - 1, Math.max(0, Math.floor(y / this.side))) * this.columns + column;
+	}
+	range(centre, radius, count) {
+		const clamp = (value) => Math.min(count - 1, Math.max(0, Math.floor(value / this.side)));
+		return [clamp(centre - radius), clamp(centre + radius)];
+	}
+};
+// www/pair/view/tilecache.ts
+/** Tiles kept at most: 1 MB each. */
+var MOST_TILES = 96;
+/** Tiles asked for at the same time: a worker that also computes is not flooded with requests for places already left. */
+var MOST_REQUESTS = 3;
+var TileCache = class {
+	fetch;
+	arrived;
+	/** In order of last use. */
+	tiles = /* @__PURE__ */ new Map();
+	requested = /* @__PURE__ */ new Set();
+	constructor(fetch, arrived) {
+		this.fetch = fetch;
+		this.arrived = arrived;
+	}
+	/** The tile, or null while it is on its way. */
+	get(imageId, level, column, row) {
+		const name = [
+			imageId,
+			level,
+			column,
+			row
+		].join("/");
+		const tile = this.tiles.get(name);
+		if (tile !== void 0) {
+			this.tiles.delete(name);
+			this.tiles.set(name, tile);
+			return tile;
+		}
+		if (!this.requested.has(name) && this.requested.size < MOST_REQUESTS) {
+			this.requested.add(name);
+			this.fetch(imageId, level, column, row).then((bitmap) => {
+				this.keep(name, bitmap);
+			}, () => {
+				this.requested.delete(name);
+			});
+		}
+		return null;
+	}
+	keep(name, bitmap) {
+		this.requested.delete(name);
+		this.tiles.set(name, bitmap);
+		for (const [oldest, old] of this.tiles) {
+			if (this.tiles.size <= MOST_TILES) break;
+			old.close();
+			this.tiles.delete(oldest);
+		}
+		this.arrived();
+	}
+};
+// www/pair/view/picture.ts
+/** Paints an image into a pane: its reduced copy at once, detail tiles as they come. */
+/** The part of the image that a rectangle of the canvas shows: left, top, right, bottom in px, within the image. */
+function visiblePart(picture, t, clip) {
+	const [left, top] = toPosition(t, clip.left, clip.top);
+	const [right, bottom] = toPosition(t, clip.left + clip.width, clip.top + clip.height);
+	return [
+		Math.max(0, left),
+		Math.max(0, top),
+		Math.min(picture.width, right),
+		Math.min(picture.height, bottom)
+	];
+}
+/** The reduction whose pixels are nearest to, and not larger than, device pixels. */
+function wantedLevel(scale, ratio) {
+	return Math.max(0, Math.floor(Math.log2(1 / (scale * ratio))));
+}
+/** Draws the part of a bitmap that is seen. `step`: image px of one bitmap px; `x`, `y`: image position of its corner. */
+function paintBitmap(context, bitmap, x, y, step, part, t) {
+	const left = Math.max(0, Math.floor((part[0] - x) / step));
+	const top = Math.max(0, Math.floor((part[1] - y) / step));
+	const right = Math.min(bitmap.width, Math.ceil((part[2] - x) / step));
+	const bottom = Math.min(bitmap.height, Math.ceil((part[3] - y) / step));
+	if (right <= left || bottom <= top) return;
+	const size = step * t.scale;
+	context.drawImage(bitmap, left, top, right - left, bottom - top, t.scale * x + t.x + left * size, t.scale * y + t.y + top * size, (right - left) * size, (bottom - top) * size);
+}
+/** Paints what a rectangle of the canvas shows of an image. `ratio`: device px per CSS px. */
+function paintPicture(context, picture, t, clip, ratio, tiles) {
+	within(context, clip, () => {
+		context.imageSmoothingEnabled = t.scale * ratio < 2;
+		context.imageSmoothingQuality = "medium";
+		const part = visiblePart(picture, t, clip);
+		paintBitmap(context, picture.overview.bitmap, 0, 0, 2 ** picture.overview.halvings, part, t);
+		const level = wantedLevel(t.scale, ratio);
+		if (tiles === null || level >= picture.overview.halvings) return;
+		const step = 2 ** level;
+		const side = 512 * step;
+		for (let row = Math.floor(part[1] / side); row * side < part[3]; row++) for (let column = Math.floor(part[0] / side); column * side < part[2]; column++) {
+			const tile = tiles.get(picture.imageId, level, column, row);
+			if (tile !== null) paintBitmap(context, tile, column * side, row * side, step, part, t);
+		}
+	});
+}
+/** Paints what a mask leaves out over its image. */
+function paintMask(context, { overlay, width, height }, t, clip) {
+	within(context, clip, () => {
+		context.imageSmoothingEnabled = false;
+		context.drawImage(overlay, t.x, t.y, t.scale * width, t.scale * height);
+	});
+}
+// www/pair/view/overlay.ts
+/** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
+/** Side of the magnifier in CSS px, and how much more it enlarges. */
+var LENS_SIDE = 176;
+var LENS_FACTOR = 4;
+var MOST_CANDIDATES_DRAWN = 200;
+/** Candidates by gradients lie all over the image: the nearest of them. */
+var MOST_GRADIENT_CANDIDATES_DRAWN = 10;
+function pointOf(pane, index) {
+	const x = pane.points?.[3 * index];
+	const y = pane.points?.[3 * index + 1];
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+/** A ring with a dark edge, so that it shows on light and dark ground. */
+function ring(context, pane, at, radius, colour, width) {
+	const [x, y] = toCanvas(pane.transform, at[0], at[1]);
+	context.beginPath();
+	context.arc(x, y, radius, 0, 2 * Math.PI);
+	context.lineWidth = width + 2;
+	context.strokeStyle = "rgb(0 0 0 / 0.65)";
+	context.stroke();
+	context.lineWidth = width;
+	context.strokeStyle = colour;
+	context.stroke();
+}
+function square(context, pane, [x, y], side, colour, dash) {
+	const [left, top] = toCanvas(pane.transform, x - side / 2, y - side / 2);
+	context.setLineDash(dash);
+	context.lineWidth = 1.5;
+	context.strokeStyle = colour;
+	context.strokeRect(left, top, side * pane.transform.scale, side * pane.transform.scale);
+	context.setLineDash([]);
+}
+/** Draws the selection in both panes: the point, its window, its search window with all candidates, its best place. */
+function drawSelection(context, state, scene) {
+	const { selection, settings } = state;
+	if (selection === null || settings === null) return;
+	const own = scene.panes[selection.side];
+	const at = pointOf(own, selection.index);
+	if (at === null) return;
+	within(context, own.rect, () => {
+		if (comparesGradients(settings)) drawSupport(context, settings, own, selection.index);
+		else square(context, own, at, comparesGreyValues(settings) ? settings.matching.template : settings.window.side, SELECTED, []);
+		ring(context, own, at, 9, SELECTED, 2.5);
+	});
+	if (scene.match === null) return;
+	drawLine(context, state, scene);
+	const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
+	const leftAt = pointOf(scene.panes.left, leftIndex);
+	if (leftAt === null) return;
+	if (selection.side === "right") within(context, scene.panes.left.rect, () => {
+		ring(context, scene.panes.left, leftAt, 9, SELECTED, 2);
+	});
+	drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
+}
+/** The epipolar line of the selected point in the other image, or a cross at the one place that a map gives. */
+function drawLine(context, state, scene) {
+	const line = isCurrent(state, "inspection") ? state.results.inspection?.value.line : void 0;
+	if (line == null) return;
+	const pane = scene.panes[line.side];
+	const places = Array.from({ length: line.positions.length / 2 }, (_, i) => toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0));
+	const path = new Path2D();
+	for (const [i, [x, y]] of places.entries()) {
+		if (places.length > 1) {
+			if (i === 0) path.moveTo(x, y);
+			else path.lineTo(x, y);
+			continue;
+		}
+		path.moveTo(x - 14, y);
+		path.lineTo(x + 14, y);
+		path.moveTo(x, y - 14);
+		path.lineTo(x, y + 14);
+	}
+	within(context, pane.rect, () => {
+		context.lineWidth = 3;
+		context.strokeStyle = "rgb(0 0 0 / 0.5)";
+		context.stroke(path);
+		context.setLineDash([9, 5]);
+		context.lineWidth = 1.5;
+		context.strokeStyle = EPIPOLAR;
+		context.stroke(path);
+		context.setLineDash([]);
+	});
+}
+function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
+	const pane = scene.panes.right;
+	within(context, pane.rect, () => {
+		const { settings } = state;
+		const gradients = settings !== null && comparesGradients(settings);
+		const field = isCurrent(state, "offset") ? state.results.offset?.value : void 0;
+		if (field !== void 0) square(context, pane, expectedPosition(field, leftAt), state.settings?.matching.search ?? 0, CANDIDATE, [5, 4]);
+		if (isCurrent(state, "inspection")) {
+			const list = state.results.inspection?.value.candidates ?? /* @__PURE__ */ new Float64Array();
+			const most = gradients ? MOST_GRADIENT_CANDIDATES_DRAWN : MOST_CANDIDATES_DRAWN;
+			for (let i = 0; i < Math.min(list.length / 2, most); i++) {
+				const at = pointOf(pane, list[2 * i] ?? -1);
+				if (at !== null) ring(context, pane, at, 4, CANDIDATE, 1.2);
+			}
+		}
+		if (gradients) drawSupport(context, settings, pane, scene.match?.best[leftIndex] ?? -1);
+		if (best !== null) ring(context, pane, best, 9, SELECTED, state.selection?.side === "right" ? 2.5 : 2);
+	});
+}
+/** The magnifier at a canvas position: the image under the pointer, enlarged, with its points. */
+function drawLens(context, state, scene, at, ratio, tiles, bounds) {
+	const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
+	if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
+	const [x, y] = toPosition(pane.transform, at[0], at[1]);
+	const rect = lensRect(at, bounds);
+	const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
+	const transform = {
+		scale,
+		x: rect.left + rect.width / 2 - scale * x,
+		y: rect.top + rect.height / 2 - scale * y
+	};
+	const picture = pane.picture;
+	within(context, rect, () => {
+		context.fillStyle = "#000000";
+		context.fillRect(rect.left, rect.top, rect.width, rect.height);
+		paintPicture(context, picture, transform, rect, ratio, tiles);
+		drawPoints(context, state, scene, pane, transform, rect);
+		crosshair(context, rect);
+	});
+	context.lineWidth = 2;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(rect.left, rect.top, rect.width, rect.height);
+}
+/** Beside the pointer, on the canvas. */
+function lensRect([x, y], bounds) {
+	const side = Math.min(LENS_SIDE, bounds.width, bounds.height);
+	const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
+	const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
+	return {
+		left: Math.max(1, left),
+		top: Math.max(1, top),
+		width: side,
+		height: side
+	};
+}
+function crosshair(context, rect) {
+	const x = rect.left + rect.width / 2;
+	const y = rect.top + rect.height / 2;
+	context.beginPath();
+	for (const [ux, uy] of [
+		[1, 0],
+		[-1, 0],
+		[0, 1],
+		[0, -1]
+	]) {
+		context.moveTo(x + 6 * ux, y + 6 * uy);
+		context.lineTo(x + 18 * ux, y + 18 * uy);
+	}
+	context.lineWidth = 1;
+	context.strokeStyle = SELECTED;
+	context.stroke();
+}
+// www/pair/view/view.ts
+var LAYERS = [
+	"pictures",
+	"marks",
+	"overlay"
+];
+/** How near a click must be to a point, in CSS px. */
+var CLICK_RADIUS = 14;
+var gridOf = {
+	left: remember((points, width, height) => new PointGrid(points, width, height)),
+	right: remember((points, width, height) => new PointGrid(points, width, height))
+};
+var gridOfPlaces = remember((points, width, height) => new PointGrid(points, width, height));
+var View = class {
+	host;
+	store;
+	layers;
+	tiles;
+	pointer = null;
+	constructor(host, store, engine) {
+		this.host = host;
+		this.store = store;
+		this.layers = new Layers(host, LAYERS, (name, context) => {
+			this.draw(name, context);
+		});
+		this.tiles = new TileCache(async (imageId, level, column, row) => {
+			const side = SIDES.find((s) => store.state.images[s]?.id === imageId);
+			if (side === void 0) throw new Error("the image is no longer shown");
+			return (await engine.withImage(side, store.state)).call("tile", {
+				level,
+				column,
+				row,
+				side: 512
+			});
+		}, () => {
+			this.layers.redraw("pictures", "overlay");
+		});
+		store.watch((s) => [
+			s.views,
+			s.images,
+			s.masks,
+			s.results.openLeft,
+			s.results.openRight
+		], () => {
+			this.layers.redraw();
+		});
+		store.watch((s) => [
+			s.results.pointsLeft,
+			s.results.pointsRight,
+			s.results.match,
+			s.results.orientation,
+			s.display,
+			s.catalogue
+		], () => {
+			this.layers.redraw("marks", "overlay");
+		});
+		store.watch((s) => [
+			s.selection,
+			s.results.inspection,
+			s.settings,
+			s.results.offset
+		], () => {
+			this.layers.redraw("overlay");
+		});
+	}
+	/** The scene as it stands now. */
+	scene() {
+		return sceneOf(this.store.state, this.layers.width, this.layers.height);
+	}
+	/** The pointer's place over the canvas, for the magnifier; null when it left. */
+	point(at) {
+		this.pointer = at;
+		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
+	}
+	/** The shown point nearest to a canvas position. */
+	hit(x, y) {
+		const { state } = this.store;
+		const scene = this.scene();
+		const pane = paneAt(scene, x, y);
+		if (pane?.picture == null || pane.points === null) return null;
+		const { width, height } = pane.picture;
+		const at = toPosition(pane.transform, x, y);
+		const radius = CLICK_RADIUS / pane.transform.scale;
+		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isShown(state.display, pane.codes[i] ?? 0));
+		const index = found < 0 ? null : {
+			side: pane.side,
+			index: found
+		};
+		if (pane.side === "left" || scene.match === null) return index;
+		const { places } = scene;
+		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isShown(state.display, places.codes[i] ?? 0));
+		return place < 0 ? index : {
+			side: "left",
+			index: scene.match.indices[2 * (places.matches[place] ?? 0)] ?? 0
+		};
+	}
+	/** The picture as it is on the screen, all layers together. */
+	snapshot() {
+		return this.layers.snapshot();
+	}
+	draw(name, context) {
+		const { state } = this.store;
+		const scene = this.scene();
+		switch (name) {
+			case "pictures":
+				for (const side of SIDES) this.drawPicture(context, scene.panes[side]);
+				break;
+			case "marks":
+				if (state.catalogue !== null) drawMarks(context, state, scene);
+				break;
+			case "overlay":
+				drawSelection(context, state, scene);
+				this.drawMagnifier(context, state, scene);
+		}
+	}
+	/** At the pointer; at the selected point while the pointer is elsewhere. */
+	drawMagnifier(context, state, scene) {
+		const at = this.pointer ?? selectedPlace(state, scene);
+		if (!state.display.magnifier || at === null || state.catalogue === null) return;
+		const { width, height, ratio } = this.layers;
+		drawLens(context, state, scene, at, ratio, this.tiles, {
+			left: 0,
+			top: 0,
+			width,
+			height
+		});
+	}
+	drawPicture(context, pane) {
+		if (pane.picture === null) return;
+		const current = wantedKeys(this.store.state)[pane.side === "left" ? "openLeft" : "openRight"] !== null;
+		paintPicture(context, pane.picture, pane.transform, pane.rect, this.layers.ratio, current ? this.tiles : null);
+		const mask = this.store.state.masks[pane.side];
+		if (mask !== null) paintMask(context, mask, pane.transform, pane.rect);
+	}
+};
+function selectedPlace(state, scene) {
+	if (state.selection === null) return null;
+	const { points, transform } = scene.panes[state.selection.side];
+	const x = points?.[3 * state.selection.index];
+	const y = points?.[3 * state.selection.index + 1];
+	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
+}
+// www/pair/mount.ts
+function mountPair() {
+	const store = new Store();
+	const { element: left, panels: [settings, camera, simulate] } = tabbed("Settings", [
+		["settings", "Settings"],
+		["camera", "Camera"],
+		["simulate", "Simulate"]
+	]);
+	const { element: right, panels: [results, point, matches] } = tabbed("Results", [
+		["results", "Results"],
+		["point", "Point"],
+		["matches", "Matches"]
+	]);
+	byId("stage").before(left);
+	byId("stage").after(right);
+	const engine = new Engine(store);
+	const view = new View(byId("view"), store, engine);
+	const navigator = new Navigator(store, view);
+	const files = new Files(store, engine);
+	/** Runs an action of the user's; what goes wrong is said in the status line. */
+	const attempt = async (action) => {
+		try {
+			await action();
+		} catch (error) {
+			store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "problem",
+					text: `${readable(store.state.catalogue, messageOf(error))}.`
+				}
+			});
+		}
+	};
+	mountInput(view, store, navigator);
+	mountToolbar(byId("toolbar"), store, navigator);
+	const pick = pickerOf(files);
+	mountPanes(view, store, {
+		open: (side) => {
+			pick(side);
+		},
+		mask: (side) => {
+			pick(side, "mask");
+		},
+		unmask: (side) => {
+			store.dispatch({
+				type: "mask",
+				side,
+				mask: null
+			});
+		}
+	});
+	mountControls(settings, store);
+	mountCamera(camera, store, () => {
+		pick(null);
+	});
+	mountFiducials(camera, store, (side) => {
+		pick(side);
+	});
+	mountCounts(results, store);
+	mountGeometry(results, store);
+	mountOrientation(results, store);
+	mountHistograms(results, store);
+	mountPoint(point, store, (side, index) => {
+		navigator.select({
+			side,
+			index
+		});
+	});
+	mountStatistics(matches, store, (side, index) => {
+		navigator.select({
+			side,
+			index
+		});
+	});
+	mountSimulate(simulate, store, engine, (name, flight) => {
+		attempt(() => files.takeFlight(name, flight));
+	});
+	mountAnnouncements(byId("announce"), store);
+	mountStatus(store, {
+		cancel: () => {
+			engine.cancel();
+		},
+		run: () => {
+			store.dispatch({ type: "resume" });
+		}
+	});
+	mountHeader({
+		store,
+		engine,
+		view,
+		files,
+		pick,
+		attempt
+	});
+	store.watch((s) => [s.selection], ([selection]) => {
+		if (selection !== null && matches.hidden) showTab("tab-point");
+	});
+	return {
+		store,
+		engine,
+		taker: takerOf(view, files)
+	};
+}
+// www/shared/engine/start.ts
+/** The module on the main thread: for what takes no time, as checks of fields and drawing. */
+/** Loads the module and reads what the crate says of itself. */
+async function loadCatalogue() {
+	initSync({ module: await wasmModule() });
+	return readCatalogue();
+}
+// www/shared/files/drop.ts
+/** The first taker that is active gets what is given. */
+function mountDrop(takers) {
+	const active = () => takers.find(({ isActive }) => isActive());
+	const unmark = () => {
+		delete document.body.dataset.drop;
+	};
+	document.addEventListener("dragover", (event) => {
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		document.body.dataset.drop = taker.markAt(event);
+	});
+	document.addEventListener("dragleave", (event) => {
+		if (event.relatedTarget === null) unmark();
+	});
+	document.addEventListener("drop", (event) => {
+		unmark();
+		const taker = active();
+		if (!hasFiles(event) || taker === void 0) return;
+		event.preventDefault();
+		const at = taker.markAt(event);
+		const items = [...event.dataTransfer?.items ?? []].map((item) => ({
+			entry: item.webkitGetAsEntry(),
+			file: item.getAsFile()
+		}));
+		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
+			taker.take(lists.flat(), at);
+		});
+	});
+	document.addEventListener("paste", (event) => {
+		const pasted = [...event.clipboardData?.files ?? []];
+		const taker = active();
+		if (pasted.length === 0 || taker === void 0) return;
+		event.preventDefault();
+		taker.take(pasted.map((file) => ({
+			file,
+			path: ""
+		})), null);
+	});
+}
+function hasFiles(event) {
+	return event.dataTransfer?.types.includes("Files") === true;
+}
+/** The files of an entry, those of folders below it too. */
+async function found(entry, file) {
+	if (entry?.isDirectory !== true) return file === null ? [] : [{
+		file,
+		path: ""
+	}];
+	return below(entry);
+}
+async function below(folder) {
+	return (await Promise.all((await entriesOf(folder)).map(async (entry) => {
+		if (entry.isDirectory) return below(entry);
+		const file = await new Promise((resolve) => {
+			entry.file(resolve, () => {
+				resolve(null);
+			});
+		});
+		return file === null ? [] : [{
+			file,
+			path: entry.fullPath.replace(/^\//u, "")
+		}];
+	}))).flat();
+}
+/** All entries of a folder; the reader gives them in portions, the last of which is empty. */
+async function entriesOf(folder) {
+	const reader = folder.createReader();
+	const all = [];
+	for (;;) {
+		const portion = await new Promise((resolve) => {
+			reader.readEntries(resolve, () => {
+				resolve([]);
+			});
+		});
+		if (portion.length === 0) return all;
+		all.push(...portion);
+	}
+}
+// www/shared/panel/theme.ts
+/** Light, dark, or as the system has it. */
+var NEXT = {
+	auto: "light",
+	light: "dark",
+	dark: "auto"
+};
+var NAME = "tiepoint-theme";
+/** Storage may be switched off, or absent on file://: the choice then lasts as long as the page. */
+function remembered() {
+	try {
+		return localStorage.getItem(NAME);
+	} catch {
+		return null;
+	}
+}
+function keep(theme) {
+	try {
+		localStorage.setItem(NAME, theme);
+	} catch {}
+}
+function mountTheme(button) {
+	const show = (theme) => {
+		document.documentElement.dataset.theme = theme;
+		button.textContent = {
+			auto: "Theme: auto",
+			light: "Theme: light",
+			dark: "Theme: dark"
+		}[theme] ?? "Theme";
+	};
+	const saved = remembered();
+	show(saved !== null && saved in NEXT ? saved : "auto");
+	button.addEventListener("click", () => {
+		const theme = NEXT[document.documentElement.dataset.theme ?? "auto"] ?? "auto";
+		show(theme);
+		keep(theme);
+	});
+}
+// www/main.ts
+/** The module holds words and options of the page: its parts are made once it is there. */
+async function start() {
+	const catalogue = await loadCatalogue();
+	checkRules(catalogue.rules);
+	byId("version").textContent = `Tiepoint ${catalogue.version}`;
+	const pair = mountPair();
+	const block = mountBlock((store, images) => {
+		openPair(store, pair.store, pair.engine, images);
+	});
+	mountDrop([block.taker, pair.taker]);
+	pair.store.dispatch({
+		type: "ready",
+		catalogue
+	});
+	block.store.dispatch({
+		type: "ready",
+		catalogue: blockCatalogue(catalogue)
+	});
+}
+mountTheme(byId("theme"));
+start().catch((error) => {
+	const status = byId("status");
+	status.dataset.kind = "problem";
+	status.textContent = messageOf(error);
+});

@@ -1,0 +1,3421 @@
+(function() {
+	// pkg/wasm/tiepoint.js
+	/**
+	* The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
+	*/
+	var BlockScene = class {
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			BlockSceneFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_blockscene_free(ptr, 0);
+		}
+		/**
+		* Builds the scene of a flight; parameters that are absent take their defaults.
+		* @param {Given<BlockFlight>} flight
+		*/
+		constructor(flight) {
+			const ret = wasm.blockscene_new(flight);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			this.__wbg_ptr = ret[0];
+			BlockSceneFinalization.register(this, this.__wbg_ptr, this);
+			return this;
+		}
+		/**
+		* Takes a photo.
+		* @param {number} index
+		* @returns {SampleImage}
+		*/
+		photo(index) {
+			const ret = wasm.blockscene_photo(this.__wbg_ptr, index);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+		* @param {number} index
+		* @returns {Uint8Array}
+		*/
+		photo_file(index) {
+			const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v1;
+		}
+		/**
+		* How many photos the flight takes.
+		* @returns {number}
+		*/
+		get photos() {
+			return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
+		}
+		/**
+		* Longitude and latitude in degrees and height in m as the receiver recorded them.
+		* @param {number} index
+		* @returns {Float64Array}
+		*/
+		recorded_position(index) {
+			const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v1;
+		}
+		/**
+		* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
+		* @param {number} index
+		* @param {Float64Array | number[]} positions
+		* @returns {Float64Array}
+		*/
+		surface_at(index, positions) {
+			const val2 = +index;
+			const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.blockscene_surface_at(this.__wbg_ptr, val2, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* The true cameras and exterior orientations.
+		* @returns {BlockModel}
+		*/
+		truth() {
+			return wasm.blockscene_truth(this.__wbg_ptr);
+		}
+	};
+	if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
+	/**
+	* The files of a block, of which each step writes some.
+	*/
+	var BlockWriting = class BlockWriting {
+		static __wrap(ptr) {
+			const obj = Object.create(BlockWriting.prototype);
+			obj.__wbg_ptr = ptr;
+			BlockWritingFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			BlockWritingFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_blockwriting_free(ptr, 0);
+		}
+		/**
+		* Writes the next files; gives the summary after the last one, null before.
+		* @param {Emit} emit
+		* @returns {Summary | null}
+		*/
+		step(emit) {
+			const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
+	/**
+	* A block that was run, or opened from its project file; its owner frees it.
+	*/
+	var FinishedBlock = class FinishedBlock {
+		static __wrap(ptr) {
+			const obj = Object.create(FinishedBlock.prototype);
+			obj.__wbg_ptr = ptr;
+			FinishedBlockFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			FinishedBlockFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_finishedblock_free(ptr, 0);
+		}
+		/**
+		* Writes it in one format.
+		* @param {ExportFormat} format
+		* @param {Emit} emit
+		*/
+		export(format, emit) {
+			const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
+			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+		* @param {readonly ExportFormat[]} formats
+		* @param {BlockScore | null} [score]
+		* @returns {BlockWriting}
+		*/
+		files(formats, score) {
+			const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return BlockWriting.__wrap(ret[0]);
+		}
+		/**
+		* The model that is written.
+		* @returns {BlockModel}
+		*/
+		model() {
+			return wasm.finishedblock_model(this.__wbg_ptr);
+		}
+		/**
+		* Opens a project file; one that is damaged or of another kind is refused whole.
+		* @param {Uint8Array | number[]} bytes
+		* @returns {FinishedBlock}
+		*/
+		static open(bytes) {
+			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.finishedblock_open(ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return FinishedBlock.__wrap(ret[0]);
+		}
+		/**
+		* What is shown of it.
+		* @returns {BlockOverview & { points: PointColumns }}
+		*/
+		overview() {
+			const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* The text of its project file.
+		* @returns {string}
+		*/
+		project() {
+			let deferred2_0;
+			let deferred2_1;
+			try {
+				const ret = wasm.finishedblock_project(this.__wbg_ptr);
+				var ptr1 = ret[0];
+				var len1 = ret[1];
+				if (ret[3]) {
+					ptr1 = 0;
+					len1 = 0;
+					throw takeFromExternrefTable0(ret[2]);
+				}
+				deferred2_0 = ptr1;
+				deferred2_1 = len1;
+				return getStringFromWasm0(ptr1, len1);
+			} finally {
+				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+			}
+		}
+		/**
+		* How near a simulated block is to its truth.
+		* @param {BlockModel} truth
+		* @returns {BlockScore}
+		*/
+		score(truth) {
+			const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+	/**
+	* A grey image in wasm memory. Call `free` when it is no longer needed.
+	*/
+	var Photo = class Photo {
+		static __wrap(ptr) {
+			const obj = Object.create(Photo.prototype);
+			obj.__wbg_ptr = ptr;
+			PhotoFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			PhotoFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_photo_free(ptr, 0);
+		}
+		/**
+		* Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
+		* @param {Uint8Array | number[]} bytes
+		* @returns {Photo}
+		*/
+		static decode(bytes) {
+			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_decode(ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return Photo.__wrap(ret[0]);
+		}
+		/**
+		* Describes points (stride 3) by the seven numbers each that a strategy compares; NaN where a window leaves the image or is constant.
+		* Empty for the strategies that compare grey values.
+		* @param {Float64Array | number[]} point_list
+		* @param {Given<WindowOptions>} window
+		* @param {Strategy} strategy
+		* @returns {Float64Array}
+		*/
+		describe(point_list, window, strategy) {
+			const ptr0 = passArrayF64ToWasm0(point_list, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_describe(this.__wbg_ptr, ptr0, len0, window, strategy);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+			return v2;
+		}
+		/**
+		* Finds interest points and describes them as the strategy of the settings needs it.
+		* @param {Given<PairSettings>} settings
+		* @param {Uint8Array | number[] | null} [mask]
+		* @returns {DescribedPoints}
+		*/
+		describe_points(settings, mask) {
+			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+			var len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_describe_points(this.__wbg_ptr, settings, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* Finds interest points by the groups `points` and `multiscale` of the settings. Points whose pixel is 0 in the mask, of the image's size
+		* and row by row, are left out.
+		* @param {Given<PairSettings>} settings
+		* @param {Uint8Array | number[] | null} [mask]
+		* @returns {DetectedPoints}
+		*/
+		detect(settings, mask) {
+			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+			var len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_detect(this.__wbg_ptr, settings, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* Finds points distinct in position and scale and describes them by the gradients around them. Points whose pixel is 0 in the mask,
+		* of the image's size and row by row, are left out.
+		* @param {Given<FeatureOptions>} options
+		* @param {Uint8Array | number[] | null} [mask]
+		* @returns {Features}
+		*/
+		features(options, mask) {
+			var ptr0 = isLikeNone(mask) ? 0 : passArray8ToWasm0(mask, wasm.__wbindgen_malloc);
+			var len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_features(this.__wbg_ptr, options, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* Takes grey values 0..255, row by row.
+		* @param {number} width
+		* @param {number} height
+		* @param {Uint8Array | number[]} grey
+		* @returns {Photo}
+		*/
+		static from_grey(width, height, grey) {
+			const val2 = +width;
+			const val3 = +height;
+			const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.photo_from_grey(val2, val3, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return Photo.__wrap(ret[0]);
+		}
+		/**
+		* A copy of the grey values, row by row.
+		* @returns {Uint8Array}
+		*/
+		grey() {
+			const ret = wasm.photo_grey(this.__wbg_ptr);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v1;
+		}
+		/**
+		* @returns {number}
+		*/
+		get height() {
+			return wasm.photo_height(this.__wbg_ptr) >>> 0;
+		}
+		/**
+		* Size, format and camera.
+		* @returns {PhotoInfo}
+		*/
+		info() {
+			return wasm.photo_info(this.__wbg_ptr);
+		}
+		/**
+		* The image halved until its longer side is at most `max_side` px.
+		* @param {number} max_side
+		* @returns {ReducedImage}
+		*/
+		reduced(max_side) {
+			return wasm.photo_reduced(this.__wbg_ptr, max_side);
+		}
+		/**
+		* @returns {number}
+		*/
+		get width() {
+			return wasm.photo_width(this.__wbg_ptr) >>> 0;
+		}
+		/**
+		* The window around a pixel (column and row from 0) with its moments.
+		* @param {number} col
+		* @param {number} row
+		* @param {Given<WindowOptions>} window
+		* @returns {WindowReport}
+		*/
+		window_moments(col, row, window) {
+			const ret = wasm.photo_window_moments(this.__wbg_ptr, col, row, window);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) Photo.prototype[Symbol.dispose] = Photo.prototype.free;
+	/**
+	* The report of a pair in the making: `step` until it says false, then `html`.
+	*/
+	var Report = class {
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			ReportFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_report_free(ptr, 0);
+		}
+		/**
+		* The page, which holds everything it shows. Does the steps that are left.
+		* @returns {string}
+		*/
+		html() {
+			let deferred2_0;
+			let deferred2_1;
+			try {
+				const ret = wasm.report_html(this.__wbg_ptr);
+				var ptr1 = ret[0];
+				var len1 = ret[1];
+				if (ret[3]) {
+					ptr1 = 0;
+					len1 = 0;
+					throw takeFromExternrefTable0(ret[2]);
+				}
+				deferred2_0 = ptr1;
+				deferred2_1 = len1;
+				return getStringFromWasm0(ptr1, len1);
+			} finally {
+				wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+			}
+		}
+		/**
+		* Takes copies of both images; `names` are what the report calls them. Points whose pixel is 0 in the mask of their image, of its size
+		* and row by row, are left out.
+		* @param {Photo} left
+		* @param {Photo} right
+		* @param {[string, string]} names
+		* @param {Given<PairInput>} input
+		* @param {Given<PairSettings>} settings
+		* @param {ReportTruth | null} truth
+		* @param {Uint8Array | number[] | null} [left_mask]
+		* @param {Uint8Array | number[] | null} [right_mask]
+		*/
+		constructor(left, right, names, input, settings, truth, left_mask, right_mask) {
+			_assertClass(left, Photo);
+			_assertClass(right, Photo);
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = isLikeNone(left_mask) ? 0 : passArray8ToWasm0(left_mask, wasm.__wbindgen_malloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = isLikeNone(right_mask) ? 0 : passArray8ToWasm0(right_mask, wasm.__wbindgen_malloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.report_new(left.__wbg_ptr, right.__wbg_ptr, names, input, settings, truth, ptr0, len0, ptr1, len1);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			this.__wbg_ptr = ret[0];
+			ReportFinalization.register(this, this.__wbg_ptr, this);
+			return this;
+		}
+		/**
+		* Does the next step; false when all were done.
+		* @returns {boolean}
+		*/
+		step() {
+			const ret = wasm.report_step(this.__wbg_ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return ret[0] !== 0;
+		}
+		/**
+		* What each step does, in their order.
+		* @returns {string[]}
+		*/
+		steps() {
+			return wasm.report_steps(this.__wbg_ptr);
+		}
+	};
+	if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
+	/**
+	* The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
+	* looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
+	*/
+	var Run = class {
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			RunFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_run_free(ptr, 0);
+		}
+		/**
+		* Takes the bytes that came of a job.
+		* @param {number} id
+		* @param {Uint8Array | number[]} bytes
+		*/
+		complete(id, bytes) {
+			const val2 = +id;
+			const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
+		* @param {number} id
+		* @param {Failure} failure
+		*/
+		failed(id, failure) {
+			const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
+			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* What the run has found; frees it.
+		* @returns {FinishedBlock}
+		*/
+		finish() {
+			const ptr = this.__destroy_into_raw();
+			const ret = wasm.run_finish(ptr);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return FinishedBlock.__wrap(ret[0]);
+		}
+		/**
+		* Takes a kept record; one that does not read well is not taken, and the job is still to be done.
+		* @param {number} id
+		* @param {Uint8Array | number[]} record
+		* @returns {boolean}
+		*/
+		found(id, record) {
+			const val2 = +id;
+			const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return ret[0] !== 0;
+		}
+		/**
+		* A run of which nothing is done; what can be refused before the images are read is refused here.
+		* @param {Given<RunInput>} input
+		*/
+		constructor(input) {
+			const ret = wasm.run_new(input);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			this.__wbg_ptr = ret[0];
+			RunFinalization.register(this, this.__wbg_ptr, this);
+			return this;
+		}
+		/**
+		* What was found since the last call, and how far the stages are.
+		* @returns {News[]}
+		*/
+		news() {
+			return wasm.run_news(this.__wbg_ptr);
+		}
+		/**
+		* Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
+		* @param {number} most
+		* @returns {Job[]}
+		*/
+		next(most) {
+			const ret = wasm.run_next(this.__wbg_ptr, most);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
+		* @param {number} id
+		* @param {string[]} digests
+		* @returns {Work}
+		*/
+		prepare(id, digests) {
+			const val2 = +id;
+			const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
+	/**
+	* The candidates of one left point, the best first: index of the right point and measure, stride 2.
+	* @param {number} index
+	* @param {Float64Array | number[]} left_points
+	* @param {Float64Array | number[]} left_descriptors
+	* @param {Float64Array | number[]} right_points
+	* @param {Float64Array | number[]} right_descriptors
+	* @param {OffsetField} offset
+	* @param {Given<MatchOptions>} options
+	* @returns {Float64Array}
+	*/
+	function candidates(index, left_points, left_descriptors, right_points, right_descriptors, offset, options) {
+		const val5 = +index;
+		let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
+		try {
+			ptr0 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArrayF64ToWasm0(left_descriptors, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = passArrayF64ToWasm0(right_points, wasm.__wbindgen_malloc);
+			len2 = WASM_VECTOR_LEN;
+			ptr3 = passArrayF64ToWasm0(right_descriptors, wasm.__wbindgen_malloc);
+			len3 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr3) wasm.__wbindgen_free(ptr3, len3 * 8, 8);
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 8, 8);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+			throw e;
+		}
+		const ret = wasm.candidates(val5, ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, offset, options);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v6 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v6;
+	}
+	/**
+	* The groups of connected images of a block, the largest first.
+	* @param {number} images
+	* @param {Connection[]} connections
+	* @returns {number[][]}
+	*/
+	function connected_groups(images, connections) {
+		const ret = wasm.connected_groups(images, connections);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The same offset (right minus left position, px) everywhere.
+	* @param {number} dx
+	* @param {number} dy
+	* @returns {OffsetField}
+	*/
+	function constant_offset(dx, dy) {
+		const ret = wasm.constant_offset(dx, dy);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Where a point of one image may be seen in the other, by the geometry that `match_photos` gave with the same interior orientations:
+	* positions x, y in px along its epipolar line, or the one place that the map of a plane or a rotation gives; stride 2. Empty where the
+	* line passes the other image, whose width and height are given.
+	* @param {"left" | "right"} from
+	* @param {number} x
+	* @param {number} y
+	* @param {TwoViewModel} model
+	* @param {PairInterior | null} interior
+	* @param {number} other_width
+	* @param {number} other_height
+	* @returns {Float64Array}
+	*/
+	function epipolar_line(from, x, y, model, interior, other_width, other_height) {
+		const ret = wasm.epipolar_line(from, x, y, model, interior, other_width, other_height);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v1;
+	}
+	/**
+	* Estimates the offsets between two images from `Photo.reduced(1024)` of each.
+	* @param {ReducedImage} left
+	* @param {ReducedImage} right
+	* @returns {OffsetField}
+	*/
+	function estimate_offset(left, right) {
+		const ret = wasm.estimate_offset(left, right);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
+	* @param {FocalEstimate | null} focal
+	* @param {number} left_width
+	* @param {number} left_height
+	* @param {number} right_width
+	* @param {number} right_height
+	* @returns {PairInterior | null}
+	*/
+	function estimated_interior(focal, left_width, left_height, right_width, right_height) {
+		const ret = wasm.estimated_interior(focal, left_width, left_height, right_width, right_height);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Does the task of a job: the same bytes give the same bytes, on every machine.
+	* @param {string} task
+	* @param {readonly Uint8Array[]} inputs
+	* @returns {Uint8Array}
+	*/
+	function execute_job(task, inputs) {
+		const ptr0 = passStringToWasm0(task, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.execute_job(ptr0, len0, inputs);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v2;
+	}
+	/**
+	* The names of the formats that blocks are written in.
+	* @returns {ExportFormat[]}
+	*/
+	function export_formats() {
+		return wasm.export_formats();
+	}
+	/**
+	* The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
+	* @param {number} index
+	* @param {Uint8Array | number[]} left_gradients
+	* @param {Uint8Array | number[]} right_gradients
+	* @param {number} most
+	* @returns {Float64Array}
+	*/
+	function gradient_candidates(index, left_gradients, right_gradients, most) {
+		const val3 = +index;
+		const val4 = +most;
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(left_gradients, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(right_gradients, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.gradient_candidates(val3, ptr0, len0, ptr1, len1, val4);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v5 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
+		return v5;
+	}
+	/**
+	* The interior orientation of an image: from its fiducials, or from the camera's pixel size.
+	* @param {CameraMm} camera
+	* @param {PhotoGeometry} photo
+	* @returns {Interior}
+	*/
+	function interior(camera, photo) {
+		const ret = wasm.interior(camera, photo);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Positions in m east, north and up of the first known one: of longitude, latitude in degrees and height in m (stride 3), NaN where not known.
+	* @param {Float64Array | number[]} geographic
+	* @returns {Float64Array}
+	*/
+	function local_positions(geographic) {
+		const ptr0 = passArrayF64ToWasm0(geographic, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.local_positions(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Matches two photos by any strategy.
+	*
+	* With `matching.epipolar` and an interior orientation the pair is oriented and matched again along the epipolar lines, until nothing
+	* changes. Only the strategy gradient does without an offset. It finds the nearest descriptors itself, unless it is given the pieces that
+	* `nearest_piece` made of all left points, in their order: the matches are the same.
+	* @param {Photo} left
+	* @param {Photo} right
+	* @param {GivenPoints} left_points
+	* @param {GivenPoints} right_points
+	* @param {OffsetField | null} offset
+	* @param {PairInterior | null} interior
+	* @param {Given<PairSettings>} settings
+	* @param {NearestPiece[]} [nearest]
+	* @returns {MatchResult}
+	*/
+	function match_photos(left, right, left_points, right_points, offset, interior, settings, nearest) {
+		_assertClass(left, Photo);
+		_assertClass(right, Photo);
+		const ret = wasm.match_photos(left.__wbg_ptr, right.__wbg_ptr, left_points, right_points, offset, interior, settings, nearest);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Writes matches (stride 5) as CSV.
+	* @param {Float64Array | number[]} matches
+	* @returns {string}
+	*/
+	function matches_csv(matches) {
+		let deferred3_0;
+		let deferred3_1;
+		try {
+			const ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.matches_csv(ptr0, len0);
+			var ptr2 = ret[0];
+			var len2 = ret[1];
+			if (ret[3]) {
+				ptr2 = 0;
+				len2 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred3_0 = ptr2;
+			deferred3_1 = len2;
+			return getStringFromWasm0(ptr2, len2);
+		} finally {
+			wasm.__wbindgen_free(deferred3_0, deferred3_1, 1);
+		}
+	}
+	/**
+	* The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+	* @param {keyof Messages} family
+	* @param {Messages[keyof Messages]} message
+	* @param {string | null} [attribute]
+	* @returns {string}
+	*/
+	function message(family, message, attribute) {
+		let deferred4_0;
+		let deferred4_1;
+		try {
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.message(ptr0, len0, message, ptr1, len1);
+			var ptr3 = ret[0];
+			var len3 = ret[1];
+			if (ret[3]) {
+				ptr3 = 0;
+				len3 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred4_0 = ptr3;
+			deferred4_1 = len3;
+			return getStringFromWasm0(ptr3, len3);
+		} finally {
+			wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
+		}
+	}
+	/**
+	* The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
+	* `match_photos`.
+	* @param {Uint8Array | number[]} left
+	* @param {number} first
+	* @param {number} end
+	* @param {Uint8Array | number[]} right
+	* @returns {NearestPiece}
+	*/
+	function nearest_piece(left, first, end, right) {
+		const val3 = +first;
+		const val4 = +end;
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(left, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(right, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.nearest_piece(ptr0, len0, val3, val4, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Interior orientation by fiducial marks.
+	* @param {Fiducial[]} fiducials
+	* @param {FiducialModel} model
+	* @returns {FiducialOrientation}
+	*/
+	function orient_fiducials(fiducials, model) {
+		const ret = wasm.orient_fiducials(fiducials, model);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
+	* of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+	* @param {Float64Array | number[]} matches
+	* @param {Float64Array | number[]} fits
+	* @param {PairInterior} interior
+	* @param {Given<OrientationOptions>} options
+	* @returns {RelativeOrientation}
+	*/
+	function orient_matches(matches, fits, interior, options) {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArrayF64ToWasm0(fits, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+			throw e;
+		}
+		const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
+	* @param {string} json
+	* @returns {CameraMm}
+	*/
+	function parse_camera(json) {
+		const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.parse_camera(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Reads fiducial marks: columns col, row, x_mm, y_mm.
+	* @param {string} csv
+	* @returns {Fiducial[]}
+	*/
+	function parse_fiducials(csv) {
+		const ptr0 = passStringToWasm0(csv, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.parse_fiducials(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
+	* @param {Interior} interior
+	* @param {number} factor
+	* @returns {Interior}
+	*/
+	function scaled_interior(interior, factor) {
+		const ret = wasm.scaled_interior(interior, factor);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* Scores matches (stride 5) of left points (stride 3) by the truth of a simulated pair.
+	* @param {Float64Array | number[]} matches
+	* @param {Float64Array | number[]} left_points
+	* @param {Float32Array | number[]} right_position
+	* @param {number} left_width
+	* @param {number} left_height
+	* @param {number} right_width
+	* @param {number} right_height
+	* @returns {MatchScore}
+	*/
+	function score_matches(matches, left_points, right_position, left_width, left_height, right_width, right_height) {
+		const val4 = +left_width;
+		const val5 = +left_height;
+		const val6 = +right_width;
+		const val7 = +right_height;
+		let ptr0, len0, ptr1, len1, ptr2, len2;
+		try {
+			ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArrayF64ToWasm0(left_points, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = passArrayF32ToWasm0(right_position, wasm.__wbindgen_malloc);
+			len2 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 4, 4);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 8, 8);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
+			throw e;
+		}
+		const ret = wasm.score_matches(ptr0, len0, ptr1, len1, ptr2, len2, val4, val5, val6, val7);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* SHA-256 (FIPS 180-4) of bytes: 32 bytes.
+	* @param {Uint8Array | number[]} bytes
+	* @returns {Uint8Array}
+	*/
+	function sha256(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.sha256(ptr0, len0);
+		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v2;
+	}
+	/**
+	* Renders the pair of a flight; parameters that are absent are those of the sample.
+	* @param {Given<Flight>} flight
+	* @returns {SamplePair}
+	*/
+	function simulate(flight) {
+		const ret = wasm.simulate(flight);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	function __wbg_get_imports() {
+		return {
+			__proto__: null,
+			"./tiepoint_bg.js": {
+				__proto__: null,
+				__wbg___wbindgen_debug_string_f249a2a76caa9a55: function(arg0, arg1) {
+					const ptr1 = passStringToWasm0(debugString(arg1), wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+					const len1 = WASM_VECTOR_LEN;
+					getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+					getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+				},
+				__wbg___wbindgen_is_null_c22311b1cc228e3a: function(arg0) {
+					return arg0 === null;
+				},
+				__wbg___wbindgen_is_undefined_be5b34249ff1fc15: function(arg0) {
+					return arg0 === void 0;
+				},
+				__wbg___wbindgen_number_get_934b640d0889af78: function(arg0, arg1) {
+					const obj = arg1;
+					const ret = typeof obj === "number" ? obj : void 0;
+					getDataViewMemory0().setFloat64((arg0 >>> 0) + 8, isLikeNone(ret) ? 0 : ret, true);
+					getDataViewMemory0().setInt32((arg0 >>> 0) + 0, !isLikeNone(ret), true);
+				},
+				__wbg___wbindgen_rethrow_d953c34c2e20677f: function(arg0) {
+					throw arg0;
+				},
+				__wbg___wbindgen_string_get_7ce8eee7fd327545: function(arg0, arg1) {
+					const obj = arg1;
+					const ret = typeof obj === "string" ? obj : void 0;
+					var ptr1 = isLikeNone(ret) ? 0 : passStringToWasm0(ret, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+					var len1 = WASM_VECTOR_LEN;
+					getDataViewMemory0().setInt32((arg0 >>> 0) + 4, len1, true);
+					getDataViewMemory0().setInt32((arg0 >>> 0) + 0, ptr1, true);
+				},
+				__wbg___wbindgen_throw_4c88d8bf264fd984: function(arg0, arg1) {
+					throw new Error(getStringFromWasm0(arg0, arg1));
+				},
+				__wbg__wbg_cb_unref_09736879a3f67559: function(arg0) {
+					arg0._wbg_cb_unref();
+				},
+				__wbg_arc_df3f7eb77e59876f: function() {
+					return handleError(function(arg0, arg1, arg2, arg3, arg4, arg5) {
+						arg0.arc(arg1, arg2, arg3, arg4, arg5);
+					}, arguments);
+				},
+				__wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
+					arg0.beginPath();
+				},
+				__wbg_call_fc92fee6137d452d: function() {
+					return handleError(function(arg0, arg1, arg2, arg3) {
+						return arg0.call(arg1, arg2, arg3);
+					}, arguments);
+				},
+				__wbg_closePath_e9e11e034c5d75a3: function(arg0) {
+					arg0.closePath();
+				},
+				__wbg_deleteProperty_3ad7a085da623822: function() {
+					return handleError(function(arg0, arg1) {
+						return Reflect.deleteProperty(arg0, arg1);
+					}, arguments);
+				},
+				__wbg_fill_cb36fe21a8d46cd7: function(arg0) {
+					arg0.fill();
+				},
+				__wbg_from_eac91875c8a5ffa4: function(arg0) {
+					return Array.from(arg0);
+				},
+				__wbg_get_2080c49015e35254: function() {
+					return handleError(function(arg0, arg1) {
+						return Reflect.get(arg0, arg1);
+					}, arguments);
+				},
+				__wbg_get_unchecked_e6325ad374eff861: function(arg0, arg1) {
+					return arg0[arg1 >>> 0];
+				},
+				__wbg_instanceof_Float32Array_94718abab7dc1d7f: function(arg0) {
+					let result;
+					try {
+						result = arg0 instanceof Float32Array;
+					} catch (_) {
+						result = false;
+					}
+					return result;
+				},
+				__wbg_instanceof_Uint32Array_ba721c3060d01f9a: function(arg0) {
+					let result;
+					try {
+						result = arg0 instanceof Uint32Array;
+					} catch (_) {
+						result = false;
+					}
+					return result;
+				},
+				__wbg_instanceof_Uint8Array_d7aeb0dcb3108fea: function(arg0) {
+					let result;
+					try {
+						result = arg0 instanceof Uint8Array;
+					} catch (_) {
+						result = false;
+					}
+					return result;
+				},
+				__wbg_length_186163212ffe79c3: function(arg0) {
+					return arg0.length;
+				},
+				__wbg_length_5a8bb8abe1e54e15: function(arg0) {
+					return arg0.length;
+				},
+				__wbg_length_6e9d2869242cabf3: function(arg0) {
+					return arg0.length;
+				},
+				__wbg_length_b03a0fabb109b1e9: function(arg0) {
+					return arg0.length;
+				},
+				__wbg_length_c702d06d28b96b72: function(arg0) {
+					return arg0.length;
+				},
+				__wbg_lineTo_91262b25fb37c461: function(arg0, arg1, arg2) {
+					arg0.lineTo(arg1, arg2);
+				},
+				__wbg_moveTo_b4cd3b0b7e1585a5: function(arg0, arg1, arg2) {
+					arg0.moveTo(arg1, arg2);
+				},
+				__wbg_new_13de428334042d26: function(arg0) {
+					return new Uint8Array(arg0);
+				},
+				__wbg_new_22589e9be6cca455: function(arg0) {
+					return new Float64Array(arg0);
+				},
+				__wbg_new_787b9fb330d55d78: function(arg0, arg1) {
+					return new Error(getStringFromWasm0(arg0, arg1));
+				},
+				__wbg_new_cd4348290afae586: function() {
+					return /* @__PURE__ */ new Object();
+				},
+				__wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
+					return new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
+				},
+				__wbg_new_from_slice_3512352010266e02: function(arg0, arg1) {
+					return new Uint32Array(getArrayU32FromWasm0(arg0, arg1));
+				},
+				__wbg_new_from_slice_355c10c5d8f2addb: function(arg0, arg1) {
+					return new Float32Array(getArrayF32FromWasm0(arg0, arg1));
+				},
+				__wbg_new_from_slice_aaf85a9746711968: function(arg0, arg1) {
+					return new Float64Array(getArrayF64FromWasm0(arg0, arg1));
+				},
+				__wbg_new_from_slice_b8daf545a41c6aa0: function(arg0, arg1) {
+					return new Uint8Array(getArrayU8FromWasm0(arg0, arg1));
+				},
+				__wbg_new_from_slice_e0c60a796e12bb7c: function(arg0, arg1) {
+					return new Int32Array(getArrayI32FromWasm0(arg0, arg1));
+				},
+				__wbg_parse_c3f72b5a24f83c01: function() {
+					return handleError(function(arg0, arg1) {
+						return JSON.parse(getStringFromWasm0(arg0, arg1));
+					}, arguments);
+				},
+				__wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
+					Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+				},
+				__wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
+					Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
+				},
+				__wbg_prototypesetcall_4aea6470234c8414: function(arg0, arg1, arg2) {
+					Uint32Array.prototype.set.call(getArrayU32FromWasm0(arg0, arg1), arg2);
+				},
+				__wbg_prototypesetcall_a366c038a3918afa: function(arg0, arg1, arg2) {
+					Float64Array.prototype.set.call(getArrayF64FromWasm0(arg0, arg1), arg2);
+				},
+				__wbg_rect_ab5601e64afdbc33: function(arg0, arg1, arg2, arg3, arg4) {
+					arg0.rect(arg1, arg2, arg3, arg4);
+				},
+				__wbg_set_2793479888329cb6: function() {
+					return handleError(function(arg0, arg1, arg2) {
+						return Reflect.set(arg0, arg1, arg2);
+					}, arguments);
+				},
+				__wbg_set_fillStyle_95fde67582a9c695: function(arg0, arg1, arg2) {
+					arg0.fillStyle = getStringFromWasm0(arg1, arg2);
+				},
+				__wbg_set_lineWidth_12f039d09cd36dad: function(arg0, arg1) {
+					arg0.lineWidth = arg1;
+				},
+				__wbg_set_name_822e3903f3184979: function(arg0, arg1, arg2) {
+					arg0.name = getStringFromWasm0(arg1, arg2);
+				},
+				__wbg_set_strokeStyle_b90c8a6e0d37c80d: function(arg0, arg1, arg2) {
+					arg0.strokeStyle = getStringFromWasm0(arg1, arg2);
+				},
+				__wbg_stringify_b090af1e2fcbfede: function() {
+					return handleError(function(arg0, arg1) {
+						return JSON.stringify(arg0, arg1);
+					}, arguments);
+				},
+				__wbg_stroke_19fa3f3ec093bc25: function(arg0) {
+					arg0.stroke();
+				},
+				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
+					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99);
+				},
+				__wbindgen_generic_0000000000000002: function(arg0) {
+					return arg0;
+				},
+				__wbindgen_generic_0000000000000003: function(arg0, arg1) {
+					return getStringFromWasm0(arg0, arg1);
+				},
+				__wbindgen_init_externref_table: function() {
+					const table = wasm.__wbindgen_externrefs;
+					table.set(0, void 0);
+					table.set(1024, void 0);
+					table.set(1025, null);
+					table.set(1026, true);
+					table.set(1027, false);
+				}
+			}
+		};
+	}
+	function wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3) {
+		return wasm.wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3);
+	}
+	var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_blockscene_free(ptr, 1));
+	var BlockWritingFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_blockwriting_free(ptr, 1));
+	var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_finishedblock_free(ptr, 1));
+	var PhotoFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_photo_free(ptr, 1));
+	var ReportFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_report_free(ptr, 1));
+	var RunFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_run_free(ptr, 1));
+	function addToExternrefTable0(obj) {
+		const idx = wasm.__externref_table_alloc();
+		wasm.__wbindgen_externrefs.set(idx, obj);
+		return idx;
+	}
+	function _assertClass(instance, klass) {
+		if (!(instance instanceof klass)) throw new Error(`expected instance of ${klass.name}`);
+	}
+	var CLOSURE_DTORS = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((state) => wasm.__wbindgen_destroy_closure(state.a, state.b));
+	function debugString(val) {
+		switch (typeof val) {
+			case "number":
+			case "boolean":
+			case "undefined": return `${val}`;
+			case "string": return JSON.stringify(val);
+			case "bigint": return `${val}n`;
+			case "symbol": return val.description !== void 0 ? `Symbol(${val.description})` : "Symbol";
+			case "function": return typeof val.name === "string" && val.name !== "" ? `Function(${val.name})` : "Function";
+			case "object": {
+				if (val === null) return "null";
+				if (Array.isArray(val)) return "[" + Array.from(val, debugString).join(", ") + "]";
+				if (val instanceof Error) return `${val.name}: ${val.message}\n${val.stack}`;
+				const toStringOutput = toString.call(val);
+				const className = /\[object ([^\]]+)\]/.exec(toStringOutput)?.[1];
+				if (className === void 0) return toStringOutput;
+				if (className === "Object") try {
+					return "Object(" + JSON.stringify(val) + ")";
+				} catch (_) {
+					return "Object";
+				}
+				return className;
+			}
+		}
+	}
+	function getArrayF32FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getFloat32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+	}
+	function getArrayF64FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getFloat64ArrayMemory0().subarray(ptr / 8, ptr / 8 + len);
+	}
+	function getArrayI32FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+	}
+	function getArrayU16FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getUint16ArrayMemory0().subarray(ptr / 2, ptr / 2 + len);
+	}
+	function getArrayU32FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getUint32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+	}
+	function getArrayU8FromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return getUint8ArrayMemory0().subarray(ptr / 1, ptr / 1 + len);
+	}
+	var cachedDataViewMemory0 = null;
+	function getDataViewMemory0() {
+		if (cachedDataViewMemory0 === null || cachedDataViewMemory0.buffer.detached === true || cachedDataViewMemory0.buffer.detached === void 0 && cachedDataViewMemory0.buffer !== wasm.memory.buffer) cachedDataViewMemory0 = new DataView(wasm.memory.buffer);
+		return cachedDataViewMemory0;
+	}
+	var cachedFloat32ArrayMemory0 = null;
+	function getFloat32ArrayMemory0() {
+		if (cachedFloat32ArrayMemory0 === null || cachedFloat32ArrayMemory0.byteLength === 0) cachedFloat32ArrayMemory0 = new Float32Array(wasm.memory.buffer);
+		return cachedFloat32ArrayMemory0;
+	}
+	var cachedFloat64ArrayMemory0 = null;
+	function getFloat64ArrayMemory0() {
+		if (cachedFloat64ArrayMemory0 === null || cachedFloat64ArrayMemory0.byteLength === 0) cachedFloat64ArrayMemory0 = new Float64Array(wasm.memory.buffer);
+		return cachedFloat64ArrayMemory0;
+	}
+	var cachedInt32ArrayMemory0 = null;
+	function getInt32ArrayMemory0() {
+		if (cachedInt32ArrayMemory0 === null || cachedInt32ArrayMemory0.byteLength === 0) cachedInt32ArrayMemory0 = new Int32Array(wasm.memory.buffer);
+		return cachedInt32ArrayMemory0;
+	}
+	function getStringFromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		return decodeText(getUint8ArrayMemory0().subarray(ptr, ptr + len));
+	}
+	var cachedUint16ArrayMemory0 = null;
+	function getUint16ArrayMemory0() {
+		if (cachedUint16ArrayMemory0 === null || cachedUint16ArrayMemory0.byteLength === 0) cachedUint16ArrayMemory0 = new Uint16Array(wasm.memory.buffer);
+		return cachedUint16ArrayMemory0;
+	}
+	var cachedUint32ArrayMemory0 = null;
+	function getUint32ArrayMemory0() {
+		if (cachedUint32ArrayMemory0 === null || cachedUint32ArrayMemory0.byteLength === 0) cachedUint32ArrayMemory0 = new Uint32Array(wasm.memory.buffer);
+		return cachedUint32ArrayMemory0;
+	}
+	var cachedUint8ArrayMemory0 = null;
+	function getUint8ArrayMemory0() {
+		if (cachedUint8ArrayMemory0 === null || cachedUint8ArrayMemory0.byteLength === 0) cachedUint8ArrayMemory0 = new Uint8Array(wasm.memory.buffer);
+		return cachedUint8ArrayMemory0;
+	}
+	function handleError(f, args) {
+		try {
+			return f.apply(this, args);
+		} catch (e) {
+			const idx = addToExternrefTable0(e);
+			wasm.__wbindgen_exn_store(idx);
+		}
+	}
+	function isLikeNone(x) {
+		return x === void 0 || x === null;
+	}
+	function makeClosure(arg0, arg1, f) {
+		const state = {
+			a: arg0,
+			b: arg1,
+			cnt: 1
+		};
+		const real = (...args) => {
+			state.cnt++;
+			try {
+				return f(state.a, state.b, ...args);
+			} finally {
+				real._wbg_cb_unref();
+			}
+		};
+		real._wbg_cb_unref = () => {
+			if (--state.cnt === 0) {
+				wasm.__wbindgen_destroy_closure(state.a, state.b);
+				state.a = 0;
+				CLOSURE_DTORS.unregister(state);
+			}
+		};
+		CLOSURE_DTORS.register(real, state, state);
+		return real;
+	}
+	function passArray8ToWasm0(arg, malloc) {
+		const ptr = malloc(arg.length * 1, 1) >>> 0;
+		getUint8ArrayMemory0().set(arg, ptr / 1);
+		WASM_VECTOR_LEN = arg.length;
+		return ptr;
+	}
+	function passArrayF32ToWasm0(arg, malloc) {
+		const ptr = malloc(arg.length * 4, 4) >>> 0;
+		getFloat32ArrayMemory0().set(arg, ptr / 4);
+		WASM_VECTOR_LEN = arg.length;
+		return ptr;
+	}
+	function passArrayF64ToWasm0(arg, malloc) {
+		const ptr = malloc(arg.length * 8, 8) >>> 0;
+		getFloat64ArrayMemory0().set(arg, ptr / 8);
+		WASM_VECTOR_LEN = arg.length;
+		return ptr;
+	}
+	function passArrayJsValueToWasm0(array, malloc) {
+		const ptr = malloc(array.length * 4, 4) >>> 0;
+		for (let i = 0; i < array.length; i++) {
+			const add = addToExternrefTable0(array[i]);
+			getDataViewMemory0().setUint32(ptr + 4 * i, add, true);
+		}
+		WASM_VECTOR_LEN = array.length;
+		return ptr;
+	}
+	function passStringToWasm0(arg, malloc, realloc) {
+		if (realloc === void 0) {
+			const buf = cachedTextEncoder.encode(arg);
+			const ptr = malloc(buf.length, 1) >>> 0;
+			getUint8ArrayMemory0().subarray(ptr, ptr + buf.length).set(buf);
+			WASM_VECTOR_LEN = buf.length;
+			return ptr;
+		}
+		let len = arg.length;
+		let ptr = malloc(len, 1) >>> 0;
+		const mem = getUint8ArrayMemory0();
+		let offset = 0;
+		for (; offset < len; offset++) {
+			const code = arg.charCodeAt(offset);
+			if (code > 127) break;
+			mem[ptr + offset] = code;
+		}
+		if (offset !== len) {
+			if (offset !== 0) arg = arg.slice(offset);
+			ptr = realloc(ptr, len, len = offset + arg.length * 3, 1) >>> 0;
+			const view = getUint8ArrayMemory0().subarray(ptr + offset, ptr + len);
+			const ret = cachedTextEncoder.encodeInto(arg, view);
+			offset += ret.written;
+			ptr = realloc(ptr, len, offset, 1) >>> 0;
+		}
+		WASM_VECTOR_LEN = offset;
+		return ptr;
+	}
+	function takeFromExternrefTable0(idx) {
+		const value = wasm.__wbindgen_externrefs.get(idx);
+		wasm.__externref_table_dealloc(idx);
+		return value;
+	}
+	var cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+	cachedTextDecoder.decode();
+	var MAX_SAFARI_DECODE_BYTES = 2146435072;
+	var numBytesDecoded = 0;
+	function decodeText(bytes) {
+		numBytesDecoded += bytes.length;
+		if (numBytesDecoded >= MAX_SAFARI_DECODE_BYTES) {
+			cachedTextDecoder = new TextDecoder("utf-8", { ignoreBOM: true });
+			cachedTextDecoder.decode();
+			numBytesDecoded = bytes.length;
+		}
+		return cachedTextDecoder.decode(bytes);
+	}
+	var cachedTextEncoder = new TextEncoder();
+	if (!("encodeInto" in cachedTextEncoder)) cachedTextEncoder.encodeInto = function(arg, view) {
+		const buf = cachedTextEncoder.encode(arg);
+		view.set(buf);
+		return {
+			read: arg.length,
+			written: buf.length
+		};
+	};
+	var WASM_VECTOR_LEN = 0;
+	var wasm;
+	function __wbg_finalize_init(instance, module) {
+		wasm = instance.exports;
+		cachedDataViewMemory0 = null;
+		cachedFloat32ArrayMemory0 = null;
+		cachedFloat64ArrayMemory0 = null;
+		cachedInt32ArrayMemory0 = null;
+		cachedUint16ArrayMemory0 = null;
+		cachedUint32ArrayMemory0 = null;
+		cachedUint8ArrayMemory0 = null;
+		wasm.__wbindgen_start();
+		return wasm;
+	}
+	function initSync(module) {
+		if (wasm !== void 0) return wasm;
+		if (module !== void 0) {
+			if (Object.getPrototypeOf(module) === Object.prototype) ({module} = module);
+			else console.warn("using deprecated parameters for `initSync()`; pass a single object instead");
+		}
+		const imports = __wbg_get_imports();
+		if (!(module instanceof WebAssembly.Module)) module = new WebAssembly.Module(module);
+		return __wbg_finalize_init(new WebAssembly.Instance(module, imports), module);
+	}
+	// pkg/block/jobs.js
+	/** What a worker does for a block, of whatever kind it is, on the module that its host has initialised. */
+	/** @type {import('./jobs.js').Jobs} */
+	var jobs = { block: async ({ task, inputs }) => execute_job(task, inputs) };
+	// pkg/block/photo.js
+	/** Photos of a simulated block as image files. A worker keeps the scene from one photo to the next: building it takes longer than a photo. */
+	/** @typedef {import('../wasm/tiepoint.js').BlockFlight} BlockFlight */
+	/** @type {{ key: string, scene: BlockScene } | null} */
+	var kept = null;
+	/** @param {BlockFlight} flight @returns {BlockScene} */
+	function sceneOf(flight) {
+		const key = JSON.stringify(flight);
+		if (kept?.key !== key) {
+			kept?.scene.free();
+			kept = null;
+			kept = {
+				key,
+				scene: new BlockScene(flight)
+			};
+		}
+		return kept.scene;
+	}
+	/** The truth of a flight, its images named as their files.  @param {BlockFlight} flight @returns {import('../wasm/tiepoint.js').BlockModel} */
+	function photoTruth(flight) {
+		const truth = sceneOf(flight).truth();
+		return {
+			...truth,
+			images: truth.images.map((image) => ({
+				...image,
+				name: `${image.name}.png`
+			}))
+		};
+	}
+	/** @param {{ flight: BlockFlight, index: number }} job @returns {Uint8Array} a PNG file with EXIF, in memory of its own */
+	var photoFile = ({ flight, index }) => sceneOf(flight).photo_file(index);
+	// www/block/engine/photo.ts
+	/** Photos of a simulated block, taken one at a time. */
+	/** The truth of a flight, which names its photos. */
+	function blockPlan(flight) {
+		return photoTruth(flight);
+	}
+	function blockPhoto(job) {
+		return photoFile(job);
+	}
+	// pkg/block/timed.js
+	/** How long the stages of a run take. */
+	/** @typedef {import('./types.js').Step} Step */
+	/**
+	* Adds to each step of a run the time since its stage began, and the time that is left.
+	* @param {number} width so many jobs go on at the same time
+	* @returns {(step: Pick<Step, 'stage' | 'done' | 'total' | 'found' | 'name'>) => Step}
+	*/
+	function timed(width) {
+		/** @type {string | null} */
+		let last = null;
+		let began = 0;
+		return ({ stage, done, total, found, name }) => {
+			if (stage !== last) [last, began] = [stage, performance.now()];
+			const seconds = (performance.now() - began) / 1e3;
+			const made = done - found;
+			const left = made >= 2 * width || made > 0 && done === total ? { secondsLeft: seconds / made * (total - done) } : {};
+			return {
+				stage,
+				done,
+				total,
+				found,
+				seconds,
+				...name && { name },
+				...left
+			};
+		};
+	}
+	// pkg/block/run.js
+	/** A block from its image files to its orientation: the crate says what is to be done, a pool does it, and a store keeps it. */
+	/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
+	var MEMORY = ["RuntimeError", "RangeError"];
+	/**
+	* @typedef {import('./types.js').Source} Source
+	* @typedef {import('./types.js').Surroundings} Surroundings
+	* @typedef {import('../wasm/tiepoint.js').Job} Job
+	* @typedef {import('../wasm/tiepoint.js').Failure} Failure
+	*/
+	/**
+	* Runs a block. What an earlier run with the same images and settings has kept in the store is not done again; the result is the same, for
+	* any number of workers. Images that cannot be read are skipped and listed.
+	* @param {readonly Source[]} sources in the order in which they follow each other; no two have the same name
+	* @param {import('./types.js').RunOptions} options @param {Surroundings} surroundings
+	* @returns {Promise<import('../wasm/tiepoint.js').FinishedBlock>} which the caller frees
+	*/
+	async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [] }, surroundings) {
+		const { pool, progress, news, signal } = surroundings;
+		const names = (files) => files.map(({ name }) => name);
+		const run = new Run({
+			images: names(sources),
+			masks: names(masks),
+			settings,
+			cameras: cameras?.text ?? null,
+			use_gnss: gps !== "ignore",
+			control: control ?? null
+		});
+		const width = pool.size + 1;
+		const step = timed(width);
+		const tell = () => {
+			for (const found of run.news()) if (found.kind === "step") progress?.(step(found));
+			else news?.(found);
+		};
+		/** @type {Set<Promise<void>>} */
+		const underway = /* @__PURE__ */ new Set();
+		/** @type {{ error: unknown } | null} */
+		let failure = null;
+		const perform = (job) => {
+			const done = performed(job, run, {
+				image: sources,
+				mask: masks
+			}, surroundings).catch((error) => {
+				failure ??= { error };
+			}).finally(() => underway.delete(done));
+			underway.add(done);
+		};
+		try {
+			for (;;) {
+				if (signal?.aborted) throw signal.reason;
+				run.next(width - underway.size).forEach(perform);
+				tell();
+				if (underway.size === 0) break;
+				await Promise.race(underway);
+				if (failure) throw failure.error;
+			}
+		} catch (error) {
+			await Promise.all(underway);
+			if (!["Panic", ...MEMORY].includes(error instanceof Error ? error.name : "")) run.free();
+			throw error;
+		}
+		return run.finish();
+	}
+	/**
+	* Does a job, or finds it done.
+	* @param {Job} job @param {Run} run @param {{ image: readonly Source[], mask: readonly Source[] }} files @param {Surroundings} surroundings
+	*/
+	async function performed({ id, files: needed }, run, files, { pool, store }) {
+		/** @type {Uint8Array[]} */
+		let inputs;
+		try {
+			inputs = await Promise.all(needed.map(({ kind, index }) => files[kind][index].bytes()));
+		} catch (error) {
+			return run.failed(id, {
+				kind: "unreadable",
+				message: messageOf$1(error)
+			});
+		}
+		const { key, task, records, input } = run.prepare(id, await Promise.all(inputs.map(digest)));
+		const kept = key === null ? null : await store.get(key);
+		if (kept && run.found(id, kept)) return;
+		for (const place of records) {
+			const record = await store.get(place);
+			if (!record) return run.failed(id, {
+				kind: "refused",
+				code: "unreadable-file",
+				message: `the kept record ${place} was removed while the run went on: start the run again`,
+				usage: false
+			});
+			inputs.push(record);
+		}
+		if (input) inputs.push(input);
+		if (task === null) return run.complete(id, inputs[0] ?? /* @__PURE__ */ new Uint8Array());
+		/** @type {Uint8Array} */
+		let output;
+		try {
+			output = await pool.run("block", {
+				task,
+				inputs
+			}, input ? [input.buffer] : []);
+		} catch (error) {
+			return run.failed(id, failureOf$1(error));
+		}
+		if (key !== null) await store.put(key, output);
+		run.complete(id, output);
+	}
+	/** SHA-256 in hexadecimal digits.  @param {Uint8Array} bytes */
+	async function digest(bytes) {
+		const own = globalThis.crypto?.subtle;
+		const sum = own ? new Uint8Array(await own.digest("SHA-256", bytes)) : sha256(bytes);
+		return Array.from(sum, (byte) => byte.toString(16).padStart(2, "0")).join("");
+	}
+	/** What a job says of itself, or that its worker broke down; any other error is thrown on.  @param {unknown} error @returns {Failure} */
+	function failureOf$1(error) {
+		const { name, code = "", usage = false } = error instanceof Error ? error : {};
+		if (name === "TiepointError") return {
+			kind: "refused",
+			code,
+			message: messageOf$1(error),
+			usage
+		};
+		if (MEMORY.includes(name ?? "")) return {
+			kind: "out_of_memory",
+			message: messageOf$1(error)
+		};
+		if (["Panic", "WorkerError"].includes(name ?? "")) return {
+			kind: "broke_off",
+			message: messageOf$1(error)
+		};
+		throw error;
+	}
+	var messageOf$1 = (error) => error instanceof Error ? error.message : String(error);
+	// www/block/engine/layout.ts
+	/** Where the images of a block are drawn: from above where their poses or recorded positions are known, else by who is connected with whom. */
+	/** Steps of the arrangement by connections, times images squared: more take too long. */
+	var MOST_STEPS = 2e8;
+	/** Poses where any image has one, recorded positions where most have one, else connections. Images without a place stand beside their neighbours. */
+	function layoutOf(centres, recordings, connections) {
+		const oriented = centres.map((centre) => centre?.slice(0, 2) ?? null);
+		if (oriented.some((place) => place !== null)) return {
+			kind: "oriented",
+			places: completed(oriented, connections)
+		};
+		const recorded = recordedPlaces(recordings);
+		if (2 * recorded.filter((place) => place !== null).length > centres.length) return {
+			kind: "recorded",
+			places: completed(recorded, connections)
+		};
+		return {
+			kind: "connections",
+			places: arranged(centres.length, connections)
+		};
+	}
+	/** In m, east and north. */
+	function recordedPlaces(recordings) {
+		const geographic = recordings.flatMap((position) => position === null ? [
+			NaN,
+			NaN,
+			NaN
+		] : [
+			position.longitude_deg,
+			position.latitude_deg,
+			position.height_m ?? 0
+		]);
+		const local = local_positions(Float64Array.from(geographic));
+		return recordings.map((_, i) => {
+			const place = [...local.subarray(3 * i, 3 * i + 2)];
+			return place.every(Number.isFinite) ? place : null;
+		});
+	}
+	/** Gives each image without a place the mean of those it is connected with, or one at the lower left. */
+	function completed(places, connections) {
+		const known = places.filter((place) => place !== null);
+		const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
+		const flat = new Float64Array(2 * places.length);
+		const sums = places.map(() => ({
+			x: 0,
+			y: 0,
+			count: 0
+		}));
+		for (const { images: [a, b], outcome } of connections) {
+			if (outcome.kind !== "connected") continue;
+			for (const [of, from] of [[a, b], [b, a]]) {
+				const [place, sum] = [places[from], sums[of]];
+				if (place == null || sum === void 0) continue;
+				sum.x += place[0] ?? 0;
+				sum.y += place[1] ?? 0;
+				sum.count += 1;
+			}
+		}
+		places.forEach((place, i) => {
+			const { x, y, count } = sums[i] ?? {
+				x: 0,
+				y: 0,
+				count: 0
+			};
+			flat.set(place ?? (count > 0 ? [x / count, y / count] : least), 2 * i);
+		});
+		return flat;
+	}
+	/**
+	* Connected images attract, all repel each other (Fruchterman & Reingold 1991, Software: Practice and Experience 21), from a circle: the
+	* same connections give the same picture.
+	*/
+	function arranged(count, connections) {
+		const places = Float64Array.from({ length: 2 * count }, (_, i) => {
+			const angle = 2 * Math.PI * Math.floor(i / 2) / Math.max(1, count);
+			return (i % 2 === 0 ? Math.cos(angle) : Math.sin(angle)) * Math.sqrt(count);
+		});
+		const edges = connections.filter(({ outcome }) => outcome.kind === "connected");
+		const rounds = Math.min(300, Math.floor(MOST_STEPS / (count * count + edges.length + 1)));
+		const moves = new Float64Array(2 * count);
+		for (let round = 0; round < rounds; round++) {
+			moves.fill(0);
+			for (let a = 0; a < count; a++) for (let b = a + 1; b < count; b++) push(places, moves, a, b, (d) => 1 / Math.max(d, .001));
+			for (const { images: [a, b], shared, outcome } of edges) {
+				const strength = Math.min(1, Math.max(shared, "matches" in outcome ? outcome.matches : 0) / 200);
+				push(places, moves, a, b, (d) => -strength * d * d);
+			}
+			const heat = .3 * Math.sqrt(count) * (1 - round / rounds);
+			for (let i = 0; i < count; i++) {
+				const [x = 0, y = 0] = moves.subarray(2 * i, 2 * i + 2);
+				const share = Math.min(1, heat / Math.max(Math.hypot(x, y), 1e-9));
+				places[2 * i] = (places[2 * i] ?? 0) + share * x;
+				places[2 * i + 1] = (places[2 * i + 1] ?? 0) + share * y;
+			}
+		}
+		return places;
+	}
+	/** Adds the force between two images to the moves of both. */
+	function push(places, moves, a, b, force) {
+		const x = (places[2 * a] ?? 0) - (places[2 * b] ?? 0);
+		const y = (places[2 * a + 1] ?? 0) - (places[2 * b + 1] ?? 0);
+		const distance = Math.hypot(x, y);
+		const by = force(distance) / Math.max(distance, .001);
+		moves[2 * a] = (moves[2 * a] ?? 0) + by * x;
+		moves[2 * a + 1] = (moves[2 * a + 1] ?? 0) + by * y;
+		moves[2 * b] = (moves[2 * b] ?? 0) - by * x;
+		moves[2 * b + 1] = (moves[2 * b + 1] ?? 0) - by * y;
+	}
+	// www/block/engine/outcome.ts
+	/** What of a block, finished or under way, the page shows. */
+	function viewOf(block) {
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, points } = block.overview();
+		const connections = pairs.map(connectionOf);
+		return {
+			partial: false,
+			images: images.map(({ name, width_px: width, height_px: height, camera, features, positions: places, observations: rays, rmse_px: rmsePx, is_oriented, exif_orientation: exifOrientation, reason: why }) => ({
+				name,
+				width,
+				height,
+				camera,
+				features,
+				places,
+				rays,
+				rmsePx,
+				oriented: is_oriented,
+				exifOrientation,
+				why
+			})),
+			leftOut: skipped,
+			strayMasks: unused_masks,
+			strayMarks: unknown_images,
+			remarks,
+			cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
+				label,
+				images: count,
+				given,
+				calibrated,
+				focalErrorPx
+			})),
+			connections,
+			groups,
+			layout: layoutOf(images.map(({ position }) => position), images.map(({ gnss }) => gnss), connections),
+			points: {
+				count: points.rays.length,
+				rays: points.rays,
+				rmsePx: points.rmse_px,
+				positions: points.positions,
+				errors: points.errors,
+				confidence: points.confidence
+			},
+			found,
+			refinement,
+			byRays: by_rays.map(({ rays, points: count, rmse_px: rmsePx }) => ({
+				rays,
+				points: count,
+				rmsePx
+			})),
+			oriented,
+			rmsePx: rmse_px,
+			sigma0Px: sigma0_px,
+			score: null,
+			warnings,
+			formats: export_formats()
+		};
+	}
+	/** A block whose points are not made yet. */
+	function viewOfParts(read, connections, geometries) {
+		const own = read.map(({ camera }) => JSON.stringify(camera));
+		const kinds = [...new Set(own)];
+		const cameras = kinds.map((kind) => read[own.indexOf(kind)]?.camera).filter((camera) => camera !== void 0);
+		const links = connections.map((connection, i) => ({
+			...connection,
+			reason: message("connection", connection),
+			geometry: geometryName(geometries[i] ?? null),
+			shared: 0,
+			chosen: 0
+		}));
+		const none = /* @__PURE__ */ new Float64Array();
+		return {
+			partial: true,
+			images: read.map(({ name, width_px: width, height_px: height, features, exif }, i) => ({
+				name,
+				width,
+				height,
+				camera: kinds.indexOf(own[i] ?? ""),
+				features,
+				places: null,
+				rays: 0,
+				rmsePx: null,
+				oriented: false,
+				exifOrientation: exif.orientation,
+				why: "not oriented yet"
+			})),
+			leftOut: [],
+			strayMasks: [],
+			strayMarks: [],
+			remarks: [],
+			cameras: cameras.map(({ label, fixed: _, focal_px, ...camera }, i) => ({
+				label,
+				images: own.filter((kind) => kind === kinds[i]).length,
+				given: focal_px === null ? null : {
+					...camera,
+					focal_px
+				},
+				calibrated: null,
+				focalErrorPx: null
+			})),
+			connections: links,
+			groups: connected_groups(read.length, [...connections]),
+			layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
+			points: {
+				count: 0,
+				rays: /* @__PURE__ */ new Uint16Array(),
+				rmsePx: none,
+				positions: none,
+				errors: none,
+				confidence: none
+			},
+			found: null,
+			refinement: null,
+			byRays: [],
+			oriented: 0,
+			rmsePx: null,
+			sigma0Px: null,
+			score: null,
+			warnings: [],
+			formats: export_formats()
+		};
+	}
+	function connectionOf({ images, rule, outcome, reason, geometry, common_points: shared, chosen_points: chosen }) {
+		return {
+			images,
+			rule,
+			outcome,
+			reason,
+			geometry: geometryName(geometry),
+			shared,
+			chosen
+		};
+	}
+	function geometryName(geometry) {
+		if (geometry === null) return "";
+		const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
+		const weak = degenerate === null ? "" : `, ${message("degeneracy", degenerate, "short")}`;
+		return `${message("two_view_model", { kind }, "short")}${weak}, ± ${sigma.toFixed(2)} px`;
+	}
+	// www/block/engine/coming.ts
+	/** Views follow one another no faster, in ms. */
+	var PAUSE_MS = 250;
+	/** Making views takes no more than this share of the time. */
+	var SHARE = .05;
+	var Coming = class {
+		show;
+		images = /* @__PURE__ */ new Map();
+		leftOut = [];
+		connections = [];
+		geometries = [];
+		nextAt = 0;
+		/** What came too soon after a view is shown by the next one. */
+		timer = null;
+		constructor(show) {
+			this.show = show;
+		}
+		take(news) {
+			if (news.kind === "image") this.images.set(news.index, news);
+			else if (news.kind === "skipped") this.leftOut.push({
+				name: news.name,
+				reason: news.reason
+			});
+			else {
+				this.connections.push(news.connection);
+				this.geometries.push(news.geometry);
+			}
+			this.timer ??= setTimeout(() => {
+				this.timer = null;
+				const began = performance.now();
+				this.tell();
+				const ended = performance.now();
+				this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
+			}, Math.max(0, this.nextAt - performance.now()));
+		}
+		/** Shows all that was found. */
+		tell() {
+			if (this.images.size > 0) this.show(this.view());
+		}
+		/** Shows nothing more. */
+		end() {
+			if (this.timer !== null) clearTimeout(this.timer);
+		}
+		view() {
+			return {
+				...viewOfParts([...this.images].sort(([a], [b]) => a - b).map(([, image]) => image), this.connections, this.geometries),
+				leftOut: this.leftOut
+			};
+		}
+	};
+	// node_modules/fflate/esm/browser.js
+	var u8 = Uint8Array;
+	var u16 = Uint16Array;
+	var i32 = Int32Array;
+	var fleb = new u8([
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		0,
+		1,
+		1,
+		1,
+		1,
+		2,
+		2,
+		2,
+		2,
+		3,
+		3,
+		3,
+		3,
+		4,
+		4,
+		4,
+		4,
+		5,
+		5,
+		5,
+		5,
+		0,
+		0,
+		0,
+		0
+	]);
+	var fdeb = new u8([
+		0,
+		0,
+		0,
+		0,
+		1,
+		1,
+		2,
+		2,
+		3,
+		3,
+		4,
+		4,
+		5,
+		5,
+		6,
+		6,
+		7,
+		7,
+		8,
+		8,
+		9,
+		9,
+		10,
+		10,
+		11,
+		11,
+		12,
+		12,
+		13,
+		13,
+		0,
+		0
+	]);
+	var clim = new u8([
+		16,
+		17,
+		18,
+		0,
+		8,
+		7,
+		9,
+		6,
+		10,
+		5,
+		11,
+		4,
+		12,
+		3,
+		13,
+		2,
+		14,
+		1,
+		15
+	]);
+	var freb = function(eb, start) {
+		var b = new u16(31);
+		for (var i = 0; i < 31; ++i) b[i] = start += 1 << eb[i - 1];
+		var r = new i32(b[30]);
+		for (var i = 1; i < 30; ++i) for (var j = b[i]; j < b[i + 1]; ++j) r[j] = j - b[i] << 5 | i;
+		return {
+			b,
+			r
+		};
+	};
+	var _a = freb(fleb, 2);
+	var fl = _a.b;
+	var revfl = _a.r;
+	fl[28] = 258, revfl[258] = 28;
+	var _b = freb(fdeb, 0);
+	_b.b;
+	var revfd = _b.r;
+	var rev = new u16(32768);
+	for (var i = 0; i < 32768; ++i) {
+		var x = (i & 43690) >> 1 | (i & 21845) << 1;
+		x = (x & 52428) >> 2 | (x & 13107) << 2;
+		x = (x & 61680) >> 4 | (x & 3855) << 4;
+		rev[i] = ((x & 65280) >> 8 | (x & 255) << 8) >> 1;
+	}
+	var hMap = (function(cd, mb, r) {
+		var s = cd.length;
+		var i = 0;
+		var l = new u16(mb);
+		for (; i < s; ++i) if (cd[i]) ++l[cd[i] - 1];
+		var le = new u16(mb);
+		for (i = 1; i < mb; ++i) le[i] = le[i - 1] + l[i - 1] << 1;
+		var co;
+		if (r) {
+			co = new u16(1 << mb);
+			var rvb = 15 - mb;
+			for (i = 0; i < s; ++i) if (cd[i]) {
+				var sv = i << 4 | cd[i];
+				var r_1 = mb - cd[i];
+				var v = le[cd[i] - 1]++ << r_1;
+				for (var m = v | (1 << r_1) - 1; v <= m; ++v) co[rev[v] >> rvb] = sv;
+			}
+		} else {
+			co = new u16(s);
+			for (i = 0; i < s; ++i) if (cd[i]) co[i] = rev[le[cd[i] - 1]++] >> 15 - cd[i];
+		}
+		return co;
+	});
+	var flt = new u8(288);
+	for (var i = 0; i < 144; ++i) flt[i] = 8;
+	for (var i = 144; i < 256; ++i) flt[i] = 9;
+	for (var i = 256; i < 280; ++i) flt[i] = 7;
+	for (var i = 280; i < 288; ++i) flt[i] = 8;
+	var fdt = new u8(32);
+	for (var i = 0; i < 32; ++i) fdt[i] = 5;
+	var flm = /*#__PURE__*/ hMap(flt, 9, 0);
+	var fdm = /*#__PURE__*/ hMap(fdt, 5, 0);
+	var shft = function(p) {
+		return (p + 7) / 8 | 0;
+	};
+	var slc = function(v, s, e) {
+		if (s == null || s < 0) s = 0;
+		if (e == null || e > v.length) e = v.length;
+		return new u8(v.subarray(s, e));
+	};
+	var ec = [
+		"unexpected EOF",
+		"invalid block type",
+		"invalid length/literal",
+		"invalid distance",
+		"stream finished",
+		"no stream handler",
+		,
+		"no callback",
+		"invalid UTF-8 data",
+		"extra field too long",
+		"date not in range 1980-2099",
+		"filename too long",
+		"stream finishing",
+		"invalid zip data"
+	];
+	var err = function(ind, msg, nt) {
+		var e = new Error(msg || ec[ind]);
+		e.code = ind;
+		if (Error.captureStackTrace) Error.captureStackTrace(e, err);
+		if (!nt) throw e;
+		return e;
+	};
+	var wbits = function(d, p, v) {
+		v <<= p & 7;
+		var o = p / 8 | 0;
+		d[o] |= v;
+		d[o + 1] |= v >> 8;
+	};
+	var wbits16 = function(d, p, v) {
+		v <<= p & 7;
+		var o = p / 8 | 0;
+		d[o] |= v;
+		d[o + 1] |= v >> 8;
+		d[o + 2] |= v >> 16;
+	};
+	var hTree = function(d, mb) {
+		var t = [];
+		for (var i = 0; i < d.length; ++i) if (d[i]) t.push({
+			s: i,
+			f: d[i]
+		});
+		var s = t.length;
+		var t2 = t.slice();
+		if (!s) return {
+			t: et,
+			l: 0
+		};
+		if (s == 1) {
+			var v = new u8(t[0].s + 1);
+			v[t[0].s] = 1;
+			return {
+				t: v,
+				l: 1
+			};
+		}
+		t.sort(function(a, b) {
+			return a.f - b.f;
+		});
+		t.push({
+			s: -1,
+			f: 25001
+		});
+		var l = t[0], r = t[1], i0 = 0, i1 = 1, i2 = 2;
+		t[0] = {
+			s: -1,
+			f: l.f + r.f,
+			l,
+			r
+		};
+		while (i1 != s - 1) {
+			l = t[t[i0].f < t[i2].f ? i0++ : i2++];
+			r = t[i0 != i1 && t[i0].f < t[i2].f ? i0++ : i2++];
+			t[i1++] = {
+				s: -1,
+				f: l.f + r.f,
+				l,
+				r
+			};
+		}
+		var maxSym = t2[0].s;
+		for (var i = 1; i < s; ++i) if (t2[i].s > maxSym) maxSym = t2[i].s;
+		var tr = new u16(maxSym + 1);
+		var mbt = ln(t[i1 - 1], tr, 0);
+		if (mbt > mb) {
+			var i = 0, dt = 0;
+			var lft = mbt - mb, cst = 1 << lft;
+			t2.sort(function(a, b) {
+				return tr[b.s] - tr[a.s] || a.f - b.f;
+			});
+			for (; i < s; ++i) {
+				var i2_1 = t2[i].s;
+				if (tr[i2_1] > mb) {
+					dt += cst - (1 << mbt - tr[i2_1]);
+					tr[i2_1] = mb;
+				} else break;
+			}
+			dt >>= lft;
+			while (dt > 0) {
+				var i2_2 = t2[i].s;
+				if (tr[i2_2] < mb) dt -= 1 << mb - tr[i2_2]++ - 1;
+				else ++i;
+			}
+			for (; i >= 0 && dt; --i) {
+				var i2_3 = t2[i].s;
+				if (tr[i2_3] == mb) {
+					--tr[i2_3];
+					++dt;
+				}
+			}
+			mbt = mb;
+		}
+		return {
+			t: new u8(tr),
+			l: mbt
+		};
+	};
+	var ln = function(n, l, d) {
+		return n.s == -1 ? Math.max(ln(n.l, l, d + 1), ln(n.r, l, d + 1)) : l[n.s] = d;
+	};
+	var lc = function(c) {
+		var s = c.length;
+		while (s && !c[--s]);
+		var cl = new u16(++s);
+		var cli = 0, cln = c[0], cls = 1;
+		var w = function(v) {
+			cl[cli++] = v;
+		};
+		for (var i = 1; i <= s; ++i) if (c[i] == cln && i != s) ++cls;
+		else {
+			if (!cln && cls > 2) {
+				for (; cls > 138; cls -= 138) w(32754);
+				if (cls > 2) {
+					w(cls > 10 ? cls - 11 << 5 | 28690 : cls - 3 << 5 | 12305);
+					cls = 0;
+				}
+			} else if (cls > 3) {
+				w(cln), --cls;
+				for (; cls > 6; cls -= 6) w(8304);
+				if (cls > 2) w(cls - 3 << 5 | 8208), cls = 0;
+			}
+			while (cls--) w(cln);
+			cls = 1;
+			cln = c[i];
+		}
+		return {
+			c: cl.subarray(0, cli),
+			n: s
+		};
+	};
+	var clen = function(cf, cl) {
+		var l = 0;
+		for (var i = 0; i < cl.length; ++i) l += cf[i] * cl[i];
+		return l;
+	};
+	var wfblk = function(out, pos, dat) {
+		var s = dat.length;
+		var o = shft(pos + 2);
+		out[o] = s & 255;
+		out[o + 1] = s >> 8;
+		out[o + 2] = out[o] ^ 255;
+		out[o + 3] = out[o + 1] ^ 255;
+		for (var i = 0; i < s; ++i) out[o + i + 4] = dat[i];
+		return (o + 4 + s) * 8;
+	};
+	var wblk = function(dat, out, final, syms, lf, df, eb, li, bs, bl, p) {
+		wbits(out, p++, final);
+		++lf[256];
+		var _a = hTree(lf, 15), dlt = _a.t, mlb = _a.l;
+		var _b = hTree(df, 15), ddt = _b.t, mdb = _b.l;
+		var _c = lc(dlt), lclt = _c.c, nlc = _c.n;
+		var _d = lc(ddt), lcdt = _d.c, ndc = _d.n;
+		var lcfreq = new u16(19);
+		for (var i = 0; i < lclt.length; ++i) ++lcfreq[lclt[i] & 31];
+		for (var i = 0; i < lcdt.length; ++i) ++lcfreq[lcdt[i] & 31];
+		var _e = hTree(lcfreq, 7), lct = _e.t, mlcb = _e.l;
+		var nlcc = 19;
+		for (; nlcc > 4 && !lct[clim[nlcc - 1]]; --nlcc);
+		var flen = bl + 5 << 3;
+		var ftlen = clen(lf, flt) + clen(df, fdt) + eb;
+		var dtlen = clen(lf, dlt) + clen(df, ddt) + eb + 14 + 3 * nlcc + clen(lcfreq, lct) + 2 * lcfreq[16] + 3 * lcfreq[17] + 7 * lcfreq[18];
+		if (bs >= 0 && flen <= ftlen && flen <= dtlen) return wfblk(out, p, dat.subarray(bs, bs + bl));
+		var lm, ll, dm, dl;
+		wbits(out, p, 1 + (dtlen < ftlen)), p += 2;
+		if (dtlen < ftlen) {
+			lm = hMap(dlt, mlb, 0), ll = dlt, dm = hMap(ddt, mdb, 0), dl = ddt;
+			var llm = hMap(lct, mlcb, 0);
+			wbits(out, p, nlc - 257);
+			wbits(out, p + 5, ndc - 1);
+			wbits(out, p + 10, nlcc - 4);
+			p += 14;
+			for (var i = 0; i < nlcc; ++i) wbits(out, p + 3 * i, lct[clim[i]]);
+			p += 3 * nlcc;
+			var lcts = [lclt, lcdt];
+			for (var it = 0; it < 2; ++it) {
+				var clct = lcts[it];
+				for (var i = 0; i < clct.length; ++i) {
+					var len = clct[i] & 31;
+					wbits(out, p, llm[len]), p += lct[len];
+					if (len > 15) wbits(out, p, clct[i] >> 5 & 127), p += clct[i] >> 12;
+				}
+			}
+		} else lm = flm, ll = flt, dm = fdm, dl = fdt;
+		for (var i = 0; i < li; ++i) {
+			var sym = syms[i];
+			if (sym > 255) {
+				var len = sym >> 18 & 31;
+				wbits16(out, p, lm[len + 257]), p += ll[len + 257];
+				if (len > 7) wbits(out, p, sym >> 23 & 31), p += fleb[len];
+				var dst = sym & 31;
+				wbits16(out, p, dm[dst]), p += dl[dst];
+				if (dst > 3) wbits16(out, p, sym >> 5 & 8191), p += fdeb[dst];
+			} else wbits16(out, p, lm[sym]), p += ll[sym];
+		}
+		wbits16(out, p, lm[256]);
+		return p + ll[256];
+	};
+	var deo = /*#__PURE__*/ new i32([
+		65540,
+		131080,
+		131088,
+		131104,
+		262176,
+		1048704,
+		1048832,
+		2114560,
+		2117632
+	]);
+	var et = /*#__PURE__*/ new u8(0);
+	var dflt = function(dat, lvl, plvl, pre, post, st) {
+		var s = st.z || dat.length;
+		var o = new u8(pre + s + 5 * (1 + Math.ceil(s / 7e3)) + post);
+		var w = o.subarray(pre, o.length - post);
+		var lst = st.l;
+		var pos = (st.r || 0) & 7;
+		if (lvl) {
+			if (pos) w[0] = st.r >> 3;
+			var opt = deo[lvl - 1];
+			var n = opt >> 13, c = opt & 8191;
+			var msk_1 = (1 << plvl) - 1;
+			var prev = st.p || new u16(32768), head = st.h || new u16(msk_1 + 1);
+			var bs1_1 = Math.ceil(plvl / 3), bs2_1 = 2 * bs1_1;
+			var hsh = function(i) {
+				return (dat[i] ^ dat[i + 1] << bs1_1 ^ dat[i + 2] << bs2_1) & msk_1;
+			};
+			var syms = new i32(25e3);
+			var lf = new u16(288), df = new u16(32);
+			var lc_1 = 0, eb = 0, i = st.i || 0, li = 0, wi = st.w || 0, bs = 0;
+			for (; i + 2 < s; ++i) {
+				var hv = hsh(i);
+				var imod = i & 32767, pimod = head[hv];
+				prev[imod] = pimod;
+				head[hv] = imod;
+				if (wi <= i) {
+					var rem = s - i;
+					if ((lc_1 > 7e3 || li > 24576) && (rem > 423 || !lst)) {
+						pos = wblk(dat, w, 0, syms, lf, df, eb, li, bs, i - bs, pos);
+						li = lc_1 = eb = 0, bs = i;
+						for (var j = 0; j < 286; ++j) lf[j] = 0;
+						for (var j = 0; j < 30; ++j) df[j] = 0;
+					}
+					var l = 2, d = 0, ch_1 = c, dif = imod - pimod & 32767;
+					if (rem > 2 && hv == hsh(i - dif)) {
+						var maxn = Math.min(n, rem) - 1;
+						var maxd = Math.min(32767, i);
+						var ml = Math.min(258, rem);
+						while (dif <= maxd && --ch_1 && imod != pimod) {
+							if (dat[i + l] == dat[i + l - dif]) {
+								var nl = 0;
+								for (; nl < ml && dat[i + nl] == dat[i + nl - dif]; ++nl);
+								if (nl > l) {
+									l = nl, d = dif;
+									if (nl > maxn) break;
+									var mmd = Math.min(dif, nl - 2);
+									var md = 0;
+									for (var j = 0; j < mmd; ++j) {
+										var ti = i - dif + j & 32767;
+										var cd = ti - prev[ti] & 32767;
+										if (cd > md) md = cd, pimod = ti;
+									}
+								}
+							}
+							imod = pimod, pimod = prev[imod];
+							dif += imod - pimod & 32767;
+						}
+					}
+					if (d) {
+						syms[li++] = 268435456 | revfl[l] << 18 | revfd[d];
+						var lin = revfl[l] & 31, din = revfd[d] & 31;
+						eb += fleb[lin] + fdeb[din];
+						++lf[257 + lin];
+						++df[din];
+						wi = i + l;
+						++lc_1;
+					} else {
+						syms[li++] = dat[i];
+						++lf[dat[i]];
+					}
+				}
+			}
+			for (i = Math.max(i, wi); i < s; ++i) {
+				syms[li++] = dat[i];
+				++lf[dat[i]];
+			}
+			pos = wblk(dat, w, lst, syms, lf, df, eb, li, bs, i - bs, pos);
+			if (!lst) {
+				st.r = pos & 7 | w[pos / 8 | 0] << 3;
+				pos -= 7;
+				st.h = head, st.p = prev, st.i = i, st.w = wi;
+			}
+		} else {
+			for (var i = st.w || 0; i < s + lst; i += 65535) {
+				var e = i + 65535;
+				if (e >= s) {
+					w[pos / 8 | 0] = lst;
+					e = s;
+				}
+				pos = wfblk(w, pos + 1, dat.subarray(i, e));
+			}
+			st.i = s;
+		}
+		return slc(o, 0, pre + shft(pos) + post);
+	};
+	var crct = /*#__PURE__*/ (function() {
+		var t = /* @__PURE__ */ new Int32Array(256);
+		for (var i = 0; i < 256; ++i) {
+			var c = i, k = 9;
+			while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
+			t[i] = c;
+		}
+		return t;
+	})();
+	var crc = function() {
+		var c = -1;
+		return {
+			p: function(d) {
+				var cr = c;
+				for (var i = 0; i < d.length; ++i) cr = crct[cr & 255 ^ d[i]] ^ cr >>> 8;
+				c = cr;
+			},
+			d: function() {
+				return ~c;
+			}
+		};
+	};
+	var dopt = function(dat, opt, pre, post, st) {
+		if (!st) {
+			st = { l: 1 };
+			if (opt.dictionary) {
+				var dict = opt.dictionary.subarray(-32768);
+				var newDat = new u8(dict.length + dat.length);
+				newDat.set(dict);
+				newDat.set(dat, dict.length);
+				dat = newDat;
+				st.w = dict.length;
+			}
+		}
+		return dflt(dat, opt.level == null ? 6 : opt.level, opt.mem == null ? st.l ? Math.ceil(Math.max(8, Math.min(13, Math.log(dat.length))) * 1.5) : 20 : 12 + opt.mem, pre, post, st);
+	};
+	var mrg = function(a, b) {
+		var o = {};
+		for (var k in a) o[k] = a[k];
+		for (var k in b) o[k] = b[k];
+		return o;
+	};
+	var wbytes = function(d, b, v) {
+		for (; v; ++b) d[b] = v, v >>>= 8;
+	};
+	/**
+	* Streaming DEFLATE compression
+	*/
+	var Deflate = /* @__PURE__ */ function() {
+		function Deflate(opts, cb) {
+			if (typeof opts == "function") cb = opts, opts = {};
+			this.ondata = cb;
+			this.o = opts || {};
+			this.s = {
+				l: 0,
+				i: 32768,
+				w: 32768,
+				z: 32768
+			};
+			this.b = new u8(98304);
+			if (this.o.dictionary) {
+				var dict = this.o.dictionary.subarray(-32768);
+				this.b.set(dict, 32768 - dict.length);
+				this.s.i = 32768 - dict.length;
+			}
+		}
+		Deflate.prototype.p = function(c, f) {
+			this.ondata(dopt(c, this.o, 0, 0, this.s), f);
+		};
+		/**
+		* Pushes a chunk to be deflated
+		* @param chunk The chunk to push
+		* @param final Whether this is the last chunk
+		*/
+		Deflate.prototype.push = function(chunk, final) {
+			if (!this.ondata) err(5);
+			if (this.s.l) err(4);
+			var endLen = chunk.length + this.s.z;
+			if (endLen > this.b.length) {
+				if (endLen > 2 * this.b.length - 32768) {
+					var newBuf = new u8(endLen & -32768);
+					newBuf.set(this.b.subarray(0, this.s.z));
+					this.b = newBuf;
+				}
+				var split = this.b.length - this.s.z;
+				this.b.set(chunk.subarray(0, split), this.s.z);
+				this.s.z = this.b.length;
+				this.p(this.b, false);
+				this.b.set(this.b.subarray(-32768));
+				this.b.set(chunk.subarray(split), 32768);
+				this.s.z = chunk.length - split + 32768;
+				this.s.i = 32766, this.s.w = 32768;
+			} else {
+				this.b.set(chunk, this.s.z);
+				this.s.z += chunk.length;
+			}
+			this.s.l = final & 1;
+			if (this.s.z > this.s.w + 8191 || final) {
+				this.p(this.b, final || false);
+				this.s.w = this.s.i, this.s.i -= 2;
+			}
+			if (final) {
+				this.s = this.o = {};
+				this.b = et;
+			}
+		};
+		/**
+		* Flushes buffered uncompressed data. Useful to immediately retrieve the
+		* deflated output for small inputs.
+		* @param sync Whether to flush to a byte boundary. A sync flush takes 4-5
+		*             extra bytes, but guarantees all pushed data is immediately
+		*             decompressible. A separate DEFLATE stream may be concatenated
+		*             with the current output after a sync flush.
+		*/
+		Deflate.prototype.flush = function(sync) {
+			if (!this.ondata) err(5);
+			if (this.s.l) err(4);
+			this.p(this.b, false);
+			this.s.w = this.s.i, this.s.i -= 2;
+			if (sync) {
+				var c = new u8(6);
+				c[0] = this.s.r >> 3;
+				var ep = wfblk(c, this.s.r, et);
+				this.s.r = 0;
+				this.ondata(c.subarray(0, ep >> 3), false);
+			}
+		};
+		return Deflate;
+	}();
+	var te = typeof TextEncoder != "undefined" && /*#__PURE__*/ new TextEncoder();
+	var td = typeof TextDecoder != "undefined" && /*#__PURE__*/ new TextDecoder();
+	try {
+		td.decode(et, { stream: true });
+	} catch (e) {}
+	/**
+	* Converts a string into a Uint8Array for use with compression/decompression methods
+	* @param str The string to encode
+	* @param latin1 Whether or not to interpret the data as Latin-1. This should
+	*               not need to be true unless decoding a binary string.
+	* @returns The string encoded in UTF-8/Latin-1 binary
+	*/
+	function strToU8(str, latin1) {
+		if (latin1) {
+			var ar_1 = new u8(str.length);
+			for (var i = 0; i < str.length; ++i) ar_1[i] = str.charCodeAt(i);
+			return ar_1;
+		}
+		if (te) return te.encode(str);
+		var l = str.length;
+		var ar = new u8(str.length + (str.length >> 1));
+		var ai = 0;
+		var w = function(v) {
+			ar[ai++] = v;
+		};
+		for (var i = 0; i < l; ++i) {
+			if (ai + 5 > ar.length) {
+				var n = new u8(ai + 8 + (l - i << 1));
+				n.set(ar);
+				ar = n;
+			}
+			var c = str.charCodeAt(i);
+			if (c < 128 || latin1) w(c);
+			else if (c < 2048) w(192 | c >> 6), w(128 | c & 63);
+			else if (c > 55295 && c < 57344) c = 65536 + (c & 1047552) | str.charCodeAt(++i) & 1023, w(240 | c >> 18), w(128 | c >> 12 & 63), w(128 | c >> 6 & 63), w(128 | c & 63);
+			else w(224 | c >> 12), w(128 | c >> 6 & 63), w(128 | c & 63);
+		}
+		return slc(ar, 0, ai);
+	}
+	var dbf = function(l) {
+		return l == 1 ? 3 : l < 6 ? 2 : l == 9 ? 1 : 0;
+	};
+	var exfl = function(ex) {
+		var le = 0;
+		if (ex) for (var k in ex) {
+			var l = ex[k].length;
+			if (l > 65535) err(9);
+			le += l + 4;
+		}
+		return le;
+	};
+	var wzh = function(d, b, f, fn, u, c, ce, co) {
+		var fl = fn.length, ex = f.extra, col = co && co.length;
+		var exl = exfl(ex);
+		wbytes(d, b, ce != null ? 33639248 : 67324752), b += 4;
+		if (ce != null) d[b++] = 20, d[b++] = f.os;
+		d[b] = 20, b += 2;
+		d[b++] = f.flag << 1 | (c < 0 && 8), d[b++] = u && 8;
+		d[b++] = f.compression & 255, d[b++] = f.compression >> 8;
+		var dt = new Date(f.mtime == null ? Date.now() : f.mtime), y = dt.getFullYear() - 1980;
+		if (y < 0 || y > 119) err(10);
+		wbytes(d, b, y << 25 | dt.getMonth() + 1 << 21 | dt.getDate() << 16 | dt.getHours() << 11 | dt.getMinutes() << 5 | dt.getSeconds() >> 1), b += 4;
+		if (c != -1) {
+			wbytes(d, b, f.crc);
+			wbytes(d, b + 4, c < 0 ? -c - 2 : c);
+			wbytes(d, b + 8, f.size);
+		}
+		wbytes(d, b + 12, fl);
+		wbytes(d, b + 14, exl), b += 16;
+		if (ce != null) {
+			wbytes(d, b, col);
+			wbytes(d, b + 6, f.attrs);
+			wbytes(d, b + 10, ce), b += 14;
+		}
+		d.set(fn, b);
+		b += fl;
+		if (exl) for (var k in ex) {
+			var exf = ex[k], l = exf.length;
+			wbytes(d, b, +k);
+			wbytes(d, b + 2, l);
+			d.set(exf, b + 4), b += 4 + l;
+		}
+		if (col) d.set(co, b), b += col;
+		return b;
+	};
+	var wzf = function(o, b, c, d, e) {
+		wbytes(o, b, 101010256);
+		wbytes(o, b + 8, c);
+		wbytes(o, b + 10, c);
+		wbytes(o, b + 12, d);
+		wbytes(o, b + 16, e);
+	};
+	/**
+	* A pass-through stream to keep data uncompressed in a ZIP archive.
+	*/
+	var ZipPassThrough = /* @__PURE__ */ function() {
+		/**
+		* Creates a pass-through stream that can be added to ZIP archives
+		* @param filename The filename to associate with this data stream
+		*/
+		function ZipPassThrough(filename) {
+			this.filename = filename;
+			this.c = crc();
+			this.size = 0;
+			this.compression = 0;
+		}
+		/**
+		* Processes a chunk and pushes to the output stream. You can override this
+		* method in a subclass for custom behavior, but by default this passes
+		* the data through. You must call this.ondata(err, chunk, final) at some
+		* point in this method.
+		* @param chunk The chunk to process
+		* @param final Whether this is the last chunk
+		*/
+		ZipPassThrough.prototype.process = function(chunk, final) {
+			this.ondata(null, chunk, final);
+		};
+		/**
+		* Pushes a chunk to be added. If you are subclassing this with a custom
+		* compression algorithm, note that you must push data from the source
+		* file only, pre-compression.
+		* @param chunk The chunk to push
+		* @param final Whether this is the last chunk
+		*/
+		ZipPassThrough.prototype.push = function(chunk, final) {
+			if (!this.ondata) err(5);
+			this.c.p(chunk);
+			this.size += chunk.length;
+			if (final) this.crc = this.c.d();
+			this.process(chunk, final || false);
+		};
+		return ZipPassThrough;
+	}();
+	/**
+	* Streaming DEFLATE compression for ZIP archives. Prefer using AsyncZipDeflate
+	* for better performance
+	*/
+	var ZipDeflate = /* @__PURE__ */ function() {
+		/**
+		* Creates a DEFLATE stream that can be added to ZIP archives
+		* @param filename The filename to associate with this data stream
+		* @param opts The compression options
+		*/
+		function ZipDeflate(filename, opts) {
+			var _this = this;
+			if (!opts) opts = {};
+			ZipPassThrough.call(this, filename);
+			this.d = new Deflate(opts, function(dat, final) {
+				_this.ondata(null, dat, final);
+			});
+			this.compression = 8;
+			this.flag = dbf(opts.level);
+		}
+		ZipDeflate.prototype.process = function(chunk, final) {
+			try {
+				this.d.push(chunk, final);
+			} catch (e) {
+				this.ondata(e, null, final);
+			}
+		};
+		/**
+		* Pushes a chunk to be deflated
+		* @param chunk The chunk to push
+		* @param final Whether this is the last chunk
+		*/
+		ZipDeflate.prototype.push = function(chunk, final) {
+			ZipPassThrough.prototype.push.call(this, chunk, final);
+		};
+		return ZipDeflate;
+	}();
+	/**
+	* A zippable archive to which files can incrementally be added
+	*/
+	var Zip = /* @__PURE__ */ function() {
+		/**
+		* Creates an empty ZIP archive to which files can be added
+		* @param cb The callback to call whenever data for the generated ZIP archive
+		*           is available
+		*/
+		function Zip(cb) {
+			this.ondata = cb;
+			this.u = [];
+			this.d = 1;
+		}
+		/**
+		* Adds a file to the ZIP archive
+		* @param file The file stream to add
+		*/
+		Zip.prototype.add = function(file) {
+			var _this = this;
+			if (!this.ondata) err(5);
+			if (this.d & 2) this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, false);
+			else {
+				var f = strToU8(file.filename), fl_1 = f.length;
+				var com = file.comment, o = com && strToU8(com);
+				var u = fl_1 != file.filename.length || o && com.length != o.length;
+				var hl_1 = fl_1 + exfl(file.extra) + 30;
+				if (fl_1 > 65535) this.ondata(err(11, 0, 1), null, false);
+				var header = new u8(hl_1);
+				wzh(header, 0, file, f, u, -1);
+				var chks_1 = [header];
+				var pAll_1 = function() {
+					for (var _i = 0, chks_2 = chks_1; _i < chks_2.length; _i++) {
+						var chk = chks_2[_i];
+						_this.ondata(null, chk, false);
+					}
+					chks_1 = [];
+				};
+				var tr_1 = this.d;
+				this.d = 0;
+				var ind_1 = this.u.length;
+				var uf_1 = mrg(file, {
+					f,
+					u,
+					o,
+					t: function() {
+						if (file.terminate) file.terminate();
+					},
+					r: function() {
+						pAll_1();
+						if (tr_1) {
+							var nxt = _this.u[ind_1 + 1];
+							if (nxt) nxt.r();
+							else _this.d = 1;
+						}
+						tr_1 = 1;
+					}
+				});
+				var cl_1 = 0;
+				file.ondata = function(err, dat, final) {
+					if (err) {
+						_this.ondata(err, dat, final);
+						_this.terminate();
+					} else {
+						cl_1 += dat.length;
+						chks_1.push(dat);
+						if (final) {
+							var dd = new u8(16);
+							wbytes(dd, 0, 134695760);
+							wbytes(dd, 4, file.crc);
+							wbytes(dd, 8, cl_1);
+							wbytes(dd, 12, file.size);
+							chks_1.push(dd);
+							uf_1.c = cl_1, uf_1.b = hl_1 + cl_1 + 16, uf_1.crc = file.crc, uf_1.size = file.size;
+							if (tr_1) uf_1.r();
+							tr_1 = 1;
+						} else if (tr_1) pAll_1();
+					}
+				};
+				this.u.push(uf_1);
+			}
+		};
+		/**
+		* Ends the process of adding files and prepares to emit the final chunks.
+		* This *must* be called after adding all desired files for the resulting
+		* ZIP file to work properly.
+		*/
+		Zip.prototype.end = function() {
+			var _this = this;
+			if (this.d & 2) {
+				this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, true);
+				return;
+			}
+			if (this.d) this.e();
+			else this.u.push({
+				r: function() {
+					if (!(_this.d & 1)) return;
+					_this.u.splice(-1, 1);
+					_this.e();
+				},
+				t: function() {}
+			});
+			this.d = 3;
+		};
+		Zip.prototype.e = function() {
+			var bt = 0, l = 0, tl = 0;
+			for (var _i = 0, _a = this.u; _i < _a.length; _i++) {
+				var f = _a[_i];
+				tl += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0);
+			}
+			var out = new u8(tl + 22);
+			for (var _b = 0, _c = this.u; _b < _c.length; _b++) {
+				var f = _c[_b];
+				wzh(out, bt, f, f.f, f.u, -f.c - 2, l, f.o);
+				bt += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0), l += f.b;
+			}
+			wzf(out, bt, this.u.length, tl, l);
+			this.ondata(null, out, true);
+			this.d = 2;
+		};
+		/**
+		* A method to terminate any internal workers used by the stream. Subsequent
+		* calls to add() will fail.
+		*/
+		Zip.prototype.terminate = function() {
+			for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
+			this.d = 2;
+		};
+		return Zip;
+	}();
+	// www/block/engine/made.ts
+	/** The files that a block is saved as: one by itself, several as one archive. */
+	/** The time in archives: that of their making would give the same block other bytes. */
+	var TIME = "1980-01-01T00:00:00";
+	/** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
+	async function made(block, kind, name, signal) {
+		const files = /* @__PURE__ */ new Map();
+		const write = (path, text) => {
+			files.set(path, text);
+		};
+		if (kind === "project") write(`${name}-project.tiepoint`, block.project());
+		else if (kind === "everything") await inSteps(block.files(export_formats()), write, signal);
+		else block.export(kind, write);
+		return packed(files, `${name}-${kind}`, signal);
+	}
+	async function inSteps(writing, write, signal) {
+		try {
+			while (writing.step(write) === null) await pause(signal);
+		} finally {
+			writing.free();
+		}
+	}
+	/** Lets messages in, of which one may end it all. */
+	async function pause(signal) {
+		await new Promise((resolve) => {
+			setTimeout(resolve);
+		});
+		signal.throwIfAborted();
+	}
+	async function packed(files, name, signal) {
+		const encoder = new TextEncoder();
+		const [first, ...others] = files;
+		if (first === void 0) throw new Error("the block gives no file in this format");
+		const [path, text] = first;
+		if (others.length === 0) {
+			const plain = path.split("/").at(-1) ?? path;
+			return {
+				name: plain.startsWith(name.replace(/-[^-]*$/u, "")) ? plain : `${name}-${plain}`,
+				type: "text/plain",
+				bytes: encoder.encode(text)
+			};
+		}
+		const chunks = [];
+		const archive = new Zip((error, chunk) => {
+			if (error !== null) throw error;
+			chunks.push(chunk);
+		});
+		for (const [at, content] of files) {
+			await pause(signal);
+			const entry = new ZipDeflate(at, { level: 6 });
+			entry.mtime = TIME;
+			archive.add(entry);
+			entry.push(encoder.encode(content), true);
+		}
+		archive.end();
+		return {
+			name: `${name}.zip`,
+			type: "application/zip",
+			bytes: new Uint8Array(await new Blob(chunks).arrayBuffer())
+		};
+	}
+	// www/block/engine/session.ts
+	/** The block in a worker: runs it, its jobs done elsewhere and its records kept by the page, and holds what came of it for exports. */
+	var held$1 = null;
+	/** The block that was run or opened last. */
+	function heldBlock() {
+		if (held$1 === null) throw new Error("no block is held: run it again");
+		return held$1;
+	}
+	async function blockRun({ files, options, masks, truth, workers, kept, port }) {
+		const link = new Link(port);
+		const coming = new Coming((view) => {
+			link.send({
+				kind: "part",
+				view
+			});
+		});
+		try {
+			const finished = await runBlock(files.map(sourceOf), {
+				...options,
+				masks: masks.map(sourceOf)
+			}, {
+				pool: link.pool(workers),
+				store: storeOf(kept, link),
+				progress: (step) => {
+					link.send({
+						kind: "step",
+						step
+					});
+				},
+				news: (news) => {
+					coming.take(news);
+				},
+				signal: link.stopped.signal
+			});
+			return {
+				...hold$1(finished),
+				score: truth === null ? null : finished.score(truth)
+			};
+		} catch (error) {
+			coming.tell();
+			throw error;
+		} finally {
+			coming.end();
+			port.close();
+		}
+	}
+	function blockOpen({ bytes }) {
+		return hold$1(FinishedBlock.open(bytes));
+	}
+	function hold$1(block) {
+		held$1?.free();
+		held$1 = block;
+		return viewOf(block);
+	}
+	async function blockExport({ kind, name, stop }) {
+		const stopped = new AbortController();
+		stop.onmessage = () => {
+			stopped.abort();
+		};
+		try {
+			return await made(heldBlock(), kind, name, stopped.signal);
+		} finally {
+			stop.close();
+		}
+	}
+	function sourceOf({ name, file }) {
+		return {
+			name,
+			bytes: async () => new Uint8Array(await file.arrayBuffer())
+		};
+	}
+	/** Records as blobs: they lie outside the memory of the worker, and outlive it with the page. */
+	function storeOf(kept, link) {
+		const records = new Map(kept);
+		return {
+			get: async (key) => {
+				const record = records.get(key);
+				return record === void 0 ? null : new Uint8Array(await record.arrayBuffer());
+			},
+			put: (key, bytes) => {
+				const record = new Blob([bytes]);
+				records.set(key, record);
+				link.send({
+					kind: "keep",
+					key,
+					record
+				});
+				return Promise.resolve();
+			}
+		};
+	}
+	/** The page as the run sees it: it has the workers. */
+	var Link = class {
+		port;
+		stopped = new AbortController();
+		waiting = /* @__PURE__ */ new Map();
+		nextId = 1;
+		constructor(port) {
+			this.port = port;
+			port.onmessage = (event) => {
+				this.receive(event.data);
+			};
+		}
+		send(message, transfer = []) {
+			this.port.postMessage(message, transfer);
+		}
+		pool(size) {
+			return {
+				size,
+				run: (_, job, transfer) => this.ask(job, transfer)
+			};
+		}
+		ask(job, transfer) {
+			return new Promise((resolve, reject) => {
+				this.stopped.signal.throwIfAborted();
+				const id = this.nextId++;
+				this.waiting.set(id, {
+					resolve,
+					reject
+				});
+				this.send({
+					kind: "job",
+					id,
+					job
+				}, transfer);
+			});
+		}
+		receive(message) {
+			if (message.kind === "stop") {
+				this.stopped.abort();
+				for (const { reject } of this.waiting.values()) reject(this.stopped.signal.reason);
+				this.waiting.clear();
+				return;
+			}
+			const waiting = this.waiting.get(message.id);
+			this.waiting.delete(message.id);
+			if (message.kind === "broke") waiting?.reject(named("WorkerError", message.message));
+			else settle(waiting, message.answer);
+		}
+	};
+	function settle(waiting, answer) {
+		if ("made" in answer) waiting?.resolve(answer.made);
+		else waiting?.reject(refused(answer.refusal));
+	}
+	function named(name, message) {
+		const error = new Error(message);
+		error.name = name;
+		return error;
+	}
+	/** The crate's error as it was in the worker that threw it. */
+	function refused({ message, code, usage }) {
+		return Object.assign(named("TiepointError", message), {
+			code,
+			usage
+		});
+	}
+	// www/block/engine/handlers.ts
+	/** The crate's refusal of an image is an answer; what else goes wrong ends the call, and perhaps the worker. */
+	async function blockJob(job) {
+		try {
+			return { made: await jobs.block(job) };
+		} catch (error) {
+			if (!(error instanceof Error) || error.name !== "TiepointError") throw error;
+			const { message, code = "", usage = false } = error;
+			return { refusal: {
+				message,
+				code,
+				usage
+			} };
+		}
+	}
+	var BLOCK_HANDLERS = {
+		blockJob,
+		blockPlan,
+		blockPhoto,
+		blockRun,
+		blockOpen,
+		blockExport
+	};
+	// www/pair/engine/mask.ts
+	/** What a mask leaves out: how much, and as it is shown over its image. */
+	/** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
+	var LEFT_OUT = 2569545944;
+	/** The pixels that a mask leaves out (its zeros), in colour, in a bitmap of at most `most` px a side. */
+	function overlayOf(grey, width, height, most) {
+		const step = Math.max(1, Math.ceil(Math.max(width, height) / most));
+		const [columns, rows] = [Math.ceil(width / step), Math.ceil(height / step)];
+		const pixels = new Uint32Array(columns * rows);
+		for (let i = 0; i < pixels.length; i++) {
+			const at = Math.floor(i / columns) * step * width + i % columns * step;
+			pixels[i] = grey[at] === 0 ? LEFT_OUT : 0;
+		}
+		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), columns, rows));
+	}
+	/** The share of the pixels that a mask leaves out. */
+	function shareLeftOut(grey) {
+		let zeros = 0;
+		for (const value of grey) if (value === 0) zeros += 1;
+		return zeros / grey.length;
+	}
+	// www/pair/engine/patch.ts
+	/** Bilinear between the centres of pixels; beyond the border counts what lies nearest to it. */
+	function greyAt(grey, width, height, x, y) {
+		const [px, py] = [Math.min(width - 1, Math.max(0, x - .5)), Math.min(height - 1, Math.max(0, y - .5))];
+		const [col, row] = [Math.min(Math.floor(px), Math.max(0, width - 2)), Math.min(Math.floor(py), Math.max(0, height - 2))];
+		const [right, below] = [Math.min(1, width - 1), height > 1 ? width : 0];
+		const at = row * width + col;
+		const [a = 0, b = 0, c = 0, d = 0] = [
+			grey[at],
+			grey[at + right],
+			grey[at + below],
+			grey[at + below + right]
+		];
+		const [fx, fy] = [px - col, py - row];
+		return (a * (1 - fx) + b * fx) * (1 - fy) + (c * (1 - fx) + d * fx) * fy;
+	}
+	/** The samples of a grid, row by row. Where they lie farther apart than pixels each is the mean of several. */
+	function patchOf(grey, width, height, { x, y, direction, reach, side }) {
+		const fine = Math.max(1, Math.round(reach / side));
+		const step = reach / (side * fine);
+		const [cos, sin] = [Math.cos(direction) * step, Math.sin(direction) * step];
+		const middle = (side * fine - 1) / 2;
+		return Uint8Array.from({ length: side * side }, (_, i) => {
+			let sum = 0;
+			for (let k = 0; k < fine * fine; k++) {
+				const u = i % side * fine + k % fine - middle;
+				const v = Math.floor(i / side) * fine + Math.floor(k / fine) - middle;
+				sum += greyAt(grey, width, height, x + u * cos - v * sin, y + u * sin + v * cos);
+			}
+			return Math.round(sum / (fine * fine));
+		});
+	}
+	// www/pair/engine/tiles.ts
+	/** Grey values to bitmaps, whole or in tiles of a reduced image. */
+	/** A bitmap of a grey image. */
+	function bitmapOf(grey, width, height) {
+		const pixels = new Uint32Array(width * height);
+		for (let i = 0; i < pixels.length; i++) pixels[i] = 4278190080 | (grey[i] ?? 0) * 65793;
+		return createImageBitmap(new ImageData(new Uint8ClampedArray(pixels.buffer), width, height));
+	}
+	/**
+	* The tile of `side` px at `column`, `row` (counted in tiles) of the image reduced by 2^level: each pixel is the mean of a block.
+	* Tiles at the right and lower edge are smaller.
+	*/
+	function tileOf(grey, width, height, level, column, row, side) {
+		const step = 2 ** level;
+		const left = column * side * step;
+		const top = row * side * step;
+		const columns = Math.min(side, Math.ceil((width - left) / step));
+		const rows = Math.min(side, Math.ceil((height - top) / step));
+		const tile = new Uint8Array(columns * rows);
+		for (let r = 0; r < rows; r++) for (let c = 0; c < columns; c++) tile[r * columns + c] = blockMean(grey, width, height, left + c * step, top + r * step, step);
+		return bitmapOf(tile, columns, rows);
+	}
+	function blockMean(grey, width, height, x, y, step) {
+		const right = Math.min(x + step, width);
+		const bottom = Math.min(y + step, height);
+		let sum = 0;
+		for (let row = y; row < bottom; row++) for (let col = x; col < right; col++) sum += grey[row * width + col] ?? 0;
+		return Math.round(sum / ((right - x) * (bottom - y)));
+	}
+	// www/pair/engine/handlers.ts
+	/** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
+	var opened = null;
+	function photo() {
+		if (opened === null) throw new Error("no image is open in this worker");
+		return opened;
+	}
+	async function decode(source) {
+		return source.kind === "file" ? Photo.decode(new Uint8Array(await source.file.arrayBuffer())) : Photo.from_grey(source.width, source.height, source.grey);
+	}
+	async function open({ source, overviewSide }) {
+		opened?.photo.free();
+		opened = null;
+		const decoded = await decode(source);
+		opened = {
+			photo: decoded,
+			grey: null
+		};
+		const reduced = decoded.reduced(overviewSide);
+		return {
+			info: decoded.info(),
+			overview: {
+				bitmap: await bitmapOf(reduced.grey, reduced.width, reduced.height),
+				halvings: reduced.halvings
+			}
+		};
+	}
+	/** The grey values of the image that is open, copied once. */
+	function greyOf(current) {
+		current.grey ??= current.photo.grey();
+		return current.grey;
+	}
+	function tile({ level, column, row, side }) {
+		const current = photo();
+		return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
+	}
+	async function mask({ file, overlaySide }) {
+		const decoded = await decode({
+			kind: "file",
+			file
+		});
+		const { width, height } = decoded;
+		const grey = decoded.grey();
+		decoded.free();
+		return {
+			width,
+			height,
+			grey,
+			leftOut: shareLeftOut(grey),
+			overlay: await overlayOf(grey, width, height, overlaySide)
+		};
+	}
+	/** The pair whose grey values this worker compares. */
+	var held = null;
+	function hold({ left, right }) {
+		held?.left.free();
+		held?.right.free();
+		held = null;
+		held = {
+			left: Photo.from_grey(left.width, left.height, left.grey),
+			right: Photo.from_grey(right.width, right.height, right.grey)
+		};
+		return null;
+	}
+	function match(m) {
+		if (held === null) throw new Error("no pair is held in this worker");
+		const { left, right } = held;
+		const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? void 0);
+		return {
+			...result,
+			estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height)
+		};
+	}
+	function candidatesOf({ left, right, offset, index, options }) {
+		if (offset === null) throw new Error("these candidates lie around an expected place");
+		const none = /* @__PURE__ */ new Float64Array();
+		return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
+	}
+	/** The report in the making. */
+	var report = null;
+	function reportInHand() {
+		if (report === null) throw new Error("no report is begun in this worker");
+		return report;
+	}
+	async function reportOpen({ images, names, input, settings, truth, masks: [ofLeft, ofRight] }) {
+		report?.free();
+		report = null;
+		const left = await decode(images[0]);
+		const right = await decode(images[1]);
+		report = new Report(left, right, names, input, settings, truth, ofLeft, ofRight);
+		left.free();
+		right.free();
+		return report.steps();
+	}
+	function interiorOf({ width, height, camera, pairFocalMm, fiducials, model, origin }) {
+		return {
+			interior: scaled_interior(interior(camera, {
+				width,
+				height,
+				fiducials,
+				model,
+				origin
+			}), pairFocalMm / camera.focal_mm),
+			fiducials: fiducials.length > 0 ? orient_fiducials(fiducials, model) : null
+		};
+	}
+	var PAIR_HANDLERS = {
+		open,
+		tile,
+		reduced: ({ maxSide }) => photo().photo.reduced(maxSide),
+		detect: ({ settings, mask: left }) => photo().photo.detect(settings, left),
+		features: ({ settings, mask: left }) => photo().photo.describe_points(settings, left),
+		describe: ({ points, window, strategy }) => photo().photo.describe(points, window, strategy),
+		grey: () => ({
+			width: photo().photo.width,
+			height: photo().photo.height,
+			grey: photo().photo.grey()
+		}),
+		patch: (input) => patchOf(greyOf(photo()), photo().photo.width, photo().photo.height, input),
+		moments: ({ col, row, window }) => photo().photo.window_moments(col, row, window),
+		simulate: (flight) => simulate(flight),
+		hold,
+		offset: ({ left, right }) => estimate_offset(left, right),
+		constantOffset: ({ dx, dy }) => constant_offset(dx, dy),
+		match,
+		nearest: ({ left, first, end, right }) => nearest_piece(left, first, end, right),
+		candidates: candidatesOf,
+		gradientCandidates: ({ index, left, right, most }) => gradient_candidates(index, left, right, most),
+		epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
+		score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
+		interior: interiorOf,
+		orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
+		reportOpen,
+		reportStep: () => reportInHand().step(),
+		reportPage: () => reportInHand().html(),
+		parseFiducials: ({ text }) => parse_fiducials(text),
+		parseCamera: ({ text }) => parse_camera(text),
+		mask,
+		matchesCsv: ({ matches }) => matches_csv(matches)
+	};
+	// www/shared/text/format.ts
+	/** What is said of whatever was thrown. */
+	function messageOf(error) {
+		return error instanceof Error ? error.message : String(error);
+	}
+	// www/shared/engine/serve.ts
+	/** The worker's end of the calls: answers them in their order, each by the handler of its name. */
+	/** Buffers and bitmaps of an answer, moved rather than copied. Every array the crate hands out is a copy of its own. */
+	function transferables(value) {
+		if (value instanceof ImageBitmap) return [value];
+		if (ArrayBuffer.isView(value)) return value.buffer instanceof ArrayBuffer ? [value.buffer] : [];
+		if (typeof value !== "object" || value === null || Array.isArray(value)) return [];
+		return Object.values(value).flatMap(transferables);
+	}
+	function failureOf(error) {
+		const message = messageOf(error);
+		const code = error instanceof Error && "code" in error && typeof error.code === "string" ? error.code : null;
+		if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) return {
+			kind: "memory",
+			code,
+			message
+		};
+		if (error instanceof Error && error.name === "Panic") return {
+			kind: "fault",
+			code,
+			message
+		};
+		return {
+			kind: code === null ? "other" : "refused",
+			code,
+			message
+		};
+	}
+	/** Why the module could not start here; every call is then answered with it. */
+	var startFailure = null;
+	function start(message) {
+		try {
+			initSync({ module: message.module });
+		} catch (error) {
+			startFailure = { error };
+		}
+	}
+	/** Answers the page's calls from now on. */
+	function serve(handlers) {
+		const answer = async ({ id, call, input }) => {
+			try {
+				if (startFailure !== null) throw startFailure.error;
+				const output = await handlers[call](input);
+				postMessage({
+					id,
+					output
+				}, { transfer: transferables(output) });
+			} catch (error) {
+				postMessage({
+					id,
+					failure: failureOf(error)
+				});
+			}
+		};
+		let queue = Promise.resolve();
+		addEventListener("message", (event) => {
+			const message = event.data;
+			if ("module" in message) start(message);
+			else queue = queue.then(() => answer(message));
+		});
+	}
+	// www/worker.ts
+	/** The one worker script of the page: any worker can do the work of a pair and of a block. */
+	serve({
+		...PAIR_HANDLERS,
+		...BLOCK_HANDLERS
+	});
+})();
