@@ -8,7 +8,7 @@ export interface SampleImage { width: number; height: number; grey: Uint8Array }
 export interface SamplePair {
     left: SampleImage;
     right: SampleImage;
-    camera: Camera;
+    camera: CameraMm;
     base_mm: number;
     left_fiducials: Fiducial[];
     right_fiducials: Fiducial[];
@@ -60,35 +60,29 @@ export interface VerifiedMatches extends DescriptorMatches {
     /** What relates the views; null where there is nothing, and then there are no matches. */
     geometry: Omit<TwoView, "inliers"> | null;
     /** Why there is no geometry. */
-    geometry_reason: string | null;
+    no_geometry: NoGeometry | null;
 }
-
-
-
-/** Multi-ray points: the rays of point i are those from starts[i] to before starts[i + 1]. */
-export interface RayTable {
-    starts: Uint32Array;
-    /** Image and feature of each ray; stride 2. */
-    rays: Uint32Array;
-    /** Probability, 0..1, that a ray belongs to its point. */
-    ray_confidence: Float32Array;
-    /** Probability, 0..1, that all rays of a point belong together. */
-    confidence: Float32Array;
-}
-
-/** Points that were chosen, with the rays and the filled von Gruber places of each image. */
-export interface SelectedRays { points: Uint32Array; rays_of_images: Uint32Array; places_of_images: Uint32Array }
 
 
 
 /** Options of which any may be absent: these take their defaults. */
 export type Given<T> = T extends unknown[] ? T : T extends object ? { [K in keyof T]?: Given<T[K]> } : T;
 
-/** One tunable: `key` is its place in PairSettings, as "points.threshold". */
-export type Parameter = { key: string; label: string; unit: string; help: string } & ParameterKind;
-
-/** What an operator does where an option is absent. */
-export interface OperatorDefaults { threshold: number; roundness: number; operator_window: number }
+/** One option: `key` is its place in the settings, as "points.threshold". */
+export type Parameter = {
+    key: string;
+    /** The heading under which it stands. */
+    section: string;
+    label: string;
+    unit: string;
+    help: string;
+    /** What holds where it is absent, in words; empty where it is never absent. */
+    absent: string;
+    /** When it has an effect, as "matching.strategy is gradient"; empty: always. */
+    acts: string;
+    /** Its name in the command where that is not the field's; empty otherwise. */
+    named: string;
+} & ParameterKind;
 
 /** What every refused call throws. */
 export interface TiepointError extends Error {
@@ -107,6 +101,25 @@ export interface Features {
     points: Float64Array;
     /** 128 bytes a point. */
     descriptors: Uint8Array;
+}
+
+
+
+/** The families of messages, each with what it says. */
+export interface Messages {
+    warning: Warning;
+    block_warning: BlockWarning;
+    unoriented: UnorientedReason;
+    connection: Connection;
+    outcome: PairOutcome;
+    failure: Failure;
+    remark: Remark;
+    no_geometry: NoGeometry;
+    no_orientation: NoOrientation;
+    degeneracy: Degeneracy;
+    two_view_model: Pick<TwoViewModel, "kind">;
+    verdict: Rule | "gross_error" | "undecided";
+    camera_parameter: CameraParameter;
 }
 
 
@@ -136,7 +149,7 @@ export interface MatchResult {
     /** What relates the views, by which the strategy gradient verified its matches; null for the others and where there is nothing. */
     geometry: Omit<TwoView, "inliers"> | null;
     /** Why there is no geometry, where one was looked for. */
-    geometry_reason: string | null;
+    no_geometry: NoGeometry | null;
 }
 
 /** Points as matching takes them: `DescribedPoints`, or what of it the strategy needs. */
@@ -159,8 +172,29 @@ export interface MatchedPair {
     pixel_mm: number | null;
     orientation: RelativeOrientation | null;
     /** Why there is no orientation. */
-    orientation_reason: string | null;
+    no_orientation: NoOrientation | null;
 }
+
+
+
+/** The points of the model that is written. */
+export interface PointColumns {
+    rays: Uint16Array;
+    /** NaN where a point is not adjusted. */
+    rmse_px: Float64Array;
+    /** X, Y, Z; NaN where a point is not intersected; stride 3. */
+    positions: Float64Array;
+    /** Standard errors of X, Y, Z; NaN where there are none; stride 3. */
+    errors: Float64Array;
+    /** Probability, 0..1, that all rays belong together. */
+    confidence: Float64Array;
+}
+
+/** A message and its text. */
+export type WithText<M> = M & { text: string };
+
+/** Takes the path of a file, with slashes and relative to the folder of the block, and its text. */
+export type Emit = (path: string, text: string) => void;
 
 
 
@@ -202,14 +236,16 @@ export interface WindowReport {
 
 
 
-/** Windows of an image around rays. */
-export interface RayWindowTable {
-    /** Of each window px. */
-    side: number;
-    /** Of each window the index of its ray, halvings of the image, column and row of its first pixel there; stride 4. */
-    places: Uint32Array;
-    /** Grey values, side x side a window, row by row. */
-    grey: Uint8Array;
+/** What is to be done for a job, beside the bytes of its files. */
+export interface Work {
+    /** Of the record that comes of it: a kept one is as good, and a new one is kept. Null where nothing is kept. */
+    key: string | null;
+    /** For `execute_job`. Null where the run takes the bytes of the only record, or nothing, and computes itself. */
+    task: string | null;
+    /** Keys of kept records whose bytes it takes, after those of the files. */
+    records: string[];
+    /** Bytes that it takes after those of the records. */
+    input: Uint8Array | null;
 }
 
 
@@ -232,103 +268,138 @@ export interface RelativeOrientation {
 
 
 /**
+ * A block before its run: files by their names, whose bytes come with the jobs that need them.
+ */
+export interface RunInput {
+    /**
+     * Names of the images in the order in which they follow each other; no two are the same.
+     */
+    images?: string[];
+    /**
+     * Names of masks: images that are 0 (black) where no features are wanted, each as large as the image whose name it has.
+     */
+    masks?: string[];
+    settings?: BlockSettings;
+    /**
+     * A file of cameras, which take the place of those of EXIF.
+     */
+    cameras?: string | null;
+    /**
+     * Whether GNSS positions of the images choose near images and, without ground control points, georeference the block.
+     */
+    use_gnss?: boolean;
+    control?: ControlTexts | null;
+}
+
+/**
  * A block of images with approximate values, or an adjusted one.
  */
 export interface Block {
-    cameras: BlockCamera[];
+    cameras: Camera[];
     images: BlockImage[];
-    points: BlockPoint[];
+    points: [number, number, number][];
     /**
      * In any order; an image sees a point at most once.
      */
-    rays: Ray[];
+    rays: BlockObservation[];
     control?: ControlPoint[];
 }
 
 /**
- * A block to be simulated; [`NETWORK_PARAMETERS`] tells units and ranges. Lengths are in m, the ground's mean height is 0.
+ * A block to be simulated. The ground's mean height is 0.
  */
 export interface NetworkFlight {
-    kind?: NetworkKind;
-    strips?: number;
     /**
-     * Of a strip.
+     * How the images look down.
      */
-    stations?: number;
+    kind: NetworkKind;
     /**
-     * Above the mean ground.
+     * The number of parallel flight lines.
      */
-    flying_height_m?: number;
+    strips: number;
     /**
-     * Range of the heights of the relief, up to half the flying height.
+     * The number of exposures per strip.
      */
-    relief_m?: number;
-    width_px?: number;
-    height_px?: number;
-    focal_px?: number;
+    stations: number;
     /**
-     * Overlap along the strip, as a share.
+     * The height above the mean ground.
      */
-    end_lap?: number;
+    flying_height_m: number;
     /**
-     * Overlap between strips, as a share.
+     * The range of the ground's heights, up to half the flying height.
      */
-    side_lap?: number;
+    relief_m: number;
+    /**
+     * The columns of an image, across the strip.
+     */
+    width_px: number;
+    /**
+     * The rows of an image, along the strip.
+     */
+    height_px: number;
+    /**
+     * The focal length of the camera that looks down.
+     */
+    focal_px: number;
+    /**
+     * The share of an image that the next one of the strip shows.
+     */
+    end_lap: number;
+    /**
+     * The share of an image that the next strip shows.
+     */
+    side_lap: number;
+    /**
+     * The ground points in the area of one image.
+     */
+    points_per_image: number;
+    /**
+     * The standard deviation of an image coordinate.
+     */
+    noise_px: number;
+    /**
+     * The share of the observations that are gross errors.
+     */
+    gross_share: number;
+    /**
+     * The largest gross error in each coordinate.
+     */
+    gross_px: number;
+    /**
+     * The standard deviation of a coordinate of a GNSS position; 0: no positions.
+     */
+    gnss_sigma_m: number;
+    /**
+     * The number of control points, spread over the block.
+     */
+    control_points: number;
+    /**
+     * The standard deviation of a coordinate of a control point.
+     */
+    control_sigma_m: number;
+    /**
+     * The standard deviation of the approximate positions of images and points, up to a fifth of the flying height; angles err by as much
+     * at the distance of the ground.
+     */
+    approximate_m: number;
+    /**
+     * The start of the random numbers: the same seed gives the same block.
+     */
+    seed: number;
     /**
      * Distortion of all cameras.
      */
-    radial?: [number, number, number];
-    tangential?: [number, number];
-    /**
-     * Ground points for the area of one image.
-     */
-    points_per_image?: number;
-    /**
-     * Standard deviation of an image coordinate.
-     */
-    noise_px?: number;
-    /**
-     * Share of the rays that are gross errors, up to `gross_px` in each coordinate.
-     */
-    gross_share?: number;
-    gross_px?: number;
-    /**
-     * Standard deviation of a GPS coordinate; 0: no GPS.
-     */
-    gps_sigma_m?: number;
-    /**
-     * Control points, spread over the block, with `control_sigma_m`.
-     */
-    control_points?: number;
-    control_sigma_m?: number;
-    /**
-     * Standard deviation of the errors of the approximate positions of images and points; angles err by as much at the
-     * distance of the ground. Up to a fifth of the flying height.
-     */
-    approximate_m?: number;
-    seed?: number;
-}
-
-/**
- * A block with what was chosen and found on the way to it.
- */
-export interface Project {
-    block: BlockModel;
-    /**
-     * The pairs that were chosen, with their outcomes.
-     */
-    connections: Connection[];
-    joining: BlockOptions;
-    selection: SelectOptions;
+    radial: [number, number, number];
+    tangential: [number, number];
 }
 
 /**
  * A block: whatever is not known yet is absent.
  */
 export interface BlockModel {
-    cameras: ModelCamera[];
+    cameras: Camera[];
     images: ModelImage[];
-    points: ModelPoint[];
+    points: ObjectPoint[];
     /**
      * Where on the earth the object space is; absent for a block in a system of its own.
      */
@@ -336,9 +407,40 @@ export interface BlockModel {
 }
 
 /**
- * A camera before its calibration; symbols as at [`BlockCamera`](crate::BlockCamera).
+ * A camera before its calibration.
  */
-export interface AssemblyCamera {
+export interface CameraSummary extends InitialCamera {
+    images: number;
+}
+
+/**
+ * A camera before its calibration.
+ */
+export interface InitialCamera {
+    /**
+     * Make, model, focal length and size, or the pattern of the rule and the size.
+     */
+    label: string;
+    width_px: number;
+    height_px: number;
+    /**
+     * Absent where it is not known.
+     */
+    focal_px: number | null;
+    principal_point_px: [number, number];
+    radial: [number, number, number];
+    tangential: [number, number];
+    pixel_mm: number | null;
+    /**
+     * Whether the block takes it as it is.
+     */
+    fixed: boolean;
+}
+
+/**
+ * A camera before its calibration; symbols as at [`Camera`](crate::Camera).
+ */
+export interface KnownCamera {
     width_px: number;
     height_px: number;
     /**
@@ -359,6 +461,45 @@ export interface AssemblyCamera {
      * Side of a pixel in mm, for exports in photo coordinates.
      */
     pixel_mm?: number | null;
+}
+
+/**
+ * A camera by its number, from 1, and by its images: files number cameras from 0.
+ */
+export interface NamedCamera {
+    /**
+     * Whether the block has no other.
+     */
+    only: boolean;
+    number: number;
+    /**
+     * Name of its first image.
+     */
+    first: string | null;
+    /**
+     * How many images it has beside that.
+     */
+    more: number;
+}
+
+/**
+ * A camera of a finished block.
+ */
+export interface CameraRow {
+    label: string;
+    images: number;
+    /**
+     * What was known before; absent where its focal length was not.
+     */
+    given: Camera | null;
+    /**
+     * As the block adjusted it; absent where no image of it is oriented.
+     */
+    calibrated: Camera | null;
+    /**
+     * Standard error of the focal length.
+     */
+    focal_error_px: number | null;
 }
 
 /**
@@ -403,7 +544,7 @@ export interface CameraRule {
      */
     principal_point_px?: [number, number] | null;
     /**
-     * As in [`ModelCamera`].
+     * As in [`Camera`].
      */
     radial?: [number, number, number];
     tangential?: [number, number];
@@ -415,32 +556,11 @@ export interface CameraRule {
 }
 
 /**
- * A camera. With x = U/-W, y = -V/-W of photo = (U, V, W) = M·(X - X₀) and r² = x² + y², a point is seen at
- * col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
- *
- * # Source
- * Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
+ * A column of Table 3.
  */
-export interface ModelCamera {
-    width_px: number;
-    height_px: number;
-    focal_px: number;
-    /**
-     * `[c_x, c_y]` in px; the centre of the top-left pixel is (0.5, 0.5).
-     */
-    principal_point_px: [number, number];
-    /**
-     * `[k1, k2, k3]`, without unit.
-     */
-    radial?: [number, number, number];
-    /**
-     * `[p1, p2]`, without unit.
-     */
-    tangential?: [number, number];
-    /**
-     * Side of a pixel in mm, which formats with photo coordinates need.
-     */
-    pixel_mm?: number | null;
+export interface PrintedOrientation {
+    name: string;
+    values: FiveParameters;
 }
 
 /**
@@ -466,6 +586,11 @@ export interface Fiducial {
 }
 
 /**
+ * A file by its place among the names that the run was given.
+ */
+export type FileNeeded = { kind: "image"; index: number } | { kind: "mask"; index: number };
+
+/**
  * A focal length that was estimated from the matches.
  */
 export interface FocalEstimate {
@@ -486,9 +611,48 @@ export interface FocalEstimate {
 export type ExportFormat = "colmap" | "micmac" | "bundler" | "nvm" | "opensfm" | "bingo" | "isat" | "agisoft" | "patb" | "csv" | "json" | "geojson";
 
 /**
+ * A format that was asked for.
+ */
+export interface ExportOutcome {
+    format: ExportFormat;
+    /**
+     * Why the block cannot be written so; absent where it was.
+     */
+    refused: string | null;
+}
+
+/**
+ * A job that can be done now. The host reads its files, asks [`Run::prepare`](super::Run::prepare) what is to be done with them, and hands back the bytes that come of it.
+ */
+export interface Job {
+    id: number;
+    files: FileNeeded[];
+}
+
+/**
+ * A model of a block.
+ */
+export interface ModelSummary {
+    images: number;
+    names: string[];
+    in_system: boolean;
+    datum: Datum;
+    sigma0_px: number | null;
+    rmse_px: number;
+    rmse_by_rays: RayCountRmse[];
+    degrees_of_freedom: number;
+    rays_rejected: number;
+    /**
+     * Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
+     */
+    position_rmse_m: [number, number, number] | null;
+    warnings: WithText<BlockWarning>[];
+}
+
+/**
  * A model: images that are oriented to each other, adjusted.
  */
-export interface AssembledModel {
+export interface ReconstructedModel {
     /**
      * The image of the block that each image of the adjusted one is, ascending.
      */
@@ -504,47 +668,21 @@ export interface AssembledModel {
     /**
      * What each point of the adjusted block is.
      */
-    points: AssembledPoint[];
+    points: PointSource[];
     /**
      * What each ray of the adjusted block is.
      */
-    rays: AssembledRay[];
+    rays: ObservationSource[];
     /**
      * Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
      */
-    rejected: RejectedRay[];
-    adjusted: BundleResult;
+    rejected: RejectedObservation[];
+    adjusted: AdjustmentResult;
     /**
      * Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
      */
     in_system: boolean;
-    /**
-     * What is weak about it, in words.
-     */
-    weaknesses: string[];
-}
-
-/**
- * A multi-ray point.
- */
-export interface ModelPoint {
-    /**
-     * Absent where it is not intersected.
-     */
-    position?: [number, number, number] | null;
-    /**
-     * Red, green, blue.
-     */
-    colour?: [number, number, number];
-    /**
-     * Root mean square length of its residuals in px.
-     */
-    rmse_px?: number | null;
-    /**
-     * Probability, 0..1, that its rays belong together.
-     */
-    confidence?: number;
-    rays: ModelRay[];
+    warnings: BlockWarning[];
 }
 
 /**
@@ -560,6 +698,34 @@ export interface Connection {
 }
 
 /**
+ * A pair that was chosen.
+ */
+export interface PairRow {
+    /**
+     * In ascending order.
+     */
+    images: [number, number];
+    rule: PairRule;
+    outcome: PairOutcome;
+    /**
+     * Why the images are connected or are not, in words.
+     */
+    reason: string;
+    /**
+     * Absent where nothing relates the views.
+     */
+    geometry: TwoView | null;
+    /**
+     * Tie points that both images see.
+     */
+    common_points: number;
+    /**
+     * Those of the model that is written.
+     */
+    chosen_points: number;
+}
+
+/**
  * A pair to be matched; its images are in ascending order.
  */
 export interface ChosenPair {
@@ -568,9 +734,9 @@ export interface ChosenPair {
 }
 
 /**
- * A parameter of a camera.
+ * A photo of a pair.
  */
-export type CameraParameter = "focal" | "principal_x" | "principal_y" | "k1" | "k2" | "k3" | "p1" | "p2";
+export type Side = "left" | "right";
 
 /**
  * A place on the earth as a receiver had it.
@@ -595,61 +761,9 @@ export interface ExifPosition {
 }
 
 /**
- * A point as one image sees it.
- */
-export interface Ray {
-    /**
-     * Index of the image.
-     */
-    image: number;
-    /**
-     * Index of the point.
-     */
-    point: number;
-    /**
-     * Column in px; the centre of the top-left pixel is 0.5.
-     */
-    x_px: number;
-    /**
-     * Row in px; the centre of the top-left pixel is 0.5.
-     */
-    y_px: number;
-    /**
-     * Above 0; the variance of both coordinates is σ₀² / weight.
-     */
-    weight?: number;
-}
-
-/**
- * A point in an image.
- */
-export interface ModelRay {
-    /**
-     * Index of the image.
-     */
-    image: number;
-    /**
-     * Measured column and row in px; the centre of the top-left pixel is (0.5, 0.5).
-     */
-    x_px: number;
-    y_px: number;
-    /**
-     * Probability, 0..1, that it belongs to its point.
-     */
-    confidence?: number;
-}
-
-/**
- * A point of the object.
- */
-export interface BlockPoint {
-    position: [number, number, number];
-}
-
-/**
  * A point whose coordinates are known.
  */
-export interface SurveyedPoint {
+export interface GroundControlRow {
     name: string;
     /**
      * `[x, y, z]` in the unit of the file.
@@ -662,7 +776,7 @@ export interface SurveyedPoint {
 }
 
 /**
- * A point whose position was surveyed.
+ * A point with known coordinates.
  */
 export interface ControlPoint {
     /**
@@ -677,16 +791,28 @@ export interface ControlPoint {
 }
 
 /**
- * A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three surveyed points or
- * more of the other, which alone place the block: then distances between the images are compared with the recorded ones, and it is told
- * where the surveyed points have another unit.
+ * A point with known object coordinates, with the images in which it was measured.
+ */
+export interface GroundControlPoint {
+    name: string;
+    position: ObservedPosition;
+    /**
+     * Inside their images, one in each.
+     */
+    measurements: ImageObservation[];
+}
+
+/**
+ * A position that was observed. All of a block are of the same kind; or those of its images are of one and those of three ground control
+ * points or more of the other, which alone georeference the block: then distances between the images are compared with those of the GNSS
+ * positions, and it is reported where the ground control points have another unit.
  */
 export type ObservedPosition = { system: "local"; position: [number, number, number]; sigma: [number, number, number] } | { system: "geographic"; longitude_deg: number; latitude_deg: number; height_m?: number | null; sigma_m: [number, number, number] };
 
 /**
  * A ray that does not fit to its point.
  */
-export interface RejectedRay {
+export interface RejectedObservation {
     /**
      * Index of the image in the adjusted block.
      */
@@ -707,24 +833,9 @@ export interface RejectedRay {
 }
 
 /**
- * A surveyed point as an image shows it.
- */
-export interface ControlRay {
-    /**
-     * Index of the image.
-     */
-    image: number;
-    /**
-     * Column and row in px, inside the image; the centre of the top-left pixel is (0.5, 0.5).
-     */
-    x_px: number;
-    y_px: number;
-}
-
-/**
  * A surveyed point as it was measured in an image.
  */
-export interface ImageMark {
+export interface ImageMeasurementRow {
     /**
      * File name of the image.
      */
@@ -741,12 +852,26 @@ export interface ImageMark {
 }
 
 /**
- * A surveyed point with the images in which it was measured.
+ * A tie point or control point.
  */
-export interface AssemblyControl {
-    name: string;
-    position: ObservedPosition;
-    rays: ControlRay[];
+export interface ObjectPoint {
+    /**
+     * Absent where it is not intersected.
+     */
+    position?: [number, number, number] | null;
+    /**
+     * Red, green, blue.
+     */
+    colour?: [number, number, number];
+    /**
+     * Root mean square length of its residuals in px.
+     */
+    rmse_px?: number | null;
+    /**
+     * Probability, 0..1, that its observations belong together.
+     */
+    confidence?: number;
+    rays: ImageObservation[];
 }
 
 /**
@@ -755,7 +880,7 @@ export interface AssemblyControl {
  * Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
  * inner constraints.
  */
-export interface BundleResult {
+export interface AdjustmentResult {
     /**
      * The adjusted values; points without rays are as they were given.
      */
@@ -792,7 +917,7 @@ export interface BundleResult {
      * Absent for points without accepted rays.
      */
     points: (ObjectPointStatistics | null)[];
-    rays: RayStatistics[];
+    rays: ObservationStatistics[];
     /**
      * One for each control point; absent where the datum does not use it.
      */
@@ -819,7 +944,7 @@ export interface PhotoGeometry {
 /**
  * An image before its orientation.
  */
-export interface AssemblyImage {
+export interface KnownImage {
     /**
      * File name; no two images have the same.
      */
@@ -829,9 +954,75 @@ export interface AssemblyImage {
      */
     camera: number;
     /**
-     * Where GPS has the perspective centre.
+     * Where GNSS has the projection centre.
      */
     position?: ObservedPosition | null;
+}
+
+/**
+ * An image by its name, and why it is not in the block or not oriented.
+ */
+export interface NamedReason {
+    name: string;
+    reason: string;
+}
+
+/**
+ * An image of a finished block.
+ */
+export interface ImageRow {
+    name: string;
+    width_px: number;
+    height_px: number;
+    /**
+     * Index of its camera.
+     */
+    camera: number;
+    /**
+     * Index of the model that it is in; absent where it is not oriented.
+     */
+    model: number | null;
+    /**
+     * Whether it is oriented in the model that is written.
+     */
+    is_oriented: boolean;
+    /**
+     * Its projection centre there.
+     */
+    position: [number, number, number] | null;
+    /**
+     * Why it is not, in words; empty where it is.
+     */
+    reason: string;
+    /**
+     * Points found and described; absent where an older project file does not say.
+     */
+    features: number | null;
+    /**
+     * In the model that is written.
+     */
+    observations: number;
+    /**
+     * Of the nine von Gruber positions, those that hold one of these.
+     */
+    positions: number;
+    /**
+     * Root mean square length of the residuals of its observations in px; absent where it has none that are adjusted.
+     */
+    rmse_px: number | null;
+    /**
+     * As the image's EXIF says, 1..8.
+     */
+    exif_orientation: number | null;
+    gnss: ExifPosition | null;
+}
+
+/**
+ * An image that is in no model, and why.
+ */
+export interface NotOriented {
+    name: string;
+    reason: WithText<UnorientedReason>;
 }
 
 /**
@@ -843,10 +1034,85 @@ export interface UnorientedImage {
      */
     image: number;
     reason: UnorientedReason;
+}
+
+/**
+ * An image that is not in the block, and why.
+ */
+export interface SkippedImage {
+    name: string;
+    reason: Failure;
+}
+
+/**
+ * An image that was read.
+ */
+export interface ReadImage {
     /**
-     * The same in words.
+     * Its place among the names that the run was given.
      */
-    text: string;
+    index: number;
+    name: string;
+    width_px: number;
+    height_px: number;
+    features: number;
+    exif: ExifImage;
+    /**
+     * As far as this image says.
+     */
+    camera: InitialCamera;
+}
+
+/**
+ * An image that was read.
+ */
+export interface RunImage {
+    /**
+     * File name; no two images have the same.
+     */
+    name: string;
+    /**
+     * Of its record of features.
+     */
+    key: string;
+    /**
+     * SHA-256 of the file in hexadecimal digits.
+     */
+    content: string;
+    width_px: number;
+    height_px: number;
+    /**
+     * Absent where an older project file does not say.
+     */
+    features: number | null;
+    /**
+     * Whether a mask belongs to it.
+     */
+    masked: boolean;
+    exif: ExifImage;
+    /**
+     * Index of its camera.
+     */
+    camera: number;
+}
+
+/**
+ * An image whose GNSS position does not fit, and its distance from the adjusted one.
+ */
+export interface RejectedPosition {
+    name: string;
+    distance_m: number;
+}
+
+/**
+ * An image with a GNSS position, or a height of it, that cannot be.
+ */
+export interface ImpossiblePosition {
+    name: string;
+    /**
+     * As the file has it.
+     */
+    value: string;
 }
 
 /**
@@ -864,7 +1130,7 @@ export interface ModelImage {
     /**
      * Absent where it is not oriented.
      */
-    pose?: ModelPose | null;
+    pose?: Pose | null;
 }
 
 /**
@@ -877,6 +1143,11 @@ export interface PositionPrior {
      */
     sigma: [number | null, number | null, number | null];
 }
+
+/**
+ * An unknown of a camera.
+ */
+export type CameraParameter = "focal" | "principal_x" | "principal_y" | "k1" | "k2" | "k3" | "p1" | "p2";
 
 /**
  * Camera data of an EXIF block.
@@ -924,9 +1195,34 @@ export interface OffsetField {
 export type Preset = "sample" | "paper" | "hard" | "lively";
 
 /**
+ * Ground control points and their image measurements, as the texts of two files.
+ */
+export interface ControlTexts {
+    points: string;
+    marks: string;
+}
+
+/**
  * How a point's position is found between the pixels.
  */
 export type PointPosition = "quadratic" | "forstner";
+
+/**
+ * How far a stage is.
+ */
+export interface Step {
+    stage: StageName;
+    done: number;
+    total: number;
+    /**
+     * What was done last: the name of an image, or of both of a pair; empty where there is none.
+     */
+    name: string;
+    /**
+     * How many of those done are from an earlier run.
+     */
+    found: number;
+}
 
 /**
  * How grey values I become the weights g of the moments.
@@ -956,13 +1252,13 @@ export interface MatchCounts {
  */
 export interface SelectOptions {
     /**
-     * Rays an image should have.
+     * The number of its points that an image keeps, spread evenly; its connections may need more.
      */
-    per_image?: number;
+    per_image: number;
     /**
-     * Points that a pair of images keeps in common, or as many as it has.
+     * The number of common points that two overlapping images keep, or all where they have fewer.
      */
-    per_connection?: number;
+    per_connection: number;
 }
 
 /**
@@ -984,22 +1280,26 @@ export interface PointCounts {
 }
 
 /**
- * How matches are joined to multi-ray points.
+ * How matches are joined to tie points.
  */
 export interface BlockOptions {
-    conflicts?: Conflicts;
     /**
-     * Expected share of points with a ray that does not belong to them, 0..0.5: matches join until it is reached.
+     * What is done where matches give a point two observations in one image: the least probable matches are cut, or the point is dropped.
      */
-    impure?: number;
+    conflicts: Conflicts;
     /**
-     * Points with fewer rays are left out, 2 or more.
+     * The expected share of points with an observation that does not belong to them: matches that third images confirm too little are
+     * ignored, and more gives more points of two images where the overlap is small.
      */
-    min_rays?: number;
+    impure: number;
     /**
-     * Share of right matches that is expected where no third image tells, above 0 and below 1.
+     * The minimum number of images that show a point: more leave fewer, more certain points.
      */
-    expected_right?: number;
+    min_rays: number;
+    /**
+     * The expected share of right matches where no third image decides, as in a block of two images: higher keeps more points.
+     */
+    expected_right: number;
 }
 
 /**
@@ -1041,7 +1341,7 @@ export interface BlockScore {
 export type Weighting = "none" | "huber" | "danish";
 
 /**
- * How rays with large residuals are weighted down until the gross errors are found.
+ * How observations with large residuals are weighted down until the gross errors are found.
  */
 export type Loss = "squares" | "huber" | "cauchy";
 
@@ -1051,19 +1351,40 @@ export type Loss = "squares" | "huber" | "cauchy";
 export type NetworkKind = "nadir" | "oblique" | "two_heights";
 
 /**
+ * How the observations of chosen points are refined.
+ */
+export type RefinementMethod = "none" | "least-squares";
+
+/**
  * How the photos of a block look at the ground.
  */
 export type BlockView = "nadir" | "oblique" | "two-heights";
 
 /**
- * How the rays of chosen points are refined.
- */
-export type RefinementMethod = "none" | "least-squares";
-
-/**
  * How the right point of a left one is found.
  */
 export type Strategy = "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
+
+/**
+ * Images that were read and those that were not.
+ */
+export interface ImageCounts {
+    read: number;
+    left_out: NamedReason[];
+    masked: number;
+    /**
+     * Masks that belong to no image.
+     */
+    stray_masks: string[];
+    /**
+     * Images that image measurements name and that are not in the block.
+     */
+    stray_marks: string[];
+    /**
+     * Absent where an older project file does not say.
+     */
+    features: number | null;
+}
 
 /**
  * One image.
@@ -1073,18 +1394,11 @@ export interface BlockImage {
      * Index of its camera.
      */
     camera: number;
+    pose: Pose;
     /**
-     * Rows of M, from object to photo; see [`rotation_from_angles`](crate::rotation_from_angles).
+     * Where GNSS has the projection centre.
      */
-    rotation: [[number, number, number], [number, number, number], [number, number, number]];
-    /**
-     * Perspective centre X₀.
-     */
-    position: [number, number, number];
-    /**
-     * Where GPS has the perspective centre.
-     */
-    gps?: PositionPrior | null;
+    gnss?: PositionPrior | null;
 }
 
 /**
@@ -1101,112 +1415,81 @@ export interface FiveParameters {
 /**
  * Options of [`adjust_block`](crate::adjust_block).
  */
-export interface BundleOptions {
-    datum?: Datum;
-    loss?: Loss;
+export interface AdjustmentOptions {
     /**
-     * Reject gross errors by data snooping.
+     * What says where the block lies: its approximate values (free network), GNSS positions, control points.
      */
-    snooping?: boolean;
+    datum: Datum;
     /**
-     * Probability α₀ with which data snooping rejects a good coordinate (Baarda 1968).
+     * How large residuals are weighted down until the gross errors are found.
      */
-    alpha0?: number;
+    loss: Loss;
     /**
-     * Standard error of an image coordinate of weight 1 in px that was known before; absent: estimated from the residuals.
+     * Rejects gross errors by the tests of their residuals.
      */
-    sigma0_px?: number | null;
+    snooping: boolean;
     /**
-     * A free camera parameter is fixed where its standard error moves a ray at the edge of the image by more than this, in px.
+     * The probability with which data snooping rejects a good coordinate: higher rejects more; 0.001 rejects beyond 3.29 standard errors
+     * (Baarda 1968).
      */
-    calibration_limit_px?: number;
+    alpha0: number;
     /**
-     * Iterations that one adjustment may take.
+     * The standard error of an image coordinate of weight 1 that is known before: a larger one rejects fewer observations.
      */
-    max_iterations?: number;
+    sigma0_px: number | null;
     /**
-     * Compute standard errors, redundancies and tests; data snooping needs them.
+     * A free camera parameter is fixed where its standard error moves an observation at the edge of the image by more than this: higher
+     * estimates more parameters.
      */
-    statistics?: boolean;
+    calibration_limit_px: number;
+    /**
+     * The maximum number of iterations of one adjustment.
+     */
+    max_iterations: number;
+    /**
+     * Computes standard errors, redundancies and tests, which data snooping needs; they take about as long as the adjustment.
+     */
+    statistics: boolean;
 }
 
 /**
- * Options of [`assemble_block`](crate::assemble_block).
- */
-export interface AssemblyOptions {
-    /**
-     * What says where the block lies, in place of that of `bundle`; absent: the observed positions that suffice for it, else none.
-     */
-    datum?: Datum | null;
-    /**
-     * Rays an image has while the block grows, and in its adjustment where points are chosen: more are more precise, fewer are faster.
-     */
-    growing_rays?: number;
-    /**
-     * Least number of rays that agree on the orientation of an image.
-     */
-    least_rays?: number;
-    /**
-     * Least angle in degrees between two rays of a point.
-     */
-    least_angle_deg?: number;
-    /**
-     * Largest residual of a ray in px while the block grows; it follows the residuals down from there.
-     */
-    largest_residual_px?: number;
-    /**
-     * Standard error of a coordinate of a mark, where an image shows a surveyed point, in px.
-     */
-    mark_sigma_px?: number;
-    /**
-     * The points that are given of the adjusted block; absent: all are adjusted and given.
-     */
-    selection?: SelectOptions | null;
-    /**
-     * Models that are given at most where the block falls apart, the largest first.
-     */
-    most_models?: number;
-    /**
-     * Start of the random numbers.
-     */
-    seed?: number;
-    /**
-     * By default as [`BundleOptions`] is, but that camera parameters are fixed beyond 20 px.
-     */
-    bundle?: BundleOptions;
-}
-
-/**
- * Options of [`detect`](crate::detect). What is absent takes the operator's own default; all but the operator is of those that look at one
- * scale.
+ * Options of [`detect`](crate::detect). All but the operator are of those that look at one scale.
  */
 export interface PointOptions {
-    operator: Operator;
     /**
-     * Moravec: sum of squared grey differences. Förstner: factor of the mean weight. Ground: grey difference. Absent, as is
-     * `fraction`: the operator's default, lowered where it leaves less than 5 % of the pixels as candidates.
+     * The interest operator: ground 2 is the paper's choice, multiscale finds points of many sizes for images of different scales.
+     */
+    operator: Operator | null;
+    /**
+     * A higher threshold finds fewer points. Ground: grey difference (paper: 40). Förstner: factor of the mean weight (0.5 to 1.5).
+     * Moravec: sum of squared grey differences.
      */
     threshold: number | null;
     /**
-     * Instead of a threshold: the share of all pixels that are to be candidates, 0..1.
+     * The share of all pixels that become candidates, in place of a threshold (paper: 0.148): more give more points. It is independent of
+     * contrast.
      */
     fraction: number | null;
     /**
-     * Least roundness q (Förstner, ground 2), 0..1.
+     * A higher minimum keeps fewer, rounder points: 1 is a corner or spot, 0 an edge (ground 2: 0.32 to 0.5, Förstner: 0.5 to 0.75).
      */
     roundness: number | null;
     /**
-     * Side of the operator's window in px (Moravec 4 or 8, Förstner 5 or 7; any from 2 or 3 up is taken).
+     * A larger window finds larger structures: Moravec 4 or 8, Förstner 5 or 7; the ground operators always use 3.
      */
     operator_window: number | null;
     /**
-     * Moravec: windows side by side in place of one at each pixel.
+     * Moravec: windows side by side, as first published, in place of one at each pixel.
      */
     tiled: boolean;
     /**
-     * Side of the suppression window in px, odd; 1 suppresses nothing.
+     * A point is suppressed where this window around it holds a greater value (paper: 3): larger windows leave fewer, better spread points;
+     * 1 suppresses none.
      */
     suppression_window: number;
+    /**
+     * Whether all of several equal values in the suppression window survive, or the first in raster order.
+     */
     ties: Ties;
 }
 
@@ -1223,19 +1506,19 @@ export interface FeatureOptions {
  */
 export interface GradientOptions {
     /**
-     * The grid's rows lie along the image's: for images that are not rotated against each other.
+     * No dominant direction is sought: better and faster where the images are not rotated against each other.
      */
     upright: boolean;
     /**
-     * Most dominant directions of a point, each of which gets its own descriptor.
+     * A point with several dominant directions gets a descriptor for each, up to this many: more match more points and take longer.
      */
     orientations: number;
     /**
-     * Side of one of the 4 x 4 cells, in scales of the point.
+     * The side of one of the 4 x 4 cells in scales of the point: larger cells tell more points apart and tolerate less relief.
      */
     cell: number;
     /**
-     * Square roots of the histogram are compared.
+     * Square roots of the histograms are compared, so that strong gradients do not outweigh the others.
      */
     roots: boolean;
 }
@@ -1245,15 +1528,16 @@ export interface GradientOptions {
  */
 export interface GuidedOptions {
     /**
-     * Largest distance from the line or the place in px.
+     * The distance from the epipolar line, or from the place that a plane gives, within which right points are candidates: more finds
+     * points of less exact geometries.
      */
     radius_px: number;
     /**
-     * As that of [`NearestOptions`], among the candidates.
+     * The ratio to the second nearest among the candidates, of which there are few: higher keeps more, less certain matches.
      */
     ratio: number;
     /**
-     * Largest distance of two descriptors; absent: any.
+     * The Euclidean distance of two descriptors beyond which they never match: more keeps more, less certain matches.
      */
     largest_distance: number | null;
 }
@@ -1279,25 +1563,29 @@ export interface FeatureMatchOptions {
  */
 export interface MultiscaleOptions {
     /**
-     * Most points.
+     * The maximum number of points per image: more take longer; they are distributed so that dull regions keep their share.
      */
     number: number;
     /**
-     * Levels of an octave of the pyramid, in which the scale doubles.
+     * The steps of the pyramid while the scale doubles: more find points of more exact scales and take longer.
      */
     levels: number;
     /**
-     * Least contrast of a point, the root of its response, in grey values.
+     * A lower minimum contrast of a point to its surroundings finds more, noisier points.
      */
     contrast: number;
     /**
-     * Least roundness q of the Förstner tensor at a point, 0..1; the determinant of the Hessian refuses most edges by itself.
+     * A higher minimum keeps fewer, rounder points at the point's scale: 1 is a corner or spot, 0 an edge.
      */
     roundness: number;
     /**
-     * Cells on the image's longer side of the grid over which half of the points are distributed equally; 1 chooses the most distinct.
+     * The cells on the longer side of the image, over which half of the points are distributed equally: more spread the points more
+     * evenly; 1 keeps the best of the whole image.
      */
     cells: number;
+    /**
+     * The maximum of a quadratic through the responses, or the corner or centre of a circle by least squares (Förstner).
+     */
     position: PointPosition;
 }
 
@@ -1306,16 +1594,16 @@ export interface MultiscaleOptions {
  */
 export interface NearestOptions {
     /**
-     * A match is ambiguous, and none, unless its distance is below this share of that of the second nearest (0 to 1; 1: no test but that
-     * it is nearer).
+     * A match is rejected as ambiguous unless its distance is below this share of that of the second nearest descriptor: higher keeps more,
+     * less certain matches; 1 asks only that it is nearer.
      */
     ratio: number;
     /**
-     * Whether the left descriptor must be the nearest of the right one too.
+     * A match stands only where each of its two descriptors is the nearest of the other.
      */
     mutual: boolean;
     /**
-     * Largest distance of two descriptors; absent: any.
+     * The Euclidean distance of two descriptors beyond which they never match: more keeps more, less certain matches.
      */
     largest_distance: number | null;
 }
@@ -1324,33 +1612,88 @@ export interface NearestOptions {
  * Options of [`orient_relative`](crate::orient_relative).
  */
 export interface OrientationOptions {
+    /**
+     * Rigorous: all four photo coordinates are observed. Determinant: the textbook form with unweighted determinants.
+     */
     method: OrientationMethod;
     /**
-     * Start from the consensus of minimal samples and reject gross errors.
+     * Starts from the consensus of minimal samples and rejects gross errors; without it one blunder can carry the solution away.
      */
     robust: boolean;
     /**
-     * Probability α₀ with which data snooping rejects a good observation: 0.001 rejects beyond 3.29 standard errors (Baarda 1968).
+     * The share of good matches that data snooping rejects by mistake: higher rejects more; 0.001 rejects beyond 3.29 standard errors
+     * (Baarda 1968).
      */
     alpha0: number;
     /**
-     * Probability β₀ with which a blunder of the minimal detectable size is found.
+     * The probability with which a blunder of the minimal detectable size is found: higher makes that size larger.
      */
     beta0: number;
+    /**
+     * Weighs matches with large residuals down, in addition to their rejection.
+     */
     weighting: Weighting;
     /**
-     * Standard error of a photo coordinate of weight 1 in mm that was known before; absent: estimated from the residuals. Observations are
-     * rejected by it, or by the estimated one where that is larger.
+     * The standard error of a photo coordinate that is known before: standard errors and tests use it, a global test compares it with the
+     * residuals, and a larger one rejects fewer matches.
      */
     sigma0_mm: number | null;
     /**
-     * Start of the random numbers.
+     * The start of the random numbers of the consensus: the same seed gives the same result.
      */
     seed: number;
     /**
-     * Photo base b in mm; absent: the median x-parallax of the accepted observations.
+     * The length b of the base at photo scale, by which by and bz grow in proportion.
      */
     base_mm: number | null;
+}
+
+/**
+ * Options of [`reconstruct_block`](crate::reconstruct_block).
+ */
+export interface ReconstructionOptions {
+    /**
+     * What says where the block lies, in place of the datum of the adjustment.
+     */
+    datum: Datum | null;
+    /**
+     * The observations per image by which the block is oriented and, where points are chosen, adjusted: more are more precise, fewer are
+     * faster.
+     */
+    growing_rays: number;
+    /**
+     * The minimum number of observations that agree on the orientation of an image: more orient fewer images, more certainly.
+     */
+    least_rays: number;
+    /**
+     * The minimum angle between two rays of a point: a larger one ignores more points of uncertain depth.
+     */
+    least_angle_deg: number;
+    /**
+     * The maximum residual of an observation while the block grows; it follows the residuals down from there.
+     */
+    largest_residual_px: number;
+    /**
+     * The standard error of a measured coordinate of a control point: higher gives it less weight beside tie points; measurements beyond
+     * five times as much do not fit.
+     */
+    mark_sigma_px: number;
+    /**
+     * The maximum number of models that are given where the block falls apart, the largest first.
+     */
+    most_models: number;
+    /**
+     * The start of the random numbers: the same seed gives the same result.
+     */
+    seed: number;
+    /**
+     * The points that are given of the adjusted block; absent: all are adjusted and given.
+     */
+    selection: SelectOptions | null;
+    /**
+     * By default as [`AdjustmentOptions`] is, but that camera parameters are fixed beyond 20 px.
+     */
+    adjustment: AdjustmentOptions;
 }
 
 /**
@@ -1358,30 +1701,30 @@ export interface OrientationOptions {
  */
 export interface TwoViewOptions {
     /**
+     * The maximum distance of a good match from the geometry: higher keeps more, less exact matches.
+     */
+    threshold_px: number | null;
+    /**
+     * The upper limit of the threshold that follows from the matches: raise it for coarse matches.
+     */
+    largest_threshold_px: number;
+    /**
+     * The probability of drawing at least one sample of good matches only: higher draws more samples.
+     */
+    confidence: number;
+    /**
+     * The maximum number of samples: more take longer where few matches are good.
+     */
+    max_samples: number;
+    /**
+     * The start of the random numbers: the same seed gives the same result.
+     */
+    seed: number;
+    /**
      * The cameras; absent: nothing is known of them. Both or neither.
      */
     left: Pinhole | null;
     right: Pinhole | null;
-    /**
-     * Largest distance of a good match from the geometry in px; absent: it follows from the precision of the matches.
-     */
-    threshold_px: number | null;
-    /**
-     * Bound of the threshold that follows from the matches, in px.
-     */
-    largest_threshold_px: number;
-    /**
-     * Probability of drawing at least one sample of good matches only.
-     */
-    confidence: number;
-    /**
-     * Most samples that are drawn.
-     */
-    max_samples: number;
-    /**
-     * Start of the random numbers.
-     */
-    seed: number;
 }
 
 /**
@@ -1395,7 +1738,7 @@ export interface BlockSettings {
      * Its cameras are those of the block.
      */
     geometry: TwoViewOptions;
-    placing: PlacingOptions;
+    placing: GeoreferencingOptions;
     block: BlockOptions;
     selection: SelectOptions;
     refinement: RefinementOptions;
@@ -1405,52 +1748,69 @@ export interface BlockSettings {
  * Options of the matching.
  */
 export interface MatchOptions {
+    /**
+     * Moments and invariants compare interest points of both images, invariants also where these are rotated; correlation and least
+     * squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset.
+     */
     strategy: Strategy;
+    /**
+     * Least squares matching moves each right position to a hundredth of a pixel and rejects what does not fit.
+     */
     refine: Refinement;
     /**
-     * Once the pair is oriented, matches again along the epipolar lines, until nothing changes; gradients always do, once.
+     * Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
+     * does so once, with a camera or without.
      */
     epipolar: boolean;
+    /**
+     * What a difference is divided by: the larger magnitude, or at least the median magnitude over all points, which keeps small moments
+     * from dominating.
+     */
     denominator: Denominator;
     /**
-     * Side of the search window in px, odd.
+     * The side of the window around the expected position in which right points are candidates (paper: 25): a larger one admits larger
+     * parallaxes and more wrong matches.
      */
     search: number;
     /**
-     * The best measure must be below this.
+     * The best candidate is rejected unless its measure is below this (paper: 3): higher keeps more, less certain matches.
      */
     max_measure: number;
     /**
-     * Refused when the best measure exceeds this share of the second best, 0..1; absent: 0.9, for gradients 0.8.
+     * A match is rejected as ambiguous where the best measure exceeds this share of the second best: higher keeps more, less certain
+     * matches; 1 switches the rule off.
      */
     ambiguity: number | null;
     /**
-     * Number of nearest matches that give the expected y-parallax; 0 switches the rule off.
+     * The nearest matches that give the expected y-parallax: more follow its changes less closely; 0 switches the rule off.
      */
     parallax_neighbours: number;
     /**
-     * Least deviation of the y-parallax that is refused, in px.
+     * A y-parallax that deviates from the neighbours' median by more than this, and by more than 3 times their scatter, is rejected:
+     * higher keeps more matches.
      */
     parallax_tolerance: number;
     /**
-     * Side of the window whose grey values are compared by correlation and least squares matching, in px, odd.
+     * The side of the window whose grey values correlation and least squares matching compare: larger ones are more distinct and
+     * tolerate less relief.
      */
     template: number;
     /**
-     * Least correlation coefficient of a match by grey values, -1..1.
+     * A match by grey values with a lower correlation coefficient is rejected: higher keeps fewer, more certain matches.
      */
     min_correlation: number;
     /**
-     * Refuses a match whose right window correlates better with another place in the left image, or whose right descriptor is nearer to
-     * another left one.
+     * Correlation: the window that is found must correlate best with the left point it came from. Gradient: the descriptor that is found
+     * must be nearest to that of the left point.
      */
     left_right: boolean;
     /**
-     * Largest standard error of a right position found by least squares matching, in px.
+     * A least squares match whose right position has a larger standard error is rejected, as on an edge along which it can slide: higher
+     * keeps more, less precise matches.
      */
     max_standard_error: number;
     /**
-     * Gradients: leaves out what lies at the same place of both frames, as the film's border, fiducial marks and data strip.
+     * Ignores what lies at the same place of both frames and matches by itself, as film borders, fiducial marks and data strips.
      */
     without_frame: boolean;
 }
@@ -1460,51 +1820,186 @@ export interface MatchOptions {
  */
 export interface WindowOptions {
     /**
-     * Side in px, odd.
+     * The side of the window whose moments describe a point (paper: 11): larger windows are more distinct and tolerate less relief.
      */
     side: number;
+    /**
+     * A circular window does not change when the image is rotated; a square one does.
+     */
     shape: WindowShape;
+    /**
+     * How grey values become weights: sum and range do not change with gain and offset; unit is grey / 255.
+     */
     brightness: Brightness;
 }
 
 /**
- * Parameters of a simulated pair; [`FLIGHT_PARAMETERS`] tells their units and ranges. The default is the paper's geometry over a town.
+ * Pairs by their outcomes.
+ */
+export interface PairCounts {
+    tried: number;
+    connected: number;
+    too_few_matches: number;
+    not_oriented: number;
+    failed: number;
+    /**
+     * Verified matches of all connected pairs.
+     */
+    matches: number;
+}
+
+/**
+ * Parameters of a simulated pair. The default is the paper's geometry over a synthetic town.
  */
 export interface Flight {
-    focal_mm: number;
-    principal_x_mm: number;
-    principal_y_mm: number;
-    distortion: number;
-    pixel_mm: number;
-    flying_height_m: number;
-    base_mm: number;
-    width_px: number;
-    height_px: number;
-    omega_deg: number;
-    phi_deg: number;
-    kappa_deg: number;
-    by_mm: number;
-    bz_mm: number;
-    left_omega_deg: number;
-    left_phi_deg: number;
-    left_kappa_deg: number;
-    relief_m: number;
-    buildings: number;
-    lowest_building_m: number;
-    highest_building_m: number;
-    trees: number;
-    river_m: number;
-    driven_m: number;
-    psf_px: number;
-    right_blur_px: number;
-    noise_grey: number;
-    grain_grey: number;
-    grain_px: number;
-    gain: number;
-    offset_grey: number;
-    haze: number;
-    fiducial_noise_px: number;
+    /**
+     * Everything random follows from it: the same seed gives the same pair.
+     */
     seed: number;
+    /**
+     * The height of the left photo above the mean ground: a larger one makes the scale smaller.
+     */
+    flying_height_m: number;
+    /**
+     * The base component b at photo scale, of a frame of 230 mm: a longer base leaves less overlap.
+     */
+    base_mm: number;
+    /**
+     * The rotation of the right photo about x against the left one.
+     */
+    omega_deg: number;
+    /**
+     * The rotation of the right photo about y against the left one.
+     */
+    phi_deg: number;
+    /**
+     * The rotation of the right photo about z against the left one.
+     */
+    kappa_deg: number;
+    /**
+     * The base component across the flight, at photo scale.
+     */
+    by_mm: number;
+    /**
+     * The base component upwards, at photo scale.
+     */
+    bz_mm: number;
+    /**
+     * The tilt of the left photo about x against the ground.
+     */
+    left_omega_deg: number;
+    /**
+     * The tilt of the left photo about y against the ground.
+     */
+    left_phi_deg: number;
+    /**
+     * The rotation of the left photo against the flight line.
+     */
+    left_kappa_deg: number;
+    /**
+     * The principal distance of the camera: a longer one makes the scale larger.
+     */
+    focal_mm: number;
+    /**
+     * The principal point in the system of the fiducial marks.
+     */
+    principal_x_mm: number;
+    /**
+     * The principal point in the system of the fiducial marks.
+     */
+    principal_y_mm: number;
+    /**
+     * Corrected coordinates are measured ones times 1 + k₁ r²: 0.0000001 moves a corner of the frame by some 0.3 mm.
+     */
+    distortion: number;
+    /**
+     * The side of a pixel of the scan: larger pixels show less detail.
+     */
+    pixel_mm: number;
+    /**
+     * The columns of the patches that are cut from the scans; the overlap limits them.
+     */
+    width_px: number;
+    /**
+     * The rows of the patches that are cut from the scans; the frame limits them.
+     */
+    height_px: number;
+    /**
+     * The standard deviation of a measured fiducial coordinate.
+     */
+    fiducial_noise_px: number;
+    /**
+     * The range of the terrain's heights, up to a tenth of the flying height.
+     */
+    relief_m: number;
+    /**
+     * The number of buildings; fewer stand where there are fewer lots.
+     */
+    buildings: number;
+    /**
+     * The height of the lowest eaves above ground.
+     */
+    lowest_building_m: number;
+    /**
+     * The height of the highest eaves above ground, up to a tenth of the flying height.
+     */
+    highest_building_m: number;
+    /**
+     * The number of trees; a few less stand, since none grows in a house, a street or the river.
+     */
+    trees: number;
+    /**
+     * The width of a river through the town, whose surface looks different in each exposure; 0: none.
+     */
+    river_m: number;
+    /**
+     * The distance that cars in the lanes drive between the exposures; 0: they stand.
+     */
+    driven_m: number;
+    /**
+     * The standard deviation of the lens's point spread, to which the pixel's own square adds: a larger one blurs more.
+     */
+    psf_px: number;
+    /**
+     * The standard deviation of a blur of the right image in addition to the point spread.
+     */
+    right_blur_px: number;
+    /**
+     * The standard deviation of independent noise in both images.
+     */
+    noise_grey: number;
+    /**
+     * The standard deviation of noise that neighbouring pixels share.
+     */
+    grain_grey: number;
+    /**
+     * The standard deviation of the grain's spread: larger grains share their noise over more pixels.
+     */
+    grain_px: number;
+    /**
+     * The grey values of the right image are those of the scene times the gain, plus the offset.
+     */
+    gain: number;
+    /**
+     * The grey values of the right image are those of the scene times the gain, plus the offset.
+     */
+    offset_grey: number;
+    /**
+     * The share of the light that is haze of a uniform grey of 190 in both images: more leaves less contrast.
+     */
+    haze: number;
+}
+
+/**
+ * Points of one number of rays.
+ */
+export interface RayCount {
+    rays: number;
+    points: number;
+    /**
+     * Root mean square length of the residuals of their observations; absent before the adjustment.
+     */
+    rmse_px: number | null;
 }
 
 /**
@@ -1539,9 +2034,9 @@ export interface ImageStatistics {
      */
     position_errors: [number, number, number] | null;
     /**
-     * Of its GPS position, where the datum uses it.
+     * Of its GNSS position, where the datum uses it.
      */
-    gps: PriorStatistics | null;
+    gnss: PriorStatistics | null;
 }
 
 /**
@@ -1563,6 +2058,33 @@ export interface ObjectPointStatistics {
 }
 
 /**
+ * Printed values.
+ */
+export interface Paper {
+    /**
+     * Left and right counts of Table 1: after the operator, after suppression, after matching.
+     */
+    points: [[number, number], [number, number], [number, number]];
+    /**
+     * Of the operator.
+     */
+    threshold: number;
+    /**
+     * Table 2: standard errors of the proposed method.
+     */
+    standard_errors: FiveParameters;
+    /**
+     * Table 3: the orientation by correlation, by least squares matching and by the proposed method (moments).
+     */
+    orientations: [PrintedOrientation, PrintedOrientation, PrintedOrientation];
+    /**
+     * Standard error of unit weight in mm, 0.6 of its pixels.
+     */
+    sigma0_mm: number;
+    pixel_mm: number;
+}
+
+/**
  * Residuals of the points of one number of rays.
  */
 export interface RayCountRmse {
@@ -1575,23 +2097,24 @@ export interface RayCountRmse {
 }
 
 /**
- * Standard errors in m of recorded positions and surveyed points that state none.
+ * Standard errors of GNSS positions and control points that state none.
  */
-export interface PlacingOptions {
+export interface GeoreferencingOptions {
     /**
-     * Of east and of north of a recorded position.
+     * The standard error of east and of north of GNSS positions that state none, some metres, or centimetres where they were corrected:
+     * higher gives them less weight.
      */
     receiver_across_m: number;
     /**
-     * Of its height.
+     * The standard error of the height of GNSS positions that state none: higher gives it less weight.
      */
     receiver_up_m: number;
     /**
-     * Of x and of y of a surveyed point.
+     * The standard error of x and of y of control points that state none: higher gives them less weight.
      */
     surveyed_across_m: number;
     /**
-     * Of its height.
+     * The standard error of the height of control points that state none: higher gives it less weight.
      */
     surveyed_up_m: number;
 }
@@ -1599,19 +2122,21 @@ export interface PlacingOptions {
 /**
  * The camera of one or more images.
  *
- * With x = -U/W, y = V/W of photo = (U, V, W), so that y goes down as rows do, and r² = x² + y²:
+ * With x = -U/W, y = V/W of photo = (U, V, W) = M·(X - X₀), so that y goes down as rows do, and r² = x² + y²:
  * col = c_x + f (x (1 + k₁r² + k₂r⁴ + k₃r⁶) + 2p₁xy + p₂(r² + 2x²)), row = c_y + f (y (1 + k₁r² + k₂r⁴ + k₃r⁶) + p₁(r² + 2y²) + 2p₂xy).
  *
  * # Source
  * Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
  */
-export interface BlockCamera {
+export interface Camera {
+    width_px: number;
+    height_px: number;
     /**
-     * Principal distance f in px, 1 to 10,000,000; in mm it is this times the side of a pixel.
+     * Principal distance f, 1 to 10,000,000; in mm it is this times the side of a pixel.
      */
     focal_px: number;
     /**
-     * Principal point `[col, row]` in px; the centre of the top-left pixel is (0.5, 0.5).
+     * Principal point `[c_x, c_y]`; the centre of the top-left pixel is (0.5, 0.5).
      */
     principal_point_px: [number, number];
     /**
@@ -1623,7 +2148,11 @@ export interface BlockCamera {
      */
     tangential?: [number, number];
     /**
-     * What the adjustment estimates.
+     * Side of a pixel, which formats with photo coordinates need.
+     */
+    pixel_mm?: number | null;
+    /**
+     * What an adjustment estimates of it.
      */
     free?: FreeParameters;
 }
@@ -1632,15 +2161,15 @@ export interface BlockCamera {
  * The cameras and images of a block with whatever positions were observed.
  */
 export interface BlockDescription {
-    cameras: AssemblyCamera[];
-    images: AssemblyImage[];
-    control?: AssemblyControl[];
+    cameras: KnownCamera[];
+    images: KnownImage[];
+    control?: GroundControlPoint[];
 }
 
 /**
  * The constants of a camera.
  */
-export interface Camera {
+export interface CameraMm {
     /**
      * Principal distance in mm, above 0 and up to 100,000.
      */
@@ -1654,9 +2183,13 @@ export interface Camera {
      */
     pixel_mm?: number | null;
     /**
-     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`].
+     * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶: see [`Interior::photo_mm`](crate::Interior::photo_mm).
      */
     radial_distortion?: [number, number, number];
+    /**
+     * `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
+     */
+    tangential_distortion?: [number, number];
 }
 
 /**
@@ -1727,7 +2260,7 @@ export interface RelativeOrientation extends FiveParameters {
      * Median parallax that the best rotation leaves, in mm: what of the photos' difference only a base explains.
      */
     parallax_beside_rotation_mm: number;
-    weaknesses: Weakness[];
+    warnings: Warning[];
     /**
      * Standard error ellipse of by and bz in mm, with what the interior orientations add where that is known.
      */
@@ -1745,15 +2278,48 @@ export interface RelativeOrientation extends FiveParameters {
 /**
  * The exterior orientation of an image.
  */
-export interface ModelPose {
+export interface Pose {
     /**
      * Rows of M, from object to photo, x right, y up, against the view: photo = M·(X - X₀).
      */
     rotation: [[number, number, number], [number, number, number], [number, number, number]];
     /**
-     * X₀, in m where the object space has a scale.
+     * Projection centre X₀, in m where the object space has a scale.
      */
     position: [number, number, number];
+}
+
+/**
+ * The figures of a finished block.
+ */
+export interface Summary {
+    images: ImageCounts;
+    /**
+     * What of the input was not taken as it was given, or is hardly right, in words.
+     */
+    remarks: string[];
+    cameras: CameraSummary[];
+    pairs: PairCounts;
+    /**
+     * The names of the images that are connected with each other, the largest group first.
+     */
+    groups: string[][];
+    /**
+     * Absent where an older project file does not say.
+     */
+    points: TiePointCounts | null;
+    selection: SelectionCounts;
+    /**
+     * Absent where observations are not refined.
+     */
+    refinement: RefinementCounts | null;
+    orientation: OrientationSummary;
+    exports: ExportOutcome[];
+    settings: BlockSettings;
+    /**
+     * How near a simulated block is to its truth.
+     */
+    score?: BlockScore;
 }
 
 /**
@@ -1762,9 +2328,9 @@ export interface ModelPose {
 export interface TwoView {
     model: TwoViewModel;
     /**
-     * The matches that agree with the model, in ascending order.
+     * The matches that agree with the model, in ascending order; left out where all given ones do.
      */
-    inliers: number[];
+    inliers?: number[];
     /**
      * The largest distance of these from the model, in px.
      */
@@ -1798,6 +2364,10 @@ export interface Interior {
      * `[k1, k2, k3]` in mm⁻², mm⁻⁴, mm⁻⁶.
      */
     radial_distortion: [number, number, number];
+    /**
+     * `[p1, p2]` in mm⁻¹.
+     */
+    tangential_distortion?: [number, number];
     /**
      * Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
      */
@@ -1843,10 +2413,68 @@ export interface PairInterior {
 }
 
 /**
+ * The measured position of a point in one image.
+ */
+export interface BlockObservation {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Index of the point.
+     */
+    point: number;
+    /**
+     * Column in px; the centre of the top-left pixel is 0.5.
+     */
+    x_px: number;
+    /**
+     * Row in px; the centre of the top-left pixel is 0.5.
+     */
+    y_px: number;
+    /**
+     * Above 0; the variance of both coordinates is σ₀² / weight.
+     */
+    weight?: number;
+}
+
+/**
+ * The measured position of a point in one image.
+ */
+export interface ImageObservation {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Measured column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    x_px: number;
+    y_px: number;
+    /**
+     * Probability, 0..1, that it belongs to its point.
+     */
+    confidence?: number;
+}
+
+/**
+ * The model that is written.
+ */
+export interface SelectionCounts {
+    points: number;
+    rays: number;
+    /**
+     * Of the oriented images, or of all where none is.
+     */
+    least_rays_of_an_image: number;
+    least_places_of_an_image: number;
+}
+
+/**
  * The models of a block, the one with most images first, and the images that are in none.
  */
-export interface Assembly {
-    models: AssembledModel[];
+export interface Reconstruction {
+    models: ReconstructedModel[];
     unoriented: UnorientedImage[];
     /**
      * Where (0, 0, 0) of the models that lie in the system of geographic positions is.
@@ -1878,22 +2506,25 @@ export interface PairSettings {
 }
 
 /**
- * The oriented part of an exchanged block, as an adjustment takes it.
+ * The orientation of a block that has one.
  */
-export interface OrientedPart {
-    block: Block;
-    /**
-     * The image of the exchanged block that each image is.
-     */
-    images: number[];
-    /**
-     * The point of the exchanged block that each point is.
-     */
-    points: number[];
+export interface Oriented {
+    oriented: number;
+    points: number;
+    rays: number;
+    models: ModelSummary[];
+    cameras: Camera[];
+    unoriented: NotOriented[];
+    origin: GeographicOrigin | null;
 }
 
 /**
- * The parameters of a camera that the adjustment estimates, where the block determines them; the others stay as they are given.
+ * The orientation of a block.
+ */
+export type OrientationSummary = { oriented: number; reason: string } | Oriented;
+
+/**
+ * The parameters of a camera that an adjustment estimates, where the block determines them; the others stay as they are given.
  */
 export interface FreeParameters {
     focal?: boolean;
@@ -1904,6 +2535,11 @@ export interface FreeParameters {
     radial?: number;
     tangential?: boolean;
 }
+
+/**
+ * The parts of a run, in their order.
+ */
+export type StageName = "images" | "likeness" | "pairs" | "points" | "windows" | "refinement" | "orientation";
 
 /**
  * The place of (0, 0, 0) of an object space whose x goes east, y north and z up, all in m.
@@ -1934,7 +2570,7 @@ export interface SharedPoints {
 /**
  * The published interest operators, and points of many scales.
  */
-export type Operator = "moravec" | "forstner" | "ground1" | "ground2" | "multiscale";
+export type Operator = "ground2" | "ground1" | "forstner" | "moravec" | "multiscale";
 
 /**
  * The rule that decided on a left point.
@@ -1980,14 +2616,40 @@ export type FiducialModel = "affine" | "similarity";
 export type WindowShape = "square" | "circle";
 
 /**
+ * Tie points and their observations.
+ */
+export interface FoundPoints {
+    points: number;
+    rays: number;
+}
+
+/**
+ * Tie points before some are chosen.
+ */
+export interface TiePointCounts {
+    found: number;
+    rays: number;
+    /**
+     * How many points have so many rays.
+     */
+    with_rays: Record<number, number>;
+    joining: JoinCounts;
+}
+
+/**
+ * Units of length that are taken for metres.
+ */
+export type LengthUnit = "millimetres" | "centimetres" | "inches" | "feet" | "kilometres";
+
+/**
  * What a point of an adjusted block is.
  */
-export type AssembledPoint = { multi_ray: number } | { control: number };
+export type PointSource = { tie_point: number } | { ground_control: number };
 
 /**
  * What a ray of an adjusted block is.
  */
-export interface AssembledRay {
+export interface ObservationSource {
     /**
      * Index of the feature in its image; absent for a ray to a surveyed point.
      */
@@ -1999,21 +2661,37 @@ export interface AssembledRay {
 }
 
 /**
- * What an exchanged camera has beside its calibration.
+ * What a run finds on its way.
  */
-export interface CameraLabel {
-    width_px: number;
-    height_px: number;
-    /**
-     * Side of a pixel in mm.
-     */
-    pixel_mm?: number | null;
-}
+export type News = ({ kind: "step" } & Step) | ({ kind: "image" } & ReadImage) | { kind: "skipped"; name: string; reason: string } | { kind: "pair"; connection: Connection; geometry: TwoView | null };
 
 /**
  * What became of a ray.
  */
-export type RayOutcome = "reference" | "refined" | "not_converged" | "left_image" | "moved_too_far" | "low_correlation" | "no_texture" | "inconsistent";
+export type RefinementOutcome = "reference" | "refined" | "not_converged" | "left_image" | "moved_too_far" | "low_correlation" | "no_texture" | "inconsistent";
+
+/**
+ * What became of an observation.
+ */
+export interface RefinedObservation {
+    /**
+     * Index of the image.
+     */
+    image: number;
+    /**
+     * Where it is now, in px.
+     */
+    position_px: [number, number];
+    outcome: RefinementOutcome;
+    /**
+     * Relative to the observation to which it was matched, in px; absent, as the correlation, where it was not refined.
+     */
+    standard_error_px: number | null;
+    /**
+     * Of the matched windows, -1..1.
+     */
+    correlation: number | null;
+}
 
 /**
  * What became of the matches.
@@ -2041,9 +2719,60 @@ export interface JoinCounts {
 }
 
 /**
+ * What became of the observations that were refined, those of each point one after the other.
+ */
+export interface RefinementTable {
+    /**
+     * The observations of point i are those from `starts[i]` to before `starts[i + 1]`.
+     */
+    starts: number[];
+    observations: RefinedObservation[];
+}
+
+/**
+ * What became of the observations that were refined.
+ */
+export interface RefinementCounts {
+    method: RefinementMethod;
+    points: number;
+    rays: number;
+    references: number;
+    refined: number;
+    /**
+     * Those that keep their positions, by the reason.
+     */
+    kept: Record<RefinementOutcome, number>;
+}
+
+/**
+ * What came of joining the matches of all pairs.
+ */
+export interface JoinedPoints {
+    join: JoinCounts;
+    count: number;
+    /**
+     * Observations of all points.
+     */
+    rays: number;
+    /**
+     * How many points have 0, 1, 2, … rays.
+     */
+    histogram: number[];
+    /**
+     * The points that each two images have in common.
+     */
+    shared: SharedPoints[];
+}
+
+/**
  * What came of matching a pair.
  */
-export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: number } | { kind: "too_few_matches"; matches: number; needed: number } | { kind: "not_oriented"; matches: number; reason: string } | { kind: "failed"; reason: string };
+export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: number } | { kind: "too_few_matches"; matches: number; needed: number } | { kind: "not_oriented"; no_geometry: NoGeometry } | { kind: "failed"; failure: Failure };
+
+/**
+ * What is computed.
+ */
+export type Computation = "affine_transformation" | "bundle_adjustment" | "by_and_bz" | "datum" | "determinant_form" | "distortion_correction" | "free_network" | "fundamental_matrix" | "homography" | "omega_and_kappa" | "relative_orientation" | "two_view_geometry";
 
 /**
  * What is done to the matches of any strategy.
@@ -2051,55 +2780,94 @@ export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: nu
 export type Refinement = "none" | "least-squares";
 
 /**
- * What is done with matches that would give a point two rays in one image.
+ * What is done with matches that would give a point two observations in one image.
  */
 export type Conflicts = "resolve" | "drop";
 
 /**
- * What is flown, seen and matched. Units are in the names.
+ * What is flown, seen and matched.
  */
 export interface BlockFlight {
-    view?: BlockView;
-    strips?: number;
     /**
-     * Exposures of a strip.
+     * Straight down; one camera down and four tilted by 45°; or straight down with every other strip at 1.5 times the height.
      */
-    exposures?: number;
-    forward_overlap?: number;
-    side_overlap?: number;
-    width_px?: number;
-    height_px?: number;
-    pixel_mm?: number;
-    flying_height_m?: number;
-    relief_m?: number;
+    view: BlockView;
     /**
-     * Features an image has on average, of which `clutter` show no point that another image shows.
+     * The number of strips that are flown side by side.
      */
-    features?: number;
-    clutter?: number;
+    strips: number;
     /**
-     * Probability that a feature that two images have is matched between them.
+     * The number of exposures per strip, each by one camera, or by five in an oblique block.
      */
-    matched?: number;
+    exposures: number;
     /**
-     * Share of wrong matches, and the share of these that join the same two places again and again, as repeated structures do.
+     * The overlap of photos that follow one another in a strip.
      */
-    wrong?: number;
-    repeated?: number;
+    forward_overlap: number;
     /**
-     * Standard deviation of a feature's coordinate.
+     * The overlap of neighbouring strips.
      */
-    noise_px?: number;
+    side_overlap: number;
     /**
-     * Standard deviation of each coordinate of a position that the receiver records.
+     * The columns of a photo, across the flight.
      */
-    receiver_m?: number;
+    width_px: number;
     /**
-     * Houses and trees on a km² of a photographed scene, where lots and gardens are left for them.
+     * The rows of a photo, along the flight.
      */
-    buildings?: number;
-    trees?: number;
-    seed?: number;
+    height_px: number;
+    /**
+     * The side of a pixel, with principal distances of 85 mm and 65 mm: larger pixels show more ground.
+     */
+    pixel_mm: number;
+    /**
+     * The height above the mean ground: a larger one makes the scale smaller.
+     */
+    flying_height_m: number;
+    /**
+     * The range of the ground's heights.
+     */
+    relief_m: number;
+    /**
+     * The standard deviation of a coordinate of a GNSS position.
+     */
+    receiver_m: number;
+    /**
+     * The buildings of a photographed scene; fewer stand where there are fewer lots.
+     */
+    buildings: number;
+    /**
+     * The trees of a photographed scene, where gardens are left for them.
+     */
+    trees: number;
+    /**
+     * Everything random follows from it: the same seed gives the same block.
+     */
+    seed: number;
+    /**
+     * The number of features per image, on average.
+     */
+    features: number;
+    /**
+     * The share of the features that no other image shows.
+     */
+    clutter: number;
+    /**
+     * The probability that a feature which two images show is matched between them.
+     */
+    matched: number;
+    /**
+     * The share of the matches that join different places.
+     */
+    wrong: number;
+    /**
+     * The share of the wrong matches that join the same two places in every pair of images.
+     */
+    repeated: number;
+    /**
+     * The standard deviation of a feature's coordinate.
+     */
+    noise_px: number;
 }
 
 /**
@@ -2109,7 +2877,7 @@ export interface PairInput {
     /**
      * The camera of both images; absent: that of their EXIF.
      */
-    camera: Camera | null;
+    camera: CameraMm | null;
     left: PhotoInput;
     right: PhotoInput;
     /**
@@ -2139,9 +2907,70 @@ export interface PhotoInput {
 export type OrientationMethod = "rigorous" | "determinant";
 
 /**
+ * What is shown of a finished block, but for its points: [`PointColumns`].
+ */
+export interface BlockOverview {
+    images: ImageRow[];
+    skipped: NamedReason[];
+    /**
+     * Masks that belong to no image.
+     */
+    unused_masks: string[];
+    /**
+     * Images that image measurements name and that are not in the block.
+     */
+    unknown_images: string[];
+    /**
+     * What of the input was not taken as it was given, or is hardly right, in words.
+     */
+    remarks: string[];
+    cameras: CameraRow[];
+    pairs: PairRow[];
+    /**
+     * Images that are connected with each other, the largest group first.
+     */
+    groups: number[][];
+    /**
+     * Tie points before some were chosen; absent where an older project file does not say.
+     */
+    found: FoundPoints | null;
+    /**
+     * How many observations had each outcome; absent where none were refined.
+     */
+    refinement: Record<RefinementOutcome, number> | null;
+    /**
+     * Of the points of the model that is written, by their number of rays.
+     */
+    by_rays: RayCount[];
+    /**
+     * Oriented images.
+     */
+    oriented: number;
+    /**
+     * Root mean square length of the residuals of all observations in px; absent before the adjustment.
+     */
+    rmse_px: number | null;
+    sigma0_px: number | null;
+    /**
+     * What is weak about the block, in words.
+     */
+    warnings: string[];
+}
+
+/**
+ * What is weak about a model.
+ */
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+
+/**
  * What makes an orientation weak although it could be computed.
  */
-export type Weakness = "plane" | "clustered" | "rotation" | "ill_conditioned";
+export type Warning = { kind: "plane"; misfit: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number };
+
+/**
+ * What may change from round to round of an adjustment.
+ */
+export type Unsettled = "gross_errors" | "positions" | "weights";
 
 /**
  * What relates the views; matrices by rows, of homogeneous positions in px and of norm 1.
@@ -2151,7 +2980,7 @@ export type TwoViewModel = { kind: "calibrated"; fundamental: [[number, number, 
 /**
  * What says where the block lies in object space.
  */
-export type Datum = "free" | "gps" | "control" | "gps_and_control";
+export type Datum = "free" | "gnss" | "control" | "gnss_and_control";
 
 /**
  * What the EXIF of an image tells beside its pixels; what it does not tell is absent.
@@ -2200,8 +3029,8 @@ export interface PriorStatistics {
 /**
  * What the adjustment says of one ray, accepted or not.
  */
-export interface RayStatistics {
-    verdict: RayVerdict;
+export interface ObservationStatistics {
+    verdict: ObservationVerdict;
     /**
      * Observed minus computed column and row in px.
      */
@@ -2248,6 +3077,11 @@ export interface MatchReliability {
 }
 
 /**
+ * What the run reports of its input beside the images that it skips.
+ */
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "older_project"; version: number };
+
+/**
  * What two points are compared by.
  */
 export type Measure = "dm" | "di";
@@ -2255,29 +3089,39 @@ export type Measure = "dm" | "di";
 /**
  * What values a parameter takes.
  */
-export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[] } | { kind: "flag" };
+export type ParameterKind = { kind: "integer"; min: number; max: number; odd: boolean } | { kind: "real"; min: number; max: number } | { kind: "choice"; values: string[]; labels: string[] } | { kind: "flag" };
 
 /**
- * Whether and how rays are refined before the block is oriented.
+ * What was observed of positions.
+ */
+export type Observed = "positions" | "points" | "both";
+
+/**
+ * Whether and how observations are refined before the block is oriented.
  */
 export interface RefinementOptions {
-    method?: RefinementMethod;
     /**
-     * Rays an image that are refined at least; the block is oriented by these.
+     * Whether the observations of chosen points are moved to where their grey values fit those of a reference observation best.
      */
-    per_image?: number;
+    method: RefinementMethod;
     /**
-     * Side of the windows in px, odd, of the image or of a reduced one by the scale of the point.
+     * The number of observations per image that are refined and orient the block, where there are as many: more make it more stable and
+     * take longer.
      */
-    window?: number;
+    per_image: number;
     /**
-     * How far a ray may move, in multiples of its scale.
+     * The side of the window that is matched, in the image or, for points of large scales, in a reduced one: larger ones are more exact on
+     * even ground, and wrong where it is broken.
      */
-    farthest?: number;
+    window: number;
     /**
-     * Correlation of the matched windows at least, 0..1.
+     * The maximum move of an observation in scales of its point; one that would go farther stays in place.
      */
-    least_correlation?: number;
+    farthest: number;
+    /**
+     * The minimum correlation of a window with that of the reference: higher leaves more observations in place.
+     */
+    least_correlation: number;
 }
 
 /**
@@ -2290,26 +3134,37 @@ export type Ties = "keep" | "first";
  */
 export interface PairChoice {
     /**
-     * Absent: all pairs of few images; of more, near ones where each image has a position, else those alike.
+     * Which pairs are tried: all; images near each other by their positions; images that follow each other by name; images that look
+     * alike.
      */
     rule: PairRule | null;
     /**
-     * The so many nearest ones of each image.
+     * The number of nearest images with which each image is tried: more connect more and take longer.
      */
     near: number;
     /**
-     * The so many that follow each image.
+     * The number of following images with which each image is tried: more connect more and take longer.
      */
     sequence: number;
     /**
-     * The so many most similar ones of each image.
+     * The number of most similar images with which each image is tried: more connect more and take longer.
      */
     alike: number;
     /**
-     * A pair is connected by so many verified matches.
+     * The minimum number of matches of one geometry that connect a pair: more leave fewer, more certain connections.
      */
     least_matches: number;
 }
+
+/**
+ * Why a job of a run, or the reading of a file that it needs, failed.
+ */
+export type Failure = { kind: "unreadable"; message: string } | { kind: "refused"; code: string; message: string; usage: boolean } | { kind: "broke_off"; message: string } | { kind: "out_of_memory"; message: string };
+
+/**
+ * Why a pair has no orientation.
+ */
+export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -2319,7 +3174,7 @@ export type PairRule = "all" | "near" | "sequence" | "alike";
 /**
  * Why a ray takes part, or does not.
  */
-export type RayVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
+export type ObservationVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 
 /**
  * Why an image is not oriented.
@@ -2327,72 +3182,20 @@ export type RayVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number } | { kind: "undetermined"; rays: number };
 
 /**
+ * Why matches give no geometry of two views.
+ */
+export type NoGeometry = { kind: "too_few_matches"; matches: number; needed: number } | { kind: "chance"; agreeing: number; matches: number };
+
+/**
+ * Why observations do not determine what is computed, or why its iterations do not converge.
+ */
+export type Cause = { kind: "points_on_line"; side: Side; width: number; least: number } | { kind: "marks_on_line"; calibrated: boolean; width: number; least: number } | { kind: "positions_on_line"; width: number; least: number } | { kind: "no_extent" } | { kind: "one_position" } | { kind: "no_parallax" } | { kind: "no_base"; parallax: number; least: number } | { kind: "inseparable"; condition: number; most: number } | { kind: "large_errors"; largest_deg: number } | { kind: "large_residuals"; sigma0_px: number; most_px: number } | { kind: "behind_cameras"; in_front: number; points: number } | { kind: "singular_normals"; share: number; least: number } | { kind: "base_across_x"; along_x: number; least: number } | { kind: "no_base_along_x" } | { kind: "gimbal_lock" } | { kind: "chance"; agreeing: number; matches: number } | { kind: "several_matrices" } | { kind: "too_many_on_line" } | { kind: "turned_away" } | { kind: "rising_base" } | { kind: "long_steps"; ratio: number } | { kind: "stalled"; last_step: number } | { kind: "unsettled"; unsettled: Unsettled; rounds: number } | { kind: "point_in_plane" } | { kind: "no_rotation" } | { kind: "no_position" } | { kind: "few_observations"; observations: number; needed: number } | { kind: "no_camera_parameter"; camera: number; camera_parameter: CameraParameter } | { kind: "parts"; parts: number; first: number; second: number } | { kind: "folded_at"; x_px: number; y_px: number } | { kind: "folded_beyond"; radius_px: number };
+
+/**
  * Why the general geometry is not determined.
  */
 export type Degeneracy = "plane" | "pure-rotation";
 
-
-/**
- * The features and matches of a block in wasm memory, and the points made of them. Call `free` when it is no longer needed.
- *
- * First every image with `set_image`, then every pair with `add_pair`, in any order each, then `join`.
- */
-export class BlockPoints {
-    free(): void;
-    [Symbol.dispose](): void;
-    /**
-     * Takes the matches of two images: the features of each match (stride 2), and how strong it is.
-     */
-    add_pair(first: number, second: number, indices: Uint32Array | number[], strengths: Float32Array | number[]): void;
-    /**
-     * Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
-     */
-    assemble(description: BlockDescription, options: Given<AssemblyOptions>): { assembly: Assembly; model: BlockModel | null };
-    /**
-     * Joins the matches to multi-ray points, in place of those made before.
-     */
-    join(options: Given<BlockOptions>): JoinCounts;
-    /**
-     * The block with these of its points, before any of it is oriented.
-     */
-    model(description: BlockDescription, chosen: Uint32Array | number[]): BlockModel;
-    /**
-     * A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
-     */
-    moved(chosen: Uint32Array | number[], positions: Float32Array | number[]): BlockPoints;
-    /**
-     * A block of images with these numbers of features.
-     */
-    constructor(counts: Uint32Array | number[]);
-    /**
-     * How many points have 2, 3, 4, … rays, from 0 rays on.
-     */
-    ray_histogram(): Uint32Array;
-    /**
-     * Chooses few points, well distributed.
-     */
-    select(options: Given<SelectOptions>): SelectedRays;
-    /**
-     * Takes the size of an image in px and the positions x, y of its features in px (stride 2).
-     */
-    set_image(image: number, width_px: number, height_px: number, positions: Float32Array | number[]): void;
-    /**
-     * For each two images with points in common: both and how many; stride 3.
-     */
-    shared(): Uint32Array;
-    /**
-     * All points.
-     */
-    table(): RayTable;
-    /**
-     * How many points there are.
-     */
-    readonly count: number;
-    /**
-     * How many rays they have together.
-     */
-    readonly ray_count: number;
-}
 
 /**
  * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
@@ -2409,6 +3212,10 @@ export class BlockScene {
      */
     photo(index: number): SampleImage;
     /**
+     * Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+     */
+    photo_file(index: number): Uint8Array;
+    /**
      * Longitude and latitude in degrees and height in m as the receiver recorded them.
      */
     recorded_position(index: number): Float64Array;
@@ -2424,6 +3231,56 @@ export class BlockScene {
      * How many photos the flight takes.
      */
     readonly photos: number;
+}
+
+/**
+ * The files of a block, of which each step writes some.
+ */
+export class BlockWriting {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Writes the next files; gives the summary after the last one, null before.
+     */
+    step(emit: Emit): Summary | null;
+}
+
+/**
+ * A block that was run, or opened from its project file; its owner frees it.
+ */
+export class FinishedBlock {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Writes it in one format.
+     */
+    export(format: ExportFormat, emit: Emit): void;
+    /**
+     * All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+     */
+    files(formats: readonly ExportFormat[], score?: BlockScore | null): BlockWriting;
+    /**
+     * The model that is written.
+     */
+    model(): BlockModel;
+    /**
+     * Opens a project file; one that is damaged or of another kind is refused whole.
+     */
+    static open(bytes: Uint8Array | number[]): FinishedBlock;
+    /**
+     * What is shown of it.
+     */
+    overview(): BlockOverview & { points: PointColumns };
+    /**
+     * The text of its project file.
+     */
+    project(): string;
+    /**
+     * How near a simulated block is to its truth.
+     */
+    score(truth: BlockModel): BlockScore;
 }
 
 /**
@@ -2469,10 +3326,6 @@ export class Photo {
      */
     info(): PhotoInfo;
     /**
-     * Cuts windows around rays: x, y and scale in px; stride 3.
-     */
-    ray_windows(rays: Float64Array | number[], options: Given<RefinementOptions>): RayWindowTable;
-    /**
      * The image halved until its longer side is at most `max_side` px.
      */
     reduced(max_side: number): ReducedImage;
@@ -2510,19 +3363,55 @@ export class Report {
 }
 
 /**
- * The ambiguity ratio of each strategy where none is chosen.
+ * The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
+ * looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
  */
-export function ambiguity_defaults(): Record<Strategy, number>;
+export class Run {
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Takes the bytes that came of a job.
+     */
+    complete(id: number, bytes: Uint8Array | number[]): void;
+    /**
+     * Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
+     */
+    failed(id: number, failure: Failure): void;
+    /**
+     * What the run has found; frees it.
+     */
+    finish(): FinishedBlock;
+    /**
+     * Takes a kept record; one that does not read well is not taken, and the job is still to be done.
+     */
+    found(id: number, record: Uint8Array | number[]): boolean;
+    /**
+     * A run of which nothing is done; what can be refused before the images are read is refused here.
+     */
+    constructor(input: Given<RunInput>);
+    /**
+     * What was found since the last call, and how far the stages are.
+     */
+    news(): News[];
+    /**
+     * Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
+     */
+    next(most: number): Job[];
+    /**
+     * What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
+     */
+    prepare(id: number, digests: string[]): Work;
+}
 
 /**
- * The defaults of the options of the assembly.
+ * The keys of the options of a block that have an effect with these settings.
  */
-export function assembly_defaults(): AssemblyOptions;
+export function acting_block_parameters(settings: Given<BlockSettings>): string[];
 
 /**
- * Every tunable of the assembly and of the bundle adjustment.
+ * The keys of the options of a pair that have an effect with these settings.
  */
-export function assembly_parameters(): Parameter[];
+export function acting_parameters(settings: Given<PairSettings>): string[];
 
 /**
  * The default flight of a block.
@@ -2530,12 +3419,12 @@ export function assembly_parameters(): Parameter[];
 export function block_flight_defaults(): BlockFlight;
 
 /**
- * Every parameter of a block's flight with label, unit, range and help.
+ * Every parameter of a block's flight on which photos depend.
  */
 export function block_flight_parameters(): Parameter[];
 
 /**
- * Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+ * Every option of a block, in the order of the pipeline.
  */
 export function block_parameters(): Parameter[];
 
@@ -2545,19 +3434,24 @@ export function block_parameters(): Parameter[];
 export function block_settings(given: Given<BlockSettings>): BlockSettings;
 
 /**
- * For each name of an image the index of the first rule that it fits, -1 without one.
- */
-export function camera_rules_of(rules: CameraRule[], names: string[]): Int32Array;
-
-/**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
  */
 export function candidates(index: number, left_points: Float64Array | number[], left_descriptors: Float64Array | number[], right_points: Float64Array | number[], right_descriptors: Float64Array | number[], offset: OffsetField, options: Given<MatchOptions>): Float64Array;
 
 /**
- * Refuses what is known of a block where no block can be so, before its images are matched.
+ * Refuses a truth of other images.
  */
-export function check_block_description(description: BlockDescription): void;
+export function check_block_truth(truth: BlockModel, names: readonly string[]): void;
+
+/**
+ * Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
+ */
+export function check_cameras(text: string, names: string[]): void;
+
+/**
+ * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
+ */
+export function check_control(points: string, marks: string, names: string[], placing: GeoreferencingOptions): void;
 
 /**
  * Refuses a flight that [`simulate`] refuses, without rendering it; parameters that are absent are those of the sample.
@@ -2565,19 +3459,19 @@ export function check_block_description(description: BlockDescription): void;
 export function check_flight(flight: Given<Flight>): void;
 
 /**
- * The pairs of a block that are tried, each once: `positions` as in `pair_rule`; `similar`: two images and their similarity; stride 3.
+ * Refuses two masks of one image.
  */
-export function choose_pairs(positions: Float64Array | number[], similar: Float64Array | number[], choice: Given<PairChoice>): ChosenPair[];
+export function check_masks(names: string[], masks: string[]): void;
+
+/**
+ * The groups of connected images of a block, the largest first.
+ */
+export function connected_groups(images: number, connections: Connection[]): number[][];
 
 /**
  * The same offset (right minus left position, px) everywhere.
  */
 export function constant_offset(dx: number, dy: number): OffsetField;
-
-/**
- * Writes a field of a table between commas, in quotation marks where it needs them.
- */
-export function csv_field(text: string): string;
 
 /**
  * The defaults of all options.
@@ -2628,9 +3522,9 @@ export function estimate_offset(left: ReducedImage, right: ReducedImage): Offset
 export function estimated_interior(focal: FocalEstimate | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
 
 /**
- * Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
+ * Does the task of a job: the same bytes give the same bytes, on every machine.
  */
-export function explain_connections(images: number, connections: Connection[]): { reasons: string[]; groups: number[][] };
+export function execute_job(task: string, inputs: readonly Uint8Array[]): Uint8Array;
 
 /**
  * Writes a block in one format: `emit` is called with the path, relative to a folder, and the text of each file in turn.
@@ -2648,12 +3542,7 @@ export function export_formats(): ExportFormat[];
 export function feature_defaults(): FeatureOptions;
 
 /**
- * Every tunable of features with label, unit, range and help.
- */
-export function feature_parameters(): Parameter[];
-
-/**
- * Every parameter of a flight with label, unit, range and help.
+ * Every parameter of a flight.
  */
 export function flight_parameters(): Parameter[];
 
@@ -2668,24 +3557,19 @@ export function flight_preset(name: Preset): Flight;
 export function flight_presets(): Preset[];
 
 /**
- * Every tunable of matching by descriptors and of two-view geometry.
- */
-export function geometry_parameters(): Parameter[];
-
-/**
  * The right points in the order of their distance from the left one of an index, up to `most`: index and measure, stride 2.
  */
 export function gradient_candidates(index: number, left_gradients: Uint8Array | number[], right_gradients: Uint8Array | number[], most: number): Float64Array;
 
 /**
- * Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
+ * Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
  */
-export function ideal_positions(camera: ModelCamera, positions: Float64Array | number[]): Float64Array;
+export function grey_png(width: number, height: number, grey: Uint8Array | number[], exif?: ExifImage): Uint8Array;
 
 /**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
  */
-export function interior(camera: Camera, photo: PhotoGeometry): Interior;
+export function interior(camera: CameraMm, photo: PhotoGeometry): Interior;
 
 /**
  * The matches of pieces that follow each other from the first left descriptor to the last: those of the whole, whatever the pieces.
@@ -2744,6 +3628,11 @@ export function match_points(left_points: Float64Array | number[], left_descript
 export function matches_csv(matches: Float64Array | number[]): string;
 
 /**
+ * The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+ */
+export function message(family: keyof Messages, message: Messages[keyof Messages], attribute?: string | null): string;
+
+/**
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
  * `match_photos`.
  */
@@ -2753,11 +3642,6 @@ export function nearest_piece(left: Uint8Array | number[], first: number, end: n
  * Photo coordinates x, y left, x, y right in mm (stride 4) of matches (stride 5).
  */
 export function observations(matches: Float64Array | number[], left: Interior, right: Interior): Float64Array;
-
-/**
- * The defaults of each operator for the options that are absent by default.
- */
-export function operator_defaults(): Record<Operator, OperatorDefaults>;
 
 /**
  * Interior orientation by fiducial marks.
@@ -2776,19 +3660,19 @@ export function orient_matches(matches: Float64Array | number[], fits: Float64Ar
 export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
 
 /**
- * The rule that chooses the pairs of a block. `positions`: x, y, z in m of each image, NaN where it has none; stride 3.
+ * What the paper printed for its own pair.
  */
-export function pair_rule(positions: Float64Array | number[], choice: Given<PairChoice>): PairRule;
+export function paper(): Paper;
 
 /**
- * Every tunable with label, unit, range and help, in the order of the pipeline.
+ * Every option of a pair, in the order of the pipeline.
  */
 export function parameters(): Parameter[];
 
 /**
- * Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+ * Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
  */
-export function parse_camera(json: string): Camera;
+export function parse_camera(json: string): CameraMm;
 
 /**
  * Reads cameras that hold for the images whose names fit a pattern.
@@ -2801,9 +3685,14 @@ export function parse_camera_rules(json: string): CameraRule[];
 export function parse_fiducials(csv: string): Fiducial[];
 
 /**
+ * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
+ */
+export function parse_ground_control_points(text: string): GroundControlRow[];
+
+/**
  * Reads where images show surveyed points: lines of image, point, x, y in px.
  */
-export function parse_image_marks(text: string): ImageMark[];
+export function parse_image_measurements(text: string): ImageMeasurementRow[];
 
 /**
  * Reads photo coordinates: columns x_left_mm, y_left_mm, x_right_mm, y_right_mm; stride 4.
@@ -2811,14 +3700,14 @@ export function parse_image_marks(text: string): ImageMark[];
 export function parse_observations(csv: string): Float64Array;
 
 /**
- * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
- */
-export function parse_surveyed_points(text: string): SurveyedPoint[];
-
-/**
  * A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
  */
-export function photo_camera(camera: ModelCamera): Camera;
+export function photo_camera(camera: Camera): CameraMm;
+
+/**
+ * The files that a block of images with these names is written to, but for those of which there is one for each two images.
+ */
+export function planned_files(names: readonly string[], formats: readonly ExportFormat[]): string[];
 
 /**
  * Writes points (stride 3) as CSV.
@@ -2826,28 +3715,24 @@ export function photo_camera(camera: ModelCamera): Camera;
 export function points_csv(points: Float64Array | number[]): string;
 
 /**
- * What can become of a ray that is refined, in the order of its codes.
- */
-export function ray_outcomes(): RayOutcome[];
-
-/**
  * What EXIF tells of an image of this size beside its pixels.
  */
 export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
 
 /**
- * Reads a project; a file that is damaged or of another kind is refused whole.
+ * The defaults of the options of the reconstruction.
  */
-export function read_project(bytes: Uint8Array | number[]): Project;
+export function reconstruction_defaults(): ReconstructionOptions;
 
 /**
- * Refines the rays of points by their windows. The rays of point i are those from `starts[i]` to before `starts[i + 1]`, each with x, y and
- * scale in px and direction in rad (stride 4); `places` and `grey` as `ray_windows` gives them, their rays counted from 0 over all points.
- *
- * Of each ray the place of its outcome among `ray_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
- * refined); stride 5.
+ * What can become of a ray that is refined, in the order of its codes.
  */
-export function refine_points(starts: Uint32Array | number[], rays: Float64Array | number[], places: Uint32Array | number[], grey: Uint8Array | number[], options: Given<RefinementOptions>): Float64Array;
+export function refinement_outcomes(): RefinementOutcome[];
+
+/**
+ * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
+ */
+export function resolved(settings: Given<PairSettings>): PairSettings;
 
 /**
  * The names of the rules, in the order of their codes.
@@ -2885,6 +3770,11 @@ export function sha256(bytes: Uint8Array | number[]): Uint8Array;
 export function simulate(flight: Given<Flight>): SamplePair;
 
 /**
+ * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
+ */
+export function throw_panics(): void;
+
+/**
  * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
  */
 export function two_view(points: Float64Array | number[], options: Given<TwoViewOptions>): TwoViewResult;
@@ -2894,52 +3784,38 @@ export function two_view(points: Float64Array | number[], options: Given<TwoView
  */
 export function version(): string;
 
-/**
- * Writes a project.
- */
-export function write_project(project: Project): string;
-
 export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembly.Module;
 
 export interface InitOutput {
     readonly memory: WebAssembly.Memory;
-    readonly __wbg_blockpoints_free: (a: number, b: number) => void;
     readonly __wbg_blockscene_free: (a: number, b: number) => void;
+    readonly __wbg_blockwriting_free: (a: number, b: number) => void;
+    readonly __wbg_finishedblock_free: (a: number, b: number) => void;
     readonly __wbg_photo_free: (a: number, b: number) => void;
     readonly __wbg_report_free: (a: number, b: number) => void;
-    readonly ambiguity_defaults: () => any;
-    readonly assembly_defaults: () => any;
-    readonly assembly_parameters: () => any;
+    readonly __wbg_run_free: (a: number, b: number) => void;
+    readonly acting_block_parameters: (a: any) => [number, number, number];
+    readonly acting_parameters: (a: any) => [number, number, number];
     readonly block_flight_defaults: () => any;
     readonly block_flight_parameters: () => any;
     readonly block_parameters: () => any;
     readonly block_settings: (a: any) => [number, number, number];
-    readonly blockpoints_add_pair: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number];
-    readonly blockpoints_assemble: (a: number, b: any, c: any) => [number, number, number];
-    readonly blockpoints_count: (a: number) => number;
-    readonly blockpoints_join: (a: number, b: any) => [number, number, number];
-    readonly blockpoints_model: (a: number, b: any, c: number, d: number) => [number, number, number];
-    readonly blockpoints_moved: (a: number, b: number, c: number, d: number, e: number) => [number, number, number];
-    readonly blockpoints_new: (a: number, b: number) => [number, number, number];
-    readonly blockpoints_ray_count: (a: number) => number;
-    readonly blockpoints_ray_histogram: (a: number) => [number, number];
-    readonly blockpoints_select: (a: number, b: any) => [number, number, number];
-    readonly blockpoints_set_image: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number];
-    readonly blockpoints_shared: (a: number) => [number, number];
-    readonly blockpoints_table: (a: number) => any;
     readonly blockscene_new: (a: any) => [number, number, number];
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
+    readonly blockscene_photo_file: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_photos: (a: number) => number;
     readonly blockscene_recorded_position: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
-    readonly camera_rules_of: (a: any, b: any) => [number, number, number, number];
+    readonly blockwriting_step: (a: number, b: any) => [number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
-    readonly check_block_description: (a: any) => [number, number];
+    readonly check_block_truth: (a: any, b: any) => [number, number];
+    readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
+    readonly check_control: (a: number, b: number, c: number, d: number, e: number, f: number, g: any) => [number, number];
     readonly check_flight: (a: any) => [number, number];
-    readonly choose_pairs: (a: number, b: number, c: number, d: number, e: any) => [number, number, number];
+    readonly check_masks: (a: number, b: number, c: number, d: number) => [number, number];
+    readonly connected_groups: (a: number, b: any) => [number, number, number];
     readonly constant_offset: (a: number, b: number) => [number, number, number];
-    readonly csv_field: (a: number, b: number) => [number, number];
     readonly defaults: () => any;
     readonly draw_match_lines: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number, m: number, n: number) => [number, number, number];
     readonly draw_points: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number) => [number, number, number];
@@ -2947,17 +3823,22 @@ export interface InitOutput {
     readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
     readonly estimated_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
-    readonly explain_connections: (a: number, b: any) => [number, number, number];
+    readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
     readonly feature_defaults: () => any;
-    readonly feature_parameters: () => any;
+    readonly finishedblock_export: (a: number, b: any, c: any) => [number, number];
+    readonly finishedblock_files: (a: number, b: any, c: any) => [number, number, number];
+    readonly finishedblock_model: (a: number) => any;
+    readonly finishedblock_open: (a: number, b: number) => [number, number, number];
+    readonly finishedblock_overview: (a: number) => [number, number, number];
+    readonly finishedblock_project: (a: number) => [number, number, number, number];
+    readonly finishedblock_score: (a: number, b: any) => [number, number, number];
     readonly flight_parameters: () => any;
     readonly flight_preset: (a: any) => [number, number, number];
     readonly flight_presets: () => any;
-    readonly geometry_parameters: () => any;
     readonly gradient_candidates: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number, number];
-    readonly ideal_positions: (a: any, b: number, c: number) => [number, number, number];
+    readonly grey_png: (a: number, b: number, c: number, d: number, e: any) => [number, number, number, number];
     readonly interior: (a: any, b: any) => [number, number, number];
     readonly join_nearest: (a: any, b: any) => [number, number, number];
     readonly local_positions: (a: number, b: number) => [number, number, number];
@@ -2969,20 +3850,20 @@ export interface InitOutput {
     readonly match_photos: (a: number, b: number, c: any, d: any, e: any, f: any, g: any, h: any) => [number, number, number];
     readonly match_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any, j: any) => [number, number, number];
     readonly matches_csv: (a: number, b: number) => [number, number, number, number];
+    readonly message: (a: number, b: number, c: any, d: number, e: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
-    readonly operator_defaults: () => any;
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
-    readonly pair_rule: (a: number, b: number, c: any) => [number, number, number];
+    readonly paper: () => any;
     readonly parameters: () => any;
     readonly parse_camera: (a: number, b: number) => [number, number, number];
     readonly parse_camera_rules: (a: number, b: number) => [number, number, number];
     readonly parse_fiducials: (a: number, b: number) => [number, number, number];
-    readonly parse_image_marks: (a: number, b: number) => [number, number, number];
+    readonly parse_ground_control_points: (a: number, b: number) => [number, number, number];
+    readonly parse_image_measurements: (a: number, b: number) => [number, number, number];
     readonly parse_observations: (a: number, b: number) => [number, number, number, number];
-    readonly parse_surveyed_points: (a: number, b: number) => [number, number, number];
     readonly photo_camera: (a: any) => [number, number, number];
     readonly photo_decode: (a: number, b: number) => [number, number, number];
     readonly photo_describe: (a: number, b: number, c: number, d: any, e: any) => [number, number, number, number];
@@ -2993,30 +3874,38 @@ export interface InitOutput {
     readonly photo_grey: (a: number) => [number, number];
     readonly photo_height: (a: number) => number;
     readonly photo_info: (a: number) => any;
-    readonly photo_ray_windows: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly photo_reduced: (a: number, b: number) => any;
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly planned_files: (a: any, b: any) => [number, number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
-    readonly ray_outcomes: () => any;
     readonly read_exif: (a: number, b: number, c: number, d: number) => any;
-    readonly read_project: (a: number, b: number) => [number, number, number];
-    readonly refine_points: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: any) => [number, number, number];
+    readonly reconstruction_defaults: () => any;
+    readonly refinement_outcomes: () => any;
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
     readonly report_steps: (a: number) => any;
+    readonly resolved: (a: any) => [number, number, number];
     readonly rule_names: () => any;
+    readonly run_complete: (a: number, b: number, c: number, d: number) => [number, number];
+    readonly run_failed: (a: number, b: number, c: any) => [number, number];
+    readonly run_finish: (a: number) => [number, number, number];
+    readonly run_found: (a: number, b: number, c: number, d: number) => [number, number, number];
+    readonly run_new: (a: any) => [number, number, number];
+    readonly run_news: (a: number) => any;
+    readonly run_next: (a: number, b: number) => [number, number, number];
+    readonly run_prepare: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly sample_seed: () => number;
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly sha256: (a: number, b: number) => [number, number];
     readonly simulate: (a: any) => [number, number, number];
+    readonly throw_panics: () => void;
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
-    readonly write_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

@@ -1,210 +1,6 @@
 /* @ts-self-types="./tiepoint.d.ts" */
 
 /**
- * The features and matches of a block in wasm memory, and the points made of them. Call `free` when it is no longer needed.
- *
- * First every image with `set_image`, then every pair with `add_pair`, in any order each, then `join`.
- */
-export class BlockPoints {
-    static __wrap(ptr) {
-        const obj = Object.create(BlockPoints.prototype);
-        obj.__wbg_ptr = ptr;
-        BlockPointsFinalization.register(obj, obj.__wbg_ptr, obj);
-        return obj;
-    }
-    __destroy_into_raw() {
-        const ptr = this.__wbg_ptr;
-        this.__wbg_ptr = 0;
-        BlockPointsFinalization.unregister(this);
-        return ptr;
-    }
-    free() {
-        const ptr = this.__destroy_into_raw();
-        wasm.__wbg_blockpoints_free(ptr, 0);
-    }
-    /**
-     * Takes the matches of two images: the features of each match (stride 2), and how strong it is.
-     * @param {number} first
-     * @param {number} second
-     * @param {Uint32Array | number[]} indices
-     * @param {Float32Array | number[]} strengths
-     */
-    add_pair(first, second, indices, strengths) {
-        const val3 = +first;
-        const val4 = +second;
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passArray32ToWasm0(indices, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = passArrayF32ToWasm0(strengths, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
-            throw e;
-        }
-        const ret = wasm.blockpoints_add_pair(this.__wbg_ptr, val3, val4, ptr0, len0, ptr1, len1);
-        if (ret[1]) {
-            throw takeFromExternrefTable0(ret[0]);
-        }
-    }
-    /**
-     * Orients the images and adjusts the block. `model` is the largest of its models as a block that is exchanged; null without one.
-     * @param {BlockDescription} description
-     * @param {Given<AssemblyOptions>} options
-     * @returns {{ assembly: Assembly; model: BlockModel | null }}
-     */
-    assemble(description, options) {
-        const ret = wasm.blockpoints_assemble(this.__wbg_ptr, description, options);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return takeFromExternrefTable0(ret[0]);
-    }
-    /**
-     * How many points there are.
-     * @returns {number}
-     */
-    get count() {
-        const ret = wasm.blockpoints_count(this.__wbg_ptr);
-        return ret >>> 0;
-    }
-    /**
-     * Joins the matches to multi-ray points, in place of those made before.
-     * @param {Given<BlockOptions>} options
-     * @returns {JoinCounts}
-     */
-    join(options) {
-        const ret = wasm.blockpoints_join(this.__wbg_ptr, options);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return takeFromExternrefTable0(ret[0]);
-    }
-    /**
-     * The block with these of its points, before any of it is oriented.
-     * @param {BlockDescription} description
-     * @param {Uint32Array | number[]} chosen
-     * @returns {BlockModel}
-     */
-    model(description, chosen) {
-        const ptr0 = passArray32ToWasm0(chosen, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockpoints_model(this.__wbg_ptr, description, ptr0, len0);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return takeFromExternrefTable0(ret[0]);
-    }
-    /**
-     * A block of these of the points alone, with their rays at these positions x, y in px (stride 2, in the order of points and rays).
-     * @param {Uint32Array | number[]} chosen
-     * @param {Float32Array | number[]} positions
-     * @returns {BlockPoints}
-     */
-    moved(chosen, positions) {
-        let ptr0, len0, ptr1, len1;
-        try {
-            ptr0 = passArray32ToWasm0(chosen, wasm.__wbindgen_malloc);
-            len0 = WASM_VECTOR_LEN;
-            ptr1 = passArrayF32ToWasm0(positions, wasm.__wbindgen_malloc);
-            len1 = WASM_VECTOR_LEN;
-        } catch (e) {
-            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
-            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
-            throw e;
-        }
-        const ret = wasm.blockpoints_moved(this.__wbg_ptr, ptr0, len0, ptr1, len1);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return BlockPoints.__wrap(ret[0]);
-    }
-    /**
-     * A block of images with these numbers of features.
-     * @param {Uint32Array | number[]} counts
-     */
-    constructor(counts) {
-        const ptr0 = passArray32ToWasm0(counts, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockpoints_new(ptr0, len0);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        this.__wbg_ptr = ret[0];
-        BlockPointsFinalization.register(this, this.__wbg_ptr, this);
-        return this;
-    }
-    /**
-     * How many rays they have together.
-     * @returns {number}
-     */
-    get ray_count() {
-        const ret = wasm.blockpoints_ray_count(this.__wbg_ptr);
-        return ret >>> 0;
-    }
-    /**
-     * How many points have 2, 3, 4, … rays, from 0 rays on.
-     * @returns {Uint32Array}
-     */
-    ray_histogram() {
-        const ret = wasm.blockpoints_ray_histogram(this.__wbg_ptr);
-        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
-        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
-        return v1;
-    }
-    /**
-     * Chooses few points, well distributed.
-     * @param {Given<SelectOptions>} options
-     * @returns {SelectedRays}
-     */
-    select(options) {
-        const ret = wasm.blockpoints_select(this.__wbg_ptr, options);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return takeFromExternrefTable0(ret[0]);
-    }
-    /**
-     * Takes the size of an image in px and the positions x, y of its features in px (stride 2).
-     * @param {number} image
-     * @param {number} width_px
-     * @param {number} height_px
-     * @param {Float32Array | number[]} positions
-     */
-    set_image(image, width_px, height_px, positions) {
-        const val2 = +image;
-        const val3 = +width_px;
-        const val4 = +height_px;
-        const ptr0 = passArrayF32ToWasm0(positions, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.blockpoints_set_image(this.__wbg_ptr, val2, val3, val4, ptr0, len0);
-        if (ret[1]) {
-            throw takeFromExternrefTable0(ret[0]);
-        }
-    }
-    /**
-     * For each two images with points in common: both and how many; stride 3.
-     * @returns {Uint32Array}
-     */
-    shared() {
-        const ret = wasm.blockpoints_shared(this.__wbg_ptr);
-        var v1 = getArrayU32FromWasm0(ret[0], ret[1]).slice();
-        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
-        return v1;
-    }
-    /**
-     * All points.
-     * @returns {RayTable}
-     */
-    table() {
-        const ret = wasm.blockpoints_table(this.__wbg_ptr);
-        return ret;
-    }
-}
-if (Symbol.dispose) BlockPoints.prototype[Symbol.dispose] = BlockPoints.prototype.free;
-
-/**
  * The scene below a simulated block in wasm memory. Call `free` when it is no longer needed.
  */
 export class BlockScene {
@@ -242,6 +38,20 @@ export class BlockScene {
             throw takeFromExternrefTable0(ret[1]);
         }
         return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * Takes a photo as a PNG file, with its camera and recorded position as EXIF.
+     * @param {number} index
+     * @returns {Uint8Array}
+     */
+    photo_file(index) {
+        const ret = wasm.blockscene_photo_file(this.__wbg_ptr, index);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v1;
     }
     /**
      * How many photos the flight takes.
@@ -291,6 +101,155 @@ export class BlockScene {
     }
 }
 if (Symbol.dispose) BlockScene.prototype[Symbol.dispose] = BlockScene.prototype.free;
+
+/**
+ * The files of a block, of which each step writes some.
+ */
+export class BlockWriting {
+    static __wrap(ptr) {
+        const obj = Object.create(BlockWriting.prototype);
+        obj.__wbg_ptr = ptr;
+        BlockWritingFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        BlockWritingFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_blockwriting_free(ptr, 0);
+    }
+    /**
+     * Writes the next files; gives the summary after the last one, null before.
+     * @param {Emit} emit
+     * @returns {Summary | null}
+     */
+    step(emit) {
+        const ret = wasm.blockwriting_step(this.__wbg_ptr, emit);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+}
+if (Symbol.dispose) BlockWriting.prototype[Symbol.dispose] = BlockWriting.prototype.free;
+
+/**
+ * A block that was run, or opened from its project file; its owner frees it.
+ */
+export class FinishedBlock {
+    static __wrap(ptr) {
+        const obj = Object.create(FinishedBlock.prototype);
+        obj.__wbg_ptr = ptr;
+        FinishedBlockFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        FinishedBlockFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_finishedblock_free(ptr, 0);
+    }
+    /**
+     * Writes it in one format.
+     * @param {ExportFormat} format
+     * @param {Emit} emit
+     */
+    export(format, emit) {
+        const ret = wasm.finishedblock_export(this.__wbg_ptr, format, emit);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * All its files, in steps of about one. `score`: what the summary holds of a simulated block.
+     * @param {readonly ExportFormat[]} formats
+     * @param {BlockScore | null} [score]
+     * @returns {BlockWriting}
+     */
+    files(formats, score) {
+        const ret = wasm.finishedblock_files(this.__wbg_ptr, formats, score);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return BlockWriting.__wrap(ret[0]);
+    }
+    /**
+     * The model that is written.
+     * @returns {BlockModel}
+     */
+    model() {
+        const ret = wasm.finishedblock_model(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * Opens a project file; one that is damaged or of another kind is refused whole.
+     * @param {Uint8Array | number[]} bytes
+     * @returns {FinishedBlock}
+     */
+    static open(bytes) {
+        const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.finishedblock_open(ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return FinishedBlock.__wrap(ret[0]);
+    }
+    /**
+     * What is shown of it.
+     * @returns {BlockOverview & { points: PointColumns }}
+     */
+    overview() {
+        const ret = wasm.finishedblock_overview(this.__wbg_ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * The text of its project file.
+     * @returns {string}
+     */
+    project() {
+        let deferred2_0;
+        let deferred2_1;
+        try {
+            const ret = wasm.finishedblock_project(this.__wbg_ptr);
+            var ptr1 = ret[0];
+            var len1 = ret[1];
+            if (ret[3]) {
+                ptr1 = 0; len1 = 0;
+                throw takeFromExternrefTable0(ret[2]);
+            }
+            deferred2_0 = ptr1;
+            deferred2_1 = len1;
+            return getStringFromWasm0(ptr1, len1);
+        } finally {
+            wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+        }
+    }
+    /**
+     * How near a simulated block is to its truth.
+     * @param {BlockModel} truth
+     * @returns {BlockScore}
+     */
+    score(truth) {
+        const ret = wasm.finishedblock_score(this.__wbg_ptr, truth);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+}
+if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
 
 /**
  * A grey image in wasm memory. Call `free` when it is no longer needed.
@@ -436,21 +395,6 @@ export class Photo {
         return ret;
     }
     /**
-     * Cuts windows around rays: x, y and scale in px; stride 3.
-     * @param {Float64Array | number[]} rays
-     * @param {Given<RefinementOptions>} options
-     * @returns {RayWindowTable}
-     */
-    ray_windows(rays, options) {
-        const ptr0 = passArrayF64ToWasm0(rays, wasm.__wbindgen_malloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.photo_ray_windows(this.__wbg_ptr, ptr0, len0, options);
-        if (ret[2]) {
-            throw takeFromExternrefTable0(ret[1]);
-        }
-        return takeFromExternrefTable0(ret[0]);
-    }
-    /**
      * The image halved until its longer side is at most `max_side` px.
      * @param {number} max_side
      * @returns {ReducedImage}
@@ -576,30 +520,149 @@ export class Report {
 if (Symbol.dispose) Report.prototype[Symbol.dispose] = Report.prototype.free;
 
 /**
- * The ambiguity ratio of each strategy where none is chosen.
- * @returns {Record<Strategy, number>}
+ * The run of a block. Its host does the jobs of `next`, in any order and any number at the same time: it reads the files, asks `prepare`,
+ * looks for a kept record of the key, which goes to `found`, and else calls `execute_job`, keeps what comes of it and hands it to `complete`.
  */
-export function ambiguity_defaults() {
-    const ret = wasm.ambiguity_defaults();
-    return ret;
+export class Run {
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        RunFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_run_free(ptr, 0);
+    }
+    /**
+     * Takes the bytes that came of a job.
+     * @param {number} id
+     * @param {Uint8Array | number[]} bytes
+     */
+    complete(id, bytes) {
+        const val2 = +id;
+        const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.run_complete(this.__wbg_ptr, val2, ptr0, len0);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * Takes why a job could not be done: an image or a pair is left out with it, where these are to blame.
+     * @param {number} id
+     * @param {Failure} failure
+     */
+    failed(id, failure) {
+        const ret = wasm.run_failed(this.__wbg_ptr, id, failure);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * What the run has found; frees it.
+     * @returns {FinishedBlock}
+     */
+    finish() {
+        const ptr = this.__destroy_into_raw();
+        const ret = wasm.run_finish(ptr);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return FinishedBlock.__wrap(ret[0]);
+    }
+    /**
+     * Takes a kept record; one that does not read well is not taken, and the job is still to be done.
+     * @param {number} id
+     * @param {Uint8Array | number[]} record
+     * @returns {boolean}
+     */
+    found(id, record) {
+        const val2 = +id;
+        const ptr0 = passArray8ToWasm0(record, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.run_found(this.__wbg_ptr, val2, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return ret[0] !== 0;
+    }
+    /**
+     * A run of which nothing is done; what can be refused before the images are read is refused here.
+     * @param {Given<RunInput>} input
+     */
+    constructor(input) {
+        const ret = wasm.run_new(input);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        this.__wbg_ptr = ret[0];
+        RunFinalization.register(this, this.__wbg_ptr, this);
+        return this;
+    }
+    /**
+     * What was found since the last call, and how far the stages are.
+     * @returns {News[]}
+     */
+    news() {
+        const ret = wasm.run_news(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * Jobs that can be done now, at most so many. Where there are none, and none is under way, the run is over.
+     * @param {number} most
+     * @returns {Job[]}
+     */
+    next(most) {
+        const ret = wasm.run_next(this.__wbg_ptr, most);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * What is to be done for a job whose files have these digests, SHA-256 in hexadecimal digits.
+     * @param {number} id
+     * @param {string[]} digests
+     * @returns {Work}
+     */
+    prepare(id, digests) {
+        const val2 = +id;
+        const ptr0 = passArrayJsValueToWasm0(digests, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.run_prepare(this.__wbg_ptr, val2, ptr0, len0);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+}
+if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
+
+/**
+ * The keys of the options of a block that have an effect with these settings.
+ * @param {Given<BlockSettings>} settings
+ * @returns {string[]}
+ */
+export function acting_block_parameters(settings) {
+    const ret = wasm.acting_block_parameters(settings);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
- * The defaults of the options of the assembly.
- * @returns {AssemblyOptions}
+ * The keys of the options of a pair that have an effect with these settings.
+ * @param {Given<PairSettings>} settings
+ * @returns {string[]}
  */
-export function assembly_defaults() {
-    const ret = wasm.assembly_defaults();
-    return ret;
-}
-
-/**
- * Every tunable of the assembly and of the bundle adjustment.
- * @returns {Parameter[]}
- */
-export function assembly_parameters() {
-    const ret = wasm.assembly_parameters();
-    return ret;
+export function acting_parameters(settings) {
+    const ret = wasm.acting_parameters(settings);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -612,7 +675,7 @@ export function block_flight_defaults() {
 }
 
 /**
- * Every parameter of a block's flight with label, unit, range and help.
+ * Every parameter of a block's flight on which photos depend.
  * @returns {Parameter[]}
  */
 export function block_flight_parameters() {
@@ -621,7 +684,7 @@ export function block_flight_parameters() {
 }
 
 /**
- * Every tunable of a block's pairs, of multi-ray points and of the choice among them.
+ * Every option of a block, in the order of the pipeline.
  * @returns {Parameter[]}
  */
 export function block_parameters() {
@@ -640,22 +703,6 @@ export function block_settings(given) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
-}
-
-/**
- * For each name of an image the index of the first rule that it fits, -1 without one.
- * @param {CameraRule[]} rules
- * @param {string[]} names
- * @returns {Int32Array}
- */
-export function camera_rules_of(rules, names) {
-    const ret = wasm.camera_rules_of(rules, names);
-    if (ret[3]) {
-        throw takeFromExternrefTable0(ret[2]);
-    }
-    var v1 = getArrayI32FromWasm0(ret[0], ret[1]).slice();
-    wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
-    return v1;
 }
 
 /**
@@ -698,11 +745,63 @@ export function candidates(index, left_points, left_descriptors, right_points, r
 }
 
 /**
- * Refuses what is known of a block where no block can be so, before its images are matched.
- * @param {BlockDescription} description
+ * Refuses a truth of other images.
+ * @param {BlockModel} truth
+ * @param {readonly string[]} names
  */
-export function check_block_description(description) {
-    const ret = wasm.check_block_description(description);
+export function check_block_truth(truth, names) {
+    const ret = wasm.check_block_truth(truth, names);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
+ * Refuses a file of cameras that cannot be read, or fits no image of these names, where there are any.
+ * @param {string} text
+ * @param {string[]} names
+ */
+export function check_cameras(text, names) {
+    let ptr0, len0, ptr1, len1;
+    try {
+        ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+        len1 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.check_cameras(ptr0, len0, ptr1, len1);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
+ * Refuses ground control points and image measurements that a run of these images would refuse, as far as their names say.
+ * @param {string} points
+ * @param {string} marks
+ * @param {string[]} names
+ * @param {GeoreferencingOptions} placing
+ */
+export function check_control(points, marks, names, placing) {
+    let ptr0, len0, ptr1, len1, ptr2, len2;
+    try {
+        ptr0 = passStringToWasm0(points, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len0 = WASM_VECTOR_LEN;
+        ptr1 = passStringToWasm0(marks, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        len1 = WASM_VECTOR_LEN;
+        ptr2 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+        len2 = WASM_VECTOR_LEN;
+    } catch (e) {
+        if (ptr2) { wasm.__externref_drop_slice(ptr2, len2); wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
+        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+        throw e;
+    }
+    const ret = wasm.check_control(ptr0, len0, ptr1, len1, ptr2, len2, placing);
     if (ret[1]) {
         throw takeFromExternrefTable0(ret[0]);
     }
@@ -720,25 +819,36 @@ export function check_flight(flight) {
 }
 
 /**
- * The pairs of a block that are tried, each once: `positions` as in `pair_rule`; `similar`: two images and their similarity; stride 3.
- * @param {Float64Array | number[]} positions
- * @param {Float64Array | number[]} similar
- * @param {Given<PairChoice>} choice
- * @returns {ChosenPair[]}
+ * Refuses two masks of one image.
+ * @param {string[]} names
+ * @param {string[]} masks
  */
-export function choose_pairs(positions, similar, choice) {
+export function check_masks(names, masks) {
     let ptr0, len0, ptr1, len1;
     try {
-        ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+        ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
         len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(similar, wasm.__wbindgen_malloc);
+        ptr1 = passArrayJsValueToWasm0(masks, wasm.__wbindgen_malloc);
         len1 = WASM_VECTOR_LEN;
     } catch (e) {
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
+        if (ptr1) { wasm.__externref_drop_slice(ptr1, len1); wasm.__wbindgen_free(ptr1, len1 * 4, 4); }
+        if (ptr0) { wasm.__externref_drop_slice(ptr0, len0); wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
         throw e;
     }
-    const ret = wasm.choose_pairs(ptr0, len0, ptr1, len1, choice);
+    const ret = wasm.check_masks(ptr0, len0, ptr1, len1);
+    if (ret[1]) {
+        throw takeFromExternrefTable0(ret[0]);
+    }
+}
+
+/**
+ * The groups of connected images of a block, the largest first.
+ * @param {number} images
+ * @param {Connection[]} connections
+ * @returns {number[][]}
+ */
+export function connected_groups(images, connections) {
+    const ret = wasm.connected_groups(images, connections);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -757,26 +867,6 @@ export function constant_offset(dx, dy) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
-}
-
-/**
- * Writes a field of a table between commas, in quotation marks where it needs them.
- * @param {string} text
- * @returns {string}
- */
-export function csv_field(text) {
-    let deferred2_0;
-    let deferred2_1;
-    try {
-        const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-        const len0 = WASM_VECTOR_LEN;
-        const ret = wasm.csv_field(ptr0, len0);
-        deferred2_0 = ret[0];
-        deferred2_1 = ret[1];
-        return getStringFromWasm0(ret[0], ret[1]);
-    } finally {
-        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
-    }
 }
 
 /**
@@ -976,17 +1066,21 @@ export function estimated_interior(focal, left_width, left_height, right_width, 
 }
 
 /**
- * Why the pairs of a block are or are not connected, in words, in their order; and the groups of connected images, the largest first.
- * @param {number} images
- * @param {Connection[]} connections
- * @returns {{ reasons: string[]; groups: number[][] }}
+ * Does the task of a job: the same bytes give the same bytes, on every machine.
+ * @param {string} task
+ * @param {readonly Uint8Array[]} inputs
+ * @returns {Uint8Array}
  */
-export function explain_connections(images, connections) {
-    const ret = wasm.explain_connections(images, connections);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
+export function execute_job(task, inputs) {
+    const ptr0 = passStringToWasm0(task, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.execute_job(ptr0, len0, inputs);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
     }
-    return takeFromExternrefTable0(ret[0]);
+    var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+    return v2;
 }
 
 /**
@@ -1021,16 +1115,7 @@ export function feature_defaults() {
 }
 
 /**
- * Every tunable of features with label, unit, range and help.
- * @returns {Parameter[]}
- */
-export function feature_parameters() {
-    const ret = wasm.feature_parameters();
-    return ret;
-}
-
-/**
- * Every parameter of a flight with label, unit, range and help.
+ * Every parameter of a flight.
  * @returns {Parameter[]}
  */
 export function flight_parameters() {
@@ -1057,15 +1142,6 @@ export function flight_preset(name) {
  */
 export function flight_presets() {
     const ret = wasm.flight_presets();
-    return ret;
-}
-
-/**
- * Every tunable of matching by descriptors and of two-view geometry.
- * @returns {Parameter[]}
- */
-export function geometry_parameters() {
-    const ret = wasm.geometry_parameters();
     return ret;
 }
 
@@ -1101,24 +1177,30 @@ export function gradient_candidates(index, left_gradients, right_gradients, most
 }
 
 /**
- * Positions in px (stride 2) freed of a camera's distortion; NaN where it folds the image, so that it has no inverse.
- * @param {ModelCamera} camera
- * @param {Float64Array | number[]} positions
- * @returns {Float64Array}
+ * Writes grey values as a PNG file, with the camera and the position of `exif` where it is given.
+ * @param {number} width
+ * @param {number} height
+ * @param {Uint8Array | number[]} grey
+ * @param {ExifImage} [exif]
+ * @returns {Uint8Array}
  */
-export function ideal_positions(camera, positions) {
-    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
+export function grey_png(width, height, grey, exif) {
+    const val2 = +width;
+    const val3 = +height;
+    const ptr0 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
     const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.ideal_positions(camera, ptr0, len0);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
+    const ret = wasm.grey_png(val2, val3, ptr0, len0, exif);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
     }
-    return takeFromExternrefTable0(ret[0]);
+    var v4 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+    wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+    return v4;
 }
 
 /**
  * The interior orientation of an image: from its fiducials, or from the camera's pixel size.
- * @param {Camera} camera
+ * @param {CameraMm} camera
  * @param {PhotoGeometry} photo
  * @returns {Interior}
  */
@@ -1396,6 +1478,43 @@ export function matches_csv(matches) {
 }
 
 /**
+ * The English text of a message, or, by its name, another text that belongs to it, as its `label`.
+ * @param {keyof Messages} family
+ * @param {Messages[keyof Messages]} message
+ * @param {string | null} [attribute]
+ * @returns {string}
+ */
+export function message(family, message, attribute) {
+    let deferred4_0;
+    let deferred4_1;
+    try {
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passStringToWasm0(family, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = isLikeNone(attribute) ? 0 : passStringToWasm0(attribute, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.message(ptr0, len0, message, ptr1, len1);
+        var ptr3 = ret[0];
+        var len3 = ret[1];
+        if (ret[3]) {
+            ptr3 = 0; len3 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred4_0 = ptr3;
+        deferred4_1 = len3;
+        return getStringFromWasm0(ptr3, len3);
+    } finally {
+        wasm.__wbindgen_free(deferred4_0, deferred4_1, 1);
+    }
+}
+
+/**
  * The nearest right descriptors of left ones from `first` to before `end`: a piece of the work, for `join_nearest` and
  * `match_photos`.
  * @param {Uint8Array | number[]} left
@@ -1442,15 +1561,6 @@ export function observations(matches, left, right) {
     var v2 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
     wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
     return v2;
-}
-
-/**
- * The defaults of each operator for the options that are absent by default.
- * @returns {Record<Operator, OperatorDefaults>}
- */
-export function operator_defaults() {
-    const ret = wasm.operator_defaults();
-    return ret;
 }
 
 /**
@@ -1524,23 +1634,16 @@ export function orient_relative(observations, focal_mm, options, weights) {
 }
 
 /**
- * The rule that chooses the pairs of a block. `positions`: x, y, z in m of each image, NaN where it has none; stride 3.
- * @param {Float64Array | number[]} positions
- * @param {Given<PairChoice>} choice
- * @returns {PairRule}
+ * What the paper printed for its own pair.
+ * @returns {Paper}
  */
-export function pair_rule(positions, choice) {
-    const ptr0 = passArrayF64ToWasm0(positions, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.pair_rule(ptr0, len0, choice);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
-    }
-    return takeFromExternrefTable0(ret[0]);
+export function paper() {
+    const ret = wasm.paper();
+    return ret;
 }
 
 /**
- * Every tunable with label, unit, range and help, in the order of the pipeline.
+ * Every option of a pair, in the order of the pipeline.
  * @returns {Parameter[]}
  */
 export function parameters() {
@@ -1549,9 +1652,9 @@ export function parameters() {
 }
 
 /**
- * Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion"}.
+ * Reads a camera: {"focal_mm", "principal_point_mm", "pixel_mm", "radial_distortion", "tangential_distortion"}.
  * @param {string} json
- * @returns {Camera}
+ * @returns {CameraMm}
  */
 export function parse_camera(json) {
     const ptr0 = passStringToWasm0(json, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
@@ -1594,14 +1697,29 @@ export function parse_fiducials(csv) {
 }
 
 /**
- * Reads where images show surveyed points: lines of image, point, x, y in px.
+ * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
  * @param {string} text
- * @returns {ImageMark[]}
+ * @returns {GroundControlRow[]}
  */
-export function parse_image_marks(text) {
+export function parse_ground_control_points(text) {
     const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
     const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_image_marks(ptr0, len0);
+    const ret = wasm.parse_ground_control_points(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Reads where images show surveyed points: lines of image, point, x, y in px.
+ * @param {string} text
+ * @returns {ImageMeasurementRow[]}
+ */
+export function parse_image_measurements(text) {
+    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.parse_image_measurements(ptr0, len0);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1626,24 +1744,9 @@ export function parse_observations(csv) {
 }
 
 /**
- * Reads surveyed points: lines of name, x, y, z and perhaps two standard errors.
- * @param {string} text
- * @returns {SurveyedPoint[]}
- */
-export function parse_surveyed_points(text) {
-    const ptr0 = passStringToWasm0(text, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.parse_surveyed_points(ptr0, len0);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
-    }
-    return takeFromExternrefTable0(ret[0]);
-}
-
-/**
  * A block's camera as a photo of a pair has it: lengths in mm, the radial distortion as a correction of what was measured.
- * @param {ModelCamera} camera
- * @returns {Camera}
+ * @param {Camera} camera
+ * @returns {CameraMm}
  */
 export function photo_camera(camera) {
     const ret = wasm.photo_camera(camera);
@@ -1651,6 +1754,22 @@ export function photo_camera(camera) {
         throw takeFromExternrefTable0(ret[1]);
     }
     return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The files that a block of images with these names is written to, but for those of which there is one for each two images.
+ * @param {readonly string[]} names
+ * @param {readonly ExportFormat[]} formats
+ * @returns {string[]}
+ */
+export function planned_files(names, formats) {
+    const ret = wasm.planned_files(names, formats);
+    if (ret[3]) {
+        throw takeFromExternrefTable0(ret[2]);
+    }
+    var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+    wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+    return v1;
 }
 
 /**
@@ -1680,15 +1799,6 @@ export function points_csv(points) {
 }
 
 /**
- * What can become of a ray that is refined, in the order of its codes.
- * @returns {RayOutcome[]}
- */
-export function ray_outcomes() {
-    const ret = wasm.ray_outcomes();
-    return ret;
-}
-
-/**
  * What EXIF tells of an image of this size beside its pixels.
  * @param {Uint8Array | number[]} file
  * @param {number} width
@@ -1705,52 +1815,30 @@ export function read_exif(file, width, height) {
 }
 
 /**
- * Reads a project; a file that is damaged or of another kind is refused whole.
- * @param {Uint8Array | number[]} bytes
- * @returns {Project}
+ * The defaults of the options of the reconstruction.
+ * @returns {ReconstructionOptions}
  */
-export function read_project(bytes) {
-    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
-    const len0 = WASM_VECTOR_LEN;
-    const ret = wasm.read_project(ptr0, len0);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
-    }
-    return takeFromExternrefTable0(ret[0]);
+export function reconstruction_defaults() {
+    const ret = wasm.reconstruction_defaults();
+    return ret;
 }
 
 /**
- * Refines the rays of points by their windows. The rays of point i are those from `starts[i]` to before `starts[i + 1]`, each with x, y and
- * scale in px and direction in rad (stride 4); `places` and `grey` as `ray_windows` gives them, their rays counted from 0 over all points.
- *
- * Of each ray the place of its outcome among `ray_outcomes`, x, y, the standard error in px and the correlation (NaN where it was not
- * refined); stride 5.
- * @param {Uint32Array | number[]} starts
- * @param {Float64Array | number[]} rays
- * @param {Uint32Array | number[]} places
- * @param {Uint8Array | number[]} grey
- * @param {Given<RefinementOptions>} options
- * @returns {Float64Array}
+ * What can become of a ray that is refined, in the order of its codes.
+ * @returns {RefinementOutcome[]}
  */
-export function refine_points(starts, rays, places, grey, options) {
-    let ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3;
-    try {
-        ptr0 = passArray32ToWasm0(starts, wasm.__wbindgen_malloc);
-        len0 = WASM_VECTOR_LEN;
-        ptr1 = passArrayF64ToWasm0(rays, wasm.__wbindgen_malloc);
-        len1 = WASM_VECTOR_LEN;
-        ptr2 = passArray32ToWasm0(places, wasm.__wbindgen_malloc);
-        len2 = WASM_VECTOR_LEN;
-        ptr3 = passArray8ToWasm0(grey, wasm.__wbindgen_malloc);
-        len3 = WASM_VECTOR_LEN;
-    } catch (e) {
-        if (ptr3) { wasm.__wbindgen_free(ptr3, len3 * 1, 1); }
-        if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 4, 4); }
-        if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 8, 8); }
-        if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 4, 4); }
-        throw e;
-    }
-    const ret = wasm.refine_points(ptr0, len0, ptr1, len1, ptr2, len2, ptr3, len3, options);
+export function refinement_outcomes() {
+    const ret = wasm.refinement_outcomes();
+    return ret;
+}
+
+/**
+ * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
+ * @param {Given<PairSettings>} settings
+ * @returns {PairSettings}
+ */
+export function resolved(settings) {
+    const ret = wasm.resolved(settings);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1868,6 +1956,13 @@ export function simulate(flight) {
 }
 
 /**
+ * Throws a panic as an error named `Panic`, which is a bug: a trap without one is memory that ran out.
+ */
+export function throw_panics() {
+    wasm.throw_panics();
+}
+
+/**
  * The geometry of two images from matches x, y left, x, y right in px (stride 4), of which many may be wrong.
  * @param {Float64Array | number[]} points
  * @param {Given<TwoViewOptions>} options
@@ -1899,30 +1994,6 @@ export function version() {
         wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
     }
 }
-
-/**
- * Writes a project.
- * @param {Project} project
- * @returns {string}
- */
-export function write_project(project) {
-    let deferred2_0;
-    let deferred2_1;
-    try {
-        const ret = wasm.write_project(project);
-        var ptr1 = ret[0];
-        var len1 = ret[1];
-        if (ret[3]) {
-            ptr1 = 0; len1 = 0;
-            throw takeFromExternrefTable0(ret[2]);
-        }
-        deferred2_0 = ptr1;
-        deferred2_1 = len1;
-        return getStringFromWasm0(ptr1, len1);
-    } finally {
-        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
-    }
-}
 function __wbg_get_imports() {
     const import0 = {
         __proto__: null,
@@ -1946,6 +2017,9 @@ function __wbg_get_imports() {
             const ret = typeof(obj) === 'number' ? obj : undefined;
             getDataViewMemory0().setFloat64((arg0 >>> 0) + 8 * 1, isLikeNone(ret) ? 0 : ret, true);
             getDataViewMemory0().setInt32((arg0 >>> 0) + 4 * 0, !isLikeNone(ret), true);
+        },
+        __wbg___wbindgen_rethrow_d953c34c2e20677f: function(arg0) {
+            throw arg0;
         },
         __wbg___wbindgen_string_get_7ce8eee7fd327545: function(arg0, arg1) {
             const obj = arg1;
@@ -2065,6 +2139,10 @@ function __wbg_get_imports() {
             const ret = new Object();
             return ret;
         },
+        __wbg_new_from_slice_1ed4a41a79189233: function(arg0, arg1) {
+            const ret = new Uint16Array(getArrayU16FromWasm0(arg0, arg1));
+            return ret;
+        },
         __wbg_new_from_slice_3512352010266e02: function(arg0, arg1) {
             const ret = new Uint32Array(getArrayU32FromWasm0(arg0, arg1));
             return ret;
@@ -2129,7 +2207,7 @@ function __wbg_get_imports() {
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
             // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 8, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
-            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4);
+            const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99);
             return ret;
         },
         __wbindgen_generic_0000000000000002: function(arg0) {
@@ -2157,23 +2235,29 @@ function __wbg_get_imports() {
     };
 }
 
-function wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4(arg0, arg1, arg2, arg3) {
-    const ret = wasm.wasm_bindgen__convert__closures_____invoke__h33682bcdd9276de4(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3) {
+    const ret = wasm.wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3);
     return ret;
 }
 
-const BlockPointsFinalization = (typeof FinalizationRegistry === 'undefined')
-    ? { register: () => {}, unregister: () => {} }
-    : new FinalizationRegistry(ptr => wasm.__wbg_blockpoints_free(ptr, 1));
 const BlockSceneFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_blockscene_free(ptr, 1));
+const BlockWritingFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_blockwriting_free(ptr, 1));
+const FinishedBlockFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_finishedblock_free(ptr, 1));
 const PhotoFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_photo_free(ptr, 1));
 const ReportFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_report_free(ptr, 1));
+const RunFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_run_free(ptr, 1));
 
 function addToExternrefTable0(obj) {
     const idx = wasm.__externref_table_alloc();
@@ -2264,6 +2348,22 @@ function getArrayI32FromWasm0(ptr, len) {
     return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
 }
 
+function getArrayJsValueFromWasm0(ptr, len) {
+    ptr = ptr >>> 0;
+    const mem = getDataViewMemory0();
+    const result = [];
+    for (let i = ptr; i < ptr + 4 * len; i += 4) {
+        result.push(wasm.__wbindgen_externrefs.get(mem.getUint32(i, true)));
+    }
+    wasm.__externref_drop_slice(ptr, len);
+    return result;
+}
+
+function getArrayU16FromWasm0(ptr, len) {
+    ptr = ptr >>> 0;
+    return getUint16ArrayMemory0().subarray(ptr / 2, ptr / 2 + len);
+}
+
 function getArrayU32FromWasm0(ptr, len) {
     ptr = ptr >>> 0;
     return getUint32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
@@ -2309,6 +2409,14 @@ function getInt32ArrayMemory0() {
 function getStringFromWasm0(ptr, len) {
     ptr = ptr >>> 0;
     return decodeText(getUint8ArrayMemory0().subarray(ptr, ptr + len));
+}
+
+let cachedUint16ArrayMemory0 = null;
+function getUint16ArrayMemory0() {
+    if (cachedUint16ArrayMemory0 === null || cachedUint16ArrayMemory0.byteLength === 0) {
+        cachedUint16ArrayMemory0 = new Uint16Array(wasm.memory.buffer);
+    }
+    return cachedUint16ArrayMemory0;
 }
 
 let cachedUint32ArrayMemory0 = null;
@@ -2363,13 +2471,6 @@ function makeClosure(arg0, arg1, f) {
     };
     CLOSURE_DTORS.register(real, state, state);
     return real;
-}
-
-function passArray32ToWasm0(arg, malloc) {
-    const ptr = malloc(arg.length * 4, 4) >>> 0;
-    getUint32ArrayMemory0().set(arg, ptr / 4);
-    WASM_VECTOR_LEN = arg.length;
-    return ptr;
 }
 
 function passArray8ToWasm0(arg, malloc) {
@@ -2484,6 +2585,7 @@ function __wbg_finalize_init(instance, module) {
     cachedFloat32ArrayMemory0 = null;
     cachedFloat64ArrayMemory0 = null;
     cachedInt32ArrayMemory0 = null;
+    cachedUint16ArrayMemory0 = null;
     cachedUint32ArrayMemory0 = null;
     cachedUint8ArrayMemory0 = null;
     wasm.__wbindgen_start();
