@@ -2670,7 +2670,7 @@ function makeSlider(parameter, step) {
 function pathOf(settings, key) {
 	const [group = "", field = ""] = key.split(".");
 	if (group in settings) return [group, field];
-	return "features" in settings ? [
+	return typeof settings["features"] === "object" ? [
 		"features",
 		group,
 		field

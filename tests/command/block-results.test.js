@@ -93,7 +93,7 @@ test('images of which no two are connected make no block', () => {
 test('recorded positions that cannot be are told', () => {
   const changed = recorded({ 'photo_00001.png': { latitude_deg: 123 }, 'photo_00005.png': { latitude_deg: 0, longitude_deg: 0, height_m: 0 } });
   const call = ['block', changed, ...BLOCK.call.slice(2)];
-  const said = 'impossible recorded positions and heights are left out: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
+  const said = 'impossible GNSS positions and heights are ignored: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
   const { code, stdout, stderr } = tiepoint(...call, '--out', folder(), '--json');
   assert.deepEqual([code, JSON.parse(stdout).remarks, stderr], [0, [said], `tiepoint: ${said}\n`]);
   assert.deepEqual(json(...call, '--out', folder(), '--gps', 'ignore').remarks, []);

@@ -156,8 +156,8 @@ test('cameras of a file take the place of those of EXIF', () => {
   const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
   assert.equal(code, 0, stderr);
   const summary = JSON.parse(stdout);
-  assert.deepEqual(summary.remarks, ['the camera of PHOTO_0000[0]* is of none of the images']);
-  assert.match(stderr, /^tiepoint: the camera of PHOTO_0000\[0\]\* is of none of the images\n$/);
+  assert.deepEqual(summary.remarks, ['the camera of PHOTO_0000[0]* fits the name of no image']);
+  assert.match(stderr, /^tiepoint: the camera of PHOTO_0000\[0\]\* fits the name of no image\n$/);
   assert.equal(summary.cameras.length, 1);
   assert.equal(summary.cameras[0].focal_px, 700);
   assert.deepEqual(summary.orientation.cameras[0].radial, [0.01, 0, 0]);
@@ -208,7 +208,7 @@ test('surveyed points place the block', () => {
   const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /image measurements: got the point P9; allowed: points of the table of control points/);
   const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
-  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: places within its/);
+  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
   const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
   assert.ok(warnings.some((/** @type {{ text: string }} */ { text }) => /The GCPs make the block 3\.\d times as large as the GNSS positions: are they in feet\?/.test(text)), JSON.stringify(warnings));
@@ -221,7 +221,7 @@ test('each rule of pairs chooses its own', () => {
   assert.ok(tried('--pairs', 'near', '--near', '2') < PAIRS);
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
-  assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as alike/);
+  assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as similar/);
   assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness of images: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });

@@ -63,7 +63,7 @@ test('the options reach the matching', () => {
   assert.ok(matches('--max-measure', '0.5').matches < result.counts.matches);
   assert.ok(matches('--ambiguity', '0.5').rejected.ambiguous > result.counts.rejected.ambiguous);
   assert.notEqual(matches('--denominator', 'floor').matches, result.counts.matches);
-  assert.notEqual(matches('--measure', 'di').matches, result.counts.matches);
+  assert.notEqual(matches('--strategy', 'invariants').matches, result.counts.matches);
   assert.notEqual(matches('--window', '7').matches, result.counts.matches);
   assert.notEqual(matches('--search', '9').matches, result.counts.matches);
   assert.ok(matches('--operator', 'forstner').matches > 0);
@@ -85,7 +85,7 @@ test('without a focal length the matches stand and the orientation is null with 
   assert.equal(bare.counts.matches, result.counts.matches);
   assert.equal(bare.orientation, null);
   assert.match(bare.no_orientation.text, /focal/i);
-  assert.match(tiepoint('match', left, right).stdout, /no orientation: .*focal/i);
+  assert.match(tiepoint('match', left, right).stdout, /not oriented: .*focal/i);
 });
 
 test('a focal length in px stands for a camera of pixels of 0.001 mm', () => {

@@ -66,14 +66,14 @@ test('killed while windows are kept or points refined, it goes on to the same by
 test('windows that were kept are not cut again; damaged ones are', () => {
   const out = folder();
   const call = [...REFINED, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile];
-  assert.match(tiepoint(...call).stderr, /images for windows of rays: 6 in/);
+  assert.match(tiepoint(...call).stderr, /images for windows of observations: 6 in/);
   const at = join(out, 'work', 'windows');
   const [one = '', other = ''] = readdirSync(at).map((name) => join(at, name));
   const bytes = readFileSync(one);
   bytes[bytes.length - 1] = (bytes.at(-1) ?? 0) ^ 1;
   writeFileSync(one, bytes);
   rmSync(other);
-  assert.match(tiepoint(...call).stderr, /images for windows of rays: 6 \(4 from an earlier run\) in/);
+  assert.match(tiepoint(...call).stderr, /images for windows of observations: 6 \(4 from an earlier run\) in/);
   assert.deepEqual(contents(out), contents(WHOLE));
 });
 

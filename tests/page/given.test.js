@@ -69,7 +69,7 @@ test('cameras that are of no image are told: all of them at once, one beside oth
   await status(page, /^Cameras from cameras\.json\.$/);
   await part(page, 'block-run').click();
   await status(page, /^(Done|No image)/);
-  assert.match((await part(page, 'block-remarks').textContent()) ?? '', /the camera of DJI_\* is of none of the images/);
+  assert.match((await part(page, 'block-remarks').textContent()) ?? '', /the camera of DJI_\* fits the name of no image/);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();

@@ -7,7 +7,8 @@ type Group = Record<string, unknown>;
 function pathOf(settings: object, key: string): string[] {
   const [group = '', field = ''] = key.split('.');
   if (group in settings) return [group, field];
-  return 'features' in settings ? ['features', group, field] : [field];
+  // A flight has a number of features, and no groups.
+  return typeof (settings as Group)['features'] === 'object' ? ['features', group, field] : [field];
 }
 
 /** The value of a setting; null where it is absent. */
