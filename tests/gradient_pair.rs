@@ -235,7 +235,7 @@ fn a_strip_of_few_rows_is_not_taken_for_a_film_border() {
         |x: usize, y: usize| f64::from((x as u32).wrapping_mul(2_654_435_761).wrapping_add((y as u32).wrapping_mul(40_503_241)) >> 9 & 255);
     let smooth = |x: usize, y: usize, side: usize| {
         let (col, row, u, v) = (x / side, y / side, (x % side) as f64 / side as f64, (y % side) as f64 / side as f64);
-        let along = |row: usize| lattice(col * 7919 ^ row, row) * (1.0 - u) + lattice((col + 1) * 7919 ^ row, row) * u;
+        let along = |row: usize| lattice((col * 7919) ^ row, row) * (1.0 - u) + lattice(((col + 1) * 7919) ^ row, row) * u;
         along(row) * (1.0 - v) + along(row + 1) * v
     };
     let strip =
