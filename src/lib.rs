@@ -113,4 +113,4 @@ pub use two_view::{
 /// The example of the documentation is compiled and run with the tests.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/rust.md")]
-struct Guide;
+struct GuideOfRust;

@@ -222,7 +222,7 @@ test('each rule of pairs chooses its own', () => {
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
   assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as similar/);
-  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /likeness of images: 5 \(5 from an earlier run\)/);
+  assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /similarity of images: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });
 

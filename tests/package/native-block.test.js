@@ -34,5 +34,6 @@ test('a native program writes the same bytes as the command, and takes up what t
   const told = natively(photos, ours);
   assert.match(told, /Pairs: 15 of 15/);
   assert.equal(records(ours, 'pairs'), before);
-  assert.deepEqual([...contents(join(own, 'work')).keys()].sort(), [...contents(join(ours, 'work')).keys()].sort());
+  const kept = (/** @type {string} */ at) => [...contents(join(at, 'work')).keys()].filter((name) => name.endsWith('.record')).sort();
+  assert.deepEqual(kept(own), kept(ours));
 });
