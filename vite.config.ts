@@ -10,7 +10,10 @@ const beside: Plugin = {
   name: 'tiepoint-beside',
   configureServer: ({ middlewares }) => {
     middlewares.use('/worker.js', (_, response) => void response.setHeader('Content-Type', 'text/javascript').end("import '/worker.ts';"));
-    middlewares.use('/tiepoint_bg.wasm', (_, response) => void response.setHeader('Content-Type', 'application/wasm').end(readFileSync(pathOf('tiepoint_bg.wasm'))));
+    middlewares.use(
+      '/tiepoint_bg.wasm',
+      (_, response) => void response.setHeader('Content-Type', 'application/wasm').end(readFileSync(pathOf('tiepoint_bg.wasm'))),
+    );
   },
 };
 

@@ -1621,9 +1621,7 @@ function fileInput({ testid, label, accept, multiple = false, folder = false }, 
 /** The button with its field. */
 function fileButton(text, picked, take, title) {
 	const input = fileInput(picked, take);
-	return [button(text, picked.testid, () => {
-		input.click();
-	}, title), input];
+	return [button(text, picked.testid, () => input.click(), title), input];
 }
 // www/shared/panel/tabs.ts
 /** Tabs: one panel of a list is shown; arrow keys move between them. */
@@ -1653,9 +1651,7 @@ function tabbed(label, tabs) {
 		});
 	};
 	buttons.forEach((tab, i) => {
-		tab.addEventListener("click", () => {
-			choose(i);
-		});
+		tab.addEventListener("click", () => choose(i));
 		tab.addEventListener("keydown", (event) => {
 			const step = {
 				ArrowRight: 1,
@@ -1877,9 +1873,7 @@ var WorkerClient = class {
 			};
 			worker.ready.then(() => {
 				if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
-			}, (error) => {
-				this.end(new CallError(otherFailure(error), true));
-			});
+			}, (error) => this.end(new CallError(otherFailure(error), true)));
 		});
 	}
 	/** Ends the worker and rejects what waits for it. The next call starts a fresh one. */
@@ -1888,9 +1882,7 @@ var WorkerClient = class {
 	}
 	start() {
 		const handle = spawnWorker(this.name);
-		handle.onmessage = (event) => {
-			this.receive(event.data);
-		};
+		handle.onmessage = (event) => this.receive(event.data);
 		handle.onerror = (event) => {
 			event.preventDefault();
 			this.end(new CallError({
@@ -1951,9 +1943,7 @@ var WorkerPool = class {
 			const start = (client) => client.call(call, input, transfer).then(resolve, reject);
 			this.waiting.push({
 				start,
-				drop: () => {
-					reject(new Cancelled("cancelled"));
-				}
+				drop: () => reject(new Cancelled("cancelled"))
 			});
 			this.next();
 		});
@@ -2016,19 +2006,13 @@ var problems = remember((files, placing, cameras, control, marks, masks) => {
 			return false;
 		}
 	};
-	if (cameras !== null) look("cameras", cameras.name, () => {
-		check_cameras(cameras.text, names);
-	});
+	if (cameras !== null) look("cameras", cameras.name, () => check_cameras(cameras.text, names));
 	const pointsRead = control !== null && look("control", control.name, () => parse_ground_control_points(control.text));
 	const marksRead = marks !== null && look("marks", marks.name, () => parse_image_measurements(marks.text));
-	if (pointsRead && marksRead) look("marks", marks.name, () => {
-		check_control(control.text, marks.text, names, placing);
-	});
+	if (pointsRead && marksRead) look("marks", marks.name, () => check_control(control.text, marks.text, names, placing));
 	if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? "";
 	if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? "";
-	look("masks", "", () => {
-		check_masks(names, masks.map(({ name }) => name));
-	});
+	look("masks", "", () => check_masks(names, masks.map(({ name }) => name)));
 	return found;
 });
 // www/block/state/state.ts
@@ -2213,9 +2197,7 @@ var BlockEngine = class {
 		};
 	}
 	async perform(port, id, job) {
-		const say = (message, transfer = []) => {
-			port.postMessage(message, transfer);
-		};
+		const say = (message, transfer = []) => port.postMessage(message, transfer);
 		try {
 			if (this.port !== port) return;
 			const answer = await this.pool.call("blockJob", job, buffersOf(job));
@@ -2258,9 +2240,7 @@ function save(blob, name) {
 	link.href = URL.createObjectURL(blob);
 	link.download = name;
 	link.click();
-	window.setTimeout(() => {
-		URL.revokeObjectURL(link.href);
-	}, 1e4);
+	window.setTimeout(() => URL.revokeObjectURL(link.href), 1e4);
 }
 // www/block/panel/exports.ts
 /** Saving a block: its own file, everything, or what another program reads. */
@@ -2286,20 +2266,18 @@ function mountExports(host, store, engine) {
 		testid: "block-export-kind",
 		aria: { label: "Format" }
 	});
-	const press = button("Save", "block-export", () => {
-		saveAs(store, engine, select.value);
-	});
+	const press = button("Save", "block-export", () => void saveAs(store, engine, select.value));
 	host.append(h("span", { class: "group-label" }, "Export"), select, press);
-	store.watch((s) => [
-		s.shown,
-		s.running,
-		s.notice
+	store.watch([
+		"shown",
+		"running",
+		"notice"
 	], ([shown]) => {
 		const whole = shown !== null && !shown.view.partial;
 		press.disabled = !whole || isBusy$1(store.state);
 		select.disabled = !whole;
 	});
-	store.watch((s) => [s.shown], ([shown]) => {
+	store.watch(["shown"], ([shown]) => {
 		const kinds = [
 			"project",
 			"everything",
@@ -2370,9 +2348,7 @@ var BlockFiles = class {
 	taker = {
 		isActive: () => this.store.state.mode === "block",
 		markAt: () => "block",
-		take: (found) => {
-			this.take(found);
-		}
+		take: (found) => void this.take(found)
 	};
 	/** Adds images to the block; what a folder holds besides images is left aside. */
 	async take(found) {
@@ -2391,9 +2367,7 @@ var BlockFiles = class {
 		if (flight === null) return;
 		this.say("busy", "Building the synthetic scene …");
 		try {
-			const { files, truth } = await this.engine.photograph(flight, (count, of) => {
-				this.say("busy", `Photographing the simulated block: ${String(count)} of ${String(of)} …`);
-			});
+			const { files, truth } = await this.engine.photograph(flight, (count, of) => this.say("busy", `Photographing the simulated block: ${String(count)} of ${String(of)} …`));
 			this.store.dispatch({
 				type: "files",
 				files: files.map((file) => ({
@@ -2504,9 +2478,7 @@ function makeControl(parameter, binding) {
 		id: `${id}-problem`,
 		role: "alert"
 	});
-	const reset = button("↺", `reset-${parameter.key}`, () => {
-		binding.set(binding.standard());
-	}, "Default");
+	const reset = button("↺", `reset-${parameter.key}`, () => binding.set(binding.standard()), "Default");
 	reset.className = "icon";
 	reset.setAttribute("aria-label", `${parameter.label}: default`);
 	const flag = parameter.kind === "flag";
@@ -2556,9 +2528,7 @@ function flagField(parameter, id, { set }) {
 		key: parameter.key,
 		aria: { describedby: `${id}-help` }
 	});
-	input.addEventListener("change", () => {
-		set(input.checked);
-	});
+	input.addEventListener("change", () => set(input.checked));
 	return {
 		elements: [input],
 		show: (value) => {
@@ -2580,9 +2550,7 @@ function choiceField(parameter, id, { set, standard, whenEmpty }) {
 	values.forEach((value, i) => {
 		select.append(new Option(labels[i] ?? value, value));
 	});
-	select.addEventListener("change", () => {
-		set(select.value === "" ? null : select.value);
-	});
+	select.addEventListener("change", () => set(select.value === "" ? null : select.value));
 	const show = (value) => {
 		const meant = labels[values.indexOf(String(whenEmpty()))];
 		empty.text = meant === void 0 ? "default" : `default: ${meant}`;
@@ -2633,9 +2601,7 @@ function numberField$1(parameter, id, { set, standard, whenEmpty }) {
 		}
 		set(input.valueAsNumber);
 	});
-	slider?.addEventListener("input", () => {
-		set(slider.valueAsNumber);
-	});
+	slider?.addEventListener("input", () => set(slider.valueAsNumber));
 	const show = (value) => {
 		input.removeAttribute("aria-invalid");
 		const absent = optional() ? whenEmpty() : null;
@@ -2694,9 +2660,7 @@ function changed$1(at, [name = "", ...rest], value) {
 // www/shared/panel/sections.ts
 function makeSections(parameters, { change, defaults, resolved, refused }) {
 	const controls = parameters.map((parameter) => makeControl(parameter, {
-		set: (value) => {
-			change(parameter.key, value);
-		},
+		set: (value) => change(parameter.key, value),
 		standard: () => readSetting(defaults(), parameter.key),
 		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
 		refused: () => refused?.(parameter.label)
@@ -2725,7 +2689,7 @@ function makeSections(parameters, { change, defaults, resolved, refused }) {
 // www/block/panel/flight.ts
 /** The simulated block: a control for each parameter of its flight that photos depend on. */
 function mountFlight(host, store, files) {
-	store.watch((s) => [s.catalogue], ([catalogue]) => {
+	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
 		const sections = makeSections(catalogue.flightParameters, {
 			change: (key, value) => {
@@ -2737,15 +2701,13 @@ function mountFlight(host, store, files) {
 			},
 			defaults: () => catalogue.flight
 		});
-		const take = button("Photograph this block", "block-photograph", () => {
-			files.simulate();
-		});
+		const take = button("Photograph this block", "block-photograph", () => void files.simulate());
 		take.className = "primary";
 		fill(host, h("p", { class: "note" }, "A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each."), h("div", { class: "buttons" }, take), ...sections.elements);
-		store.watch((s) => [s.flight], ([flight]) => {
+		store.watch(["flight"], ([flight]) => {
 			if (flight !== null) sections.show(flight);
 		});
-		store.watch((s) => [s.running, s.notice], () => {
+		store.watch(["running", "notice"], () => {
 			take.disabled = isBusy$1(store.state);
 		});
 	});
@@ -2804,14 +2766,12 @@ var MODES = [["pair", "Pair"], ["block", "Block"]];
 function mountMode(store, parts) {
 	const buttons = MODES.map(([mode, text]) => ({
 		mode,
-		press: button(text, `mode-${mode}`, () => {
-			store.dispatch({
-				type: "mode",
-				mode
-			});
-		})
+		press: button(text, `mode-${mode}`, () => store.dispatch({
+			type: "mode",
+			mode
+		}))
 	}));
-	store.watch((s) => [s.mode], ([mode]) => {
+	store.watch(["mode"], ([mode]) => {
 		for (const { mode: own, press } of buttons) press.setAttribute("aria-pressed", String(own === mode));
 		for (const [own] of MODES) for (const part of parts[own]) part.hidden = own !== mode;
 		document.querySelector(".skip")?.setAttribute("href", mode === "pair" ? "#view" : "#block-view");
@@ -2833,7 +2793,7 @@ function mountBack(store) {
 		});
 		document.getElementById("block-view")?.focus();
 	}), text);
-	store.watch((s) => [s.opened, s.shown], ([opened, shown]) => {
+	store.watch(["opened", "shown"], ([opened, shown]) => {
 		line.hidden = opened === null || shown === null;
 		fill(text, opened === null || shown === null ? "" : describe(shown.view, {
 			kind: "pair",
@@ -2861,7 +2821,7 @@ function mountProgress(host, store) {
 	const body = h("div", { class: "stages" });
 	const whole = section("Run", "block-progress", body);
 	host.append(whole);
-	store.watch((s) => [s.running, s.shown], ([running, shown]) => {
+	store.watch(["running", "shown"], ([running, shown]) => {
 		const steps = running.kind === "no" ? shown?.steps ?? {} : running.steps;
 		const begun = NAMES$1.flatMap((name) => steps[name] === void 0 ? [] : [stage(name, steps[name])]);
 		whole.hidden = begun.length === 0;
@@ -3104,10 +3064,10 @@ var LISTED = 50;
 function mountResults(host, store) {
 	const body = h("div", { testid: "block-results" });
 	host.append(body);
-	store.watch((s) => [
-		s.shown,
-		s.files,
-		s.options
+	store.watch([
+		"shown",
+		"files",
+		"options"
 	], ([shown]) => {
 		body.classList.toggle("is-stale", isOutdated(store.state));
 		if (shown === null) fill(body, h("p", { class: "note" }, "No block yet. Drop images or a folder, or simulate a block, then press Run."));
@@ -3337,7 +3297,7 @@ function readCatalogue() {
 // www/block/panel/settings.ts
 /** What the user chooses of a run: pairs, points, recorded positions, cameras. */
 function mountSettings(host, store, files) {
-	store.watch((s) => [s.catalogue], ([catalogue]) => {
+	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
 		const { defaults } = catalogue;
 		const sections = makeSections(catalogue.parameters, {
@@ -3349,12 +3309,10 @@ function mountSettings(host, store, files) {
 				});
 			},
 			defaults: () => defaults,
-			refused: (label) => {
-				store.dispatch({
-					type: "refused",
-					label
-				});
-			}
+			refused: (label) => store.dispatch({
+				type: "refused",
+				label
+			})
 		});
 		fill(host, positions(store), ...sections.elements, besides(store, files));
 		store.watch((s) => [s.options.settings], ([settings]) => {
@@ -3369,12 +3327,10 @@ function positions(store) {
 		type: "checkbox",
 		testid: "block-gps"
 	});
-	input.addEventListener("change", () => {
-		store.dispatch({
-			type: "options",
-			options: { gps: input.checked ? "use" : "ignore" }
-		});
-	});
+	input.addEventListener("change", () => store.dispatch({
+		type: "options",
+		options: { gps: input.checked ? "use" : "ignore" }
+	}));
 	store.watch((s) => [s.options.gps], ([gps]) => {
 		input.checked = gps === "use";
 	});
@@ -3393,7 +3349,7 @@ function problemOf(store, given) {
 		class: "field-problem",
 		testid: `block-${given}-problem`
 	});
-	store.watch((s) => [s.files, s.options], () => {
+	store.watch(["files", "options"], () => {
 		const text = problemsOf(store.state)[given] ?? "";
 		if (line.textContent !== text) line.textContent = text;
 	});
@@ -3403,14 +3359,10 @@ function masks(store, files) {
 	const part = besideField(store, "masks", "Masks", {
 		multiple: true,
 		accept: "image/*,.tif,.tiff,.pgm,.pnm"
-	}, (given) => {
-		files.takeMasks(given);
-	}, () => {
-		store.dispatch({
-			type: "options",
-			options: { masks: [] }
-		});
-	});
+	}, (given) => files.takeMasks(given), () => store.dispatch({
+		type: "options",
+		options: { masks: [] }
+	}));
 	store.watch((s) => [s.options.masks], ([given]) => {
 		const names = given.slice(0, 3).map(({ name }) => name).join(", ");
 		part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? " …" : ""}`, MASKS);
@@ -3420,15 +3372,11 @@ function masks(store, files) {
 function textFile(store, files, option, title, none, accept) {
 	const part = besideField(store, option, title, { accept }, ([file]) => {
 		if (file !== void 0) files.takeText(option, file);
-	}, () => {
-		store.dispatch({
-			type: "options",
-			options: { [option]: null }
-		});
-	});
-	store.watch((s) => [s.options[option]], ([given]) => {
-		part.show(given?.name ?? null, none);
-	});
+	}, () => store.dispatch({
+		type: "options",
+		options: { [option]: null }
+	}));
+	store.watch((s) => [s.options[option]], ([given]) => part.show(given?.name ?? null, none));
 	return part.element;
 }
 /** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
@@ -3458,15 +3406,9 @@ var STEP = 1.5;
 /** `prefix` of their test ids; `whole` says what Fit shows; `picture` is asked at each press. */
 function zoomButtons(prefix, whole, picture) {
 	return [
-		labelled("−", `${prefix}zoom-out`, "Zoom out (−)", () => {
-			picture().zoomMiddle(1 / STEP);
-		}),
-		labelled("+", `${prefix}zoom-in`, "Zoom in (+)", () => {
-			picture().zoomMiddle(STEP);
-		}),
-		labelled("Fit", `${prefix}zoom-fit`, `${whole} (0)`, () => {
-			picture().fit();
-		})
+		labelled("−", `${prefix}zoom-out`, "Zoom out (−)", () => picture().zoomMiddle(1 / STEP)),
+		labelled("+", `${prefix}zoom-in`, "Zoom in (+)", () => picture().zoomMiddle(STEP)),
+		labelled("Fit", `${prefix}zoom-fit`, `${whole} (0)`, () => picture().fit())
 	];
 }
 /** A button whose sign says less than its label. */
@@ -3507,15 +3449,11 @@ var Layers = class {
 		this.names = names;
 		this.paint = paint;
 		this.contexts = Object.fromEntries(names.map((name) => [name, contextOf(canvasIn(host, name))]));
-		new ResizeObserver(() => {
-			this.resize();
-		}).observe(host);
+		new ResizeObserver(() => this.resize()).observe(host);
 	}
 	redraw(...names) {
 		for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
-		if (this.frame === 0) this.frame = requestAnimationFrame(() => {
-			this.draw();
-		});
+		if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
 	}
 	/** The place of a pointer, CSS px. */
 	place(event) {
@@ -3665,27 +3603,13 @@ var Gestures = class {
 	constructor(host, movable, keyHost) {
 		this.host = host;
 		this.movable = movable;
-		host.addEventListener("pointerdown", (event) => {
-			this.down(event);
-		});
-		host.addEventListener("pointermove", (event) => {
-			this.move(event);
-		});
-		host.addEventListener("pointerup", (event) => {
-			this.up(event);
-		});
-		host.addEventListener("pointercancel", (event) => {
-			this.presses.delete(event.pointerId);
-		});
-		host.addEventListener("pointerleave", () => {
-			movable.pointed(null, false);
-		});
-		host.addEventListener("wheel", (event) => {
-			this.wheel(event);
-		}, { passive: false });
-		keyHost.addEventListener("keydown", (event) => {
-			this.key(event);
-		});
+		host.addEventListener("pointerdown", (event) => this.down(event));
+		host.addEventListener("pointermove", (event) => this.move(event));
+		host.addEventListener("pointerup", (event) => this.up(event));
+		host.addEventListener("pointercancel", (event) => this.presses.delete(event.pointerId));
+		host.addEventListener("pointerleave", () => movable.pointed(null, false));
+		host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
+		keyHost.addEventListener("keydown", (event) => this.key(event));
 	}
 	place(event) {
 		const box = this.host.getBoundingClientRect();
@@ -3784,33 +3708,21 @@ var Chart = class {
 			const view = this.view();
 			if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
 		});
-		onRecolour(() => {
-			this.layers.redraw();
-		});
+		onRecolour(() => this.layers.redraw());
 		listen(host, {
 			at: () => this.view(),
 			focused: () => this.view(),
-			pan: (view, dx, dy) => {
-				this.move(view, panned(this.current(view), dx, dy));
-			},
-			zoom: (view, factor, x, y) => {
-				this.zoom(view, factor, x, y);
-			},
-			zoomMiddle: (factor) => {
-				this.zoomMiddle(factor);
-			},
-			fit: () => {
-				this.fit();
-			},
-			pressed: (x, y) => {
-				press(store, looking, this.choiceAt(x, y));
-			},
+			pan: (view, dx, dy) => this.move(view, panned(this.current(view), dx, dy)),
+			zoom: (view, factor, x, y) => this.zoom(view, factor, x, y),
+			zoomMiddle: (factor) => this.zoomMiddle(factor),
+			fit: () => this.fit(),
+			pressed: (x, y) => press(store, looking, this.choiceAt(x, y)),
 			pointed: (at, dragging) => {
 				if (!dragging) this.hover(at === null ? null : this.choiceAt(...at));
 			},
 			command: (key) => this.command(key) || this.commandOfChoice(key)
 		});
-		store.watch((s) => [s.shown, s.choice], ([shown]) => {
+		store.watch(["shown", "choice"], ([shown]) => {
 			const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
 			if (shown?.view !== this.of && !same) this.moved = null;
 			this.of = shown?.view ?? null;
@@ -4355,14 +4267,14 @@ function mountStage(host, store, looking, files) {
 		id: "block-keys"
 	}, "Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose."));
 	looks.point(null);
-	store.watch((s) => [s.shown], ([shown]) => {
+	store.watch(["shown"], ([shown]) => {
 		if (shown === null) switched.show(0);
 	});
-	store.watch((s) => [
-		s.choice,
-		s.shown,
-		s.running,
-		s.notice
+	store.watch([
+		"choice",
+		"shown",
+		"running",
+		"notice"
 	], ([choice, shown]) => {
 		say$1(chosen, store, choice, "");
 		showPointed();
@@ -4393,9 +4305,7 @@ function say$1(element, store, choice, otherwise) {
 }
 /** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
 function switcher(parts) {
-	const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => {
-		show(i);
-	}));
+	const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => show(i)));
 	const show = (shown) => {
 		parts.forEach(([, part, tools], i) => {
 			part.hidden = i !== shown;
@@ -4414,9 +4324,7 @@ function switcher(parts) {
 }
 /** The picture with the invitation over it while there is no block. */
 function welcomed(host, store, files) {
-	const simulate = button("Simulate a block", "block-simulate-first", () => {
-		files.simulate();
-	});
+	const simulate = button("Simulate a block", "block-simulate-first", () => void files.simulate());
 	const list = h("p", {
 		class: "note",
 		testid: "block-given"
@@ -4426,12 +4334,12 @@ function welcomed(host, store, files) {
 		testid: "block-welcome"
 	}, h("h2", {}, "Match a block of photographs"), h("p", {}, "Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block."), h("p", { class: "buttons" }, simulate), list, h("p", { class: "note" }, "Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer."));
 	host.append(welcome);
-	store.watch((s) => [
-		s.shown,
-		s.files,
-		s.running,
-		s.notice,
-		s.catalogue
+	store.watch([
+		"shown",
+		"files",
+		"running",
+		"notice",
+		"catalogue"
 	], ([shown, given, , , catalogue]) => {
 		welcome.hidden = shown !== null;
 		simulate.disabled = catalogue === null || isBusy$1(store.state);
@@ -4469,13 +4377,9 @@ function mountBlockStatus(store, engine) {
 		role: "status",
 		aria: { live: "polite" }
 	});
-	const run = button("Run", "block-run", () => {
-		engine.run();
-	});
+	const run = button("Run", "block-run", () => void engine.run());
 	run.className = "primary";
-	const cancel = button("Cancel", "block-cancel", () => {
-		engine.cancel();
-	});
+	const cancel = button("Cancel", "block-cancel", () => engine.cancel());
 	store.watch((s) => [s], ([state]) => {
 		const { text, kind } = lineOf$2(state);
 		line.dataset.kind = kind;
@@ -4594,12 +4498,8 @@ var RowsInSight = class {
 			role: "region",
 			aria: { label: words.region }
 		}, table);
-		this.scroller.addEventListener("scroll", () => {
-			this.draw();
-		});
-		new ResizeObserver(() => {
-			this.draw();
-		}).observe(this.scroller);
+		this.scroller.addEventListener("scroll", () => this.draw());
+		new ResizeObserver(() => this.draw()).observe(this.scroller);
 	}
 	/** Shows so many rows, or the same ones anew. */
 	show(count) {
@@ -4741,9 +4641,7 @@ var Table = class {
 				...chooseLabel === void 0 ? {} : { aria: { label: chooseLabel(row) } }
 			}, text(row)));
 		}));
-		if (choose !== void 0) line.addEventListener("click", () => {
-			choose(row);
-		});
+		if (choose !== void 0) line.addEventListener("click", () => choose(row));
 		else line.classList.add("plain");
 		return line;
 	}
@@ -4751,24 +4649,16 @@ var Table = class {
 // www/block/panel/tables.ts
 /** The tables of a block: its images, and its points. */
 function mountImages(host, store, looking) {
-	const table = captioned(host, "block-images", "Images", (image) => {
-		looking.choose({
-			kind: "image",
-			image
-		});
-	});
-	store.watch((s) => [s.shown], ([shown]) => {
-		table.show(shown === null ? NONE$1 : imageRows(shown.view));
-	});
-	store.watch((s) => [s.choice], ([choice]) => {
-		table.mark(choice?.kind === "image" ? choice.image : -1);
-	});
+	const table = captioned(host, "block-images", "Images", (image) => looking.choose({
+		kind: "image",
+		image
+	}));
+	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$1 : imageRows(shown.view)));
+	store.watch(["choice"], ([choice]) => table.mark(choice?.kind === "image" ? choice.image : -1));
 }
 function mountPoints(host, store) {
 	const table = captioned(host, "block-points", "Points");
-	store.watch((s) => [s.shown], ([shown]) => {
-		table.show(shown === null ? NONE$1 : pointRows(shown.view));
-	});
+	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$1 : pointRows(shown.view)));
 }
 var NONE$1 = {
 	count: 0,
@@ -4787,12 +4677,8 @@ function captioned(host, testid, words, choose) {
 		...choose === void 0 ? {} : { choose }
 	});
 	return {
-		show: (rows) => {
-			fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`);
-		},
-		mark: (row) => {
-			table.mark(row);
-		}
+		show: (rows) => fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`),
+		mark: (row) => table.mark(row)
 	};
 }
 /** A column of numbers with so many decimals. */
@@ -4857,15 +4743,11 @@ function mountBlock(openPair) {
 	const engine = new BlockEngine(store);
 	const files = new BlockFiles(store, engine);
 	const looking = {
-		choose: (choice) => {
-			store.dispatch({
-				type: "choose",
-				choice
-			});
-		},
-		open: (images) => {
-			openPair(store, images);
-		}
+		choose: (choice) => store.dispatch({
+			type: "choose",
+			choice
+		}),
+		open: (images) => openPair(store, images)
 	};
 	const actions = h("div", {
 		class: "actions",
@@ -4906,7 +4788,7 @@ function mountBlock(openPair) {
 			main
 		]
 	}));
-	store.watch((s) => [s.mode, s.opened], ([mode, opened]) => {
+	store.watch(["mode", "opened"], ([mode, opened]) => {
 		back.hidden = mode !== "pair" || opened === null;
 	});
 	mountActions(actions, store, files);
@@ -4921,7 +4803,7 @@ function mountBlock(openPair) {
 		point: () => void 0
 	});
 	mountPoints(results.panels[2], store);
-	store.watch((s) => [s.running], ([running]) => {
+	store.watch(["running"], ([running]) => {
 		if (running.kind === "yes") showTab("tab-block-results");
 	});
 	return {
@@ -4931,12 +4813,10 @@ function mountBlock(openPair) {
 }
 /** The buttons that give images. */
 function mountActions(host, store, files) {
-	const take = (given) => {
-		files.take(given.map((file) => ({
-			file,
-			path: file.webkitRelativePath
-		})));
-	};
+	const take = (given) => void files.take(given.map((file) => ({
+		file,
+		path: file.webkitRelativePath
+	})));
 	const [images, imagesInput] = fileButton("Images …", {
 		testid: "block-files",
 		label: "Images, cameras or project of a block",
@@ -4951,21 +4831,17 @@ function mountActions(host, store, files) {
 	const buttons = [
 		images,
 		folder,
-		button("Simulated block", "block-simulate", () => {
-			files.simulate();
-		}, "Photos of a synthetic scene, rendered in this tab"),
-		button("Clear", "block-clear", () => {
-			store.dispatch({ type: "clear" });
-		}, "Removes all images")
+		button("Simulated block", "block-simulate", () => void files.simulate(), "Photos of a synthetic scene, rendered in this tab"),
+		button("Clear", "block-clear", () => store.dispatch({ type: "clear" }), "Removes all images")
 	];
 	images.classList.add("primary");
 	fill(host, ...buttons, imagesInput, folderInput);
-	store.watch((s) => [
-		s.running,
-		s.notice,
-		s.files,
-		s.shown,
-		s.catalogue
+	store.watch([
+		"running",
+		"notice",
+		"files",
+		"shown",
+		"catalogue"
 	], ([, , given, shown, catalogue]) => {
 		for (const press of buttons) press.disabled = catalogue === null || isBusy$1(store.state);
 		const last = buttons.at(-1);
@@ -5817,24 +5693,20 @@ var Engine = class {
 	timer;
 	constructor(store) {
 		this.store = store;
-		store.watch((s) => [
-			s.settings,
-			s.camera,
-			s.photos,
-			s.masks,
-			s.offset,
-			s.fiducialModel
-		], () => {
-			this.later();
-		});
-		store.watch((s) => [
-			s.images,
-			s.selection,
-			s.paused,
-			s.failures
-		], () => {
-			this.update();
-		});
+		store.watch([
+			"settings",
+			"camera",
+			"photos",
+			"masks",
+			"offset",
+			"fiducialModel"
+		], () => this.later());
+		store.watch([
+			"images",
+			"selection",
+			"paused",
+			"failures"
+		], () => this.update());
 	}
 	client(name) {
 		return this.clients[name];
@@ -5923,9 +5795,7 @@ var Engine = class {
 	}
 	later() {
 		window.clearTimeout(this.timer);
-		this.timer = window.setTimeout(() => {
-			this.update();
-		}, DEBOUNCE_MS$1);
+		this.timer = window.setTimeout(() => this.update(), DEBOUNCE_MS$1);
 	}
 	stopWorkers() {
 		for (const client of Object.values(this.clients)) client.cancel();
@@ -6299,9 +6169,7 @@ function takerOf(view, files) {
 	return {
 		isActive: () => true,
 		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => {
-			files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null);
-		}
+		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
 	};
 }
 // www/pair/state/codes.ts
@@ -6464,7 +6332,7 @@ function anyStale(state) {
 // www/pair/panel/announce.ts
 /** Announces the selected point to screen readers. */
 function mountAnnouncements(host, store) {
-	store.watch((s) => [s.selection], ([selection]) => {
+	store.watch(["selection"], ([selection]) => {
 		if (selection === null) {
 			host.textContent = "";
 			return;
@@ -6524,9 +6392,7 @@ function allowedOfOrigin(col, row) {
 }
 /** Why a flight cannot be flown; null where it can. */
 function problemOfFlight(flight) {
-	return refusalOf(() => {
-		check_flight(flight);
-	});
+	return refusalOf(() => check_flight(flight));
 }
 // www/shared/panel/numberfield.ts
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
@@ -6735,14 +6601,12 @@ function mountCamera(host, store, loadFile) {
 		testid: "camera-source"
 	});
 	const load = button("Load camera.json …", "load-camera", loadFile);
-	const clear = button("Clear", "clear-camera", () => {
-		store.dispatch({
-			type: "camera",
-			camera: null
-		});
-	});
+	const clear = button("Clear", "clear-camera", () => store.dispatch({
+		type: "camera",
+		camera: null
+	}));
 	host.append(h("fieldset", { class: "group" }, h("legend", {}, "Camera"), source, h("div", { class: "pairs" }, ...fields.map(({ element }) => element)), h("div", { class: "buttons" }, load, clear)), offsetGroup(store));
-	store.watch((s) => [s.camera], ([camera]) => {
+	store.watch(["camera"], ([camera]) => {
 		fields.forEach((field, i) => {
 			showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
 		});
@@ -6755,9 +6619,7 @@ function mountCamera(host, store, loadFile) {
 		s.results.match,
 		s.photos,
 		s.truth
-	], () => {
-		fill(source, sourceText(store.state));
-	});
+	], () => fill(source, sourceText(store.state)));
 }
 function exifText(name, exif) {
 	const camera = [exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make, exif.model].filter((part) => part != null).join(" ");
@@ -6794,7 +6656,7 @@ function offsetGroup(store) {
 		class: "note",
 		testid: "offset-found"
 	});
-	store.watch((s) => [s.offset], ([offset]) => {
+	store.watch(["offset"], ([offset]) => {
 		showNumber(dx, offset?.[0]);
 		showNumber(dy, offset?.[1]);
 	});
@@ -6821,27 +6683,21 @@ function offsetGroup(store) {
 /** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
 /** Fills the settings panel once the crate's catalogue is there. */
 function mountControls(host, store) {
-	store.watch((s) => [s.catalogue], ([catalogue]) => {
+	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
 		let acts = resolved(catalogue.defaults);
 		const { elements, show } = makeSections(catalogue.parameters, {
-			change: (key, value) => {
-				change(store, key, value);
-			},
+			change: (key, value) => change(store, key, value),
 			defaults: () => catalogue.defaults,
 			resolved: () => acts,
-			refused: (label) => {
-				store.dispatch({
-					type: "refused",
-					part: "settings",
-					label
-				});
-			}
+			refused: (label) => store.dispatch({
+				type: "refused",
+				part: "settings",
+				label
+			})
 		});
-		fill(host, ...elements, button("Reset to the paper's values", "reset-settings", () => {
-			resetAll(store, catalogue);
-		}));
-		store.watch((s) => [s.settings], ([settings]) => {
+		fill(host, ...elements, button("Reset to the paper's values", "reset-settings", () => resetAll(store, catalogue)));
+		store.watch(["settings"], ([settings]) => {
 			if (settings === null) return;
 			acts = resolved(settings);
 			show(settings, acting_parameters(settings));
@@ -7158,7 +7014,7 @@ function mountFiducials(host, store, loadFile) {
 			model: model.value === "similarity" ? "similarity" : "affine"
 		});
 	});
-	store.watch((s) => [s.fiducialModel], ([value]) => {
+	store.watch(["fiducialModel"], ([value]) => {
 		model.value = value;
 	});
 	host.append(h("fieldset", { class: "group" }, h("legend", {}, "Interior orientation"), h("div", { class: "control" }, h("label", { for: "fiducial-model" }, "Transformation"), model), photo("left", store, loadFile), photo("right", store, loadFile)));
@@ -7169,13 +7025,11 @@ function photo(side, store, loadFile) {
 		class: "note",
 		testid: `interior-${side}`
 	});
-	const set = (change) => {
-		store.dispatch({
-			type: "photo",
-			side,
-			photo: change
-		});
-	};
+	const set = (change) => store.dispatch({
+		type: "photo",
+		side,
+		photo: change
+	});
 	const name = side === "left" ? "Left" : "Right";
 	const add = button("Add mark", `add-fiducial-${side}`, () => {
 		set({ fiducials: [...store.state.photos[side].fiducials, {
@@ -7185,12 +7039,8 @@ function photo(side, store, loadFile) {
 			y_mm: NaN
 		}] });
 	});
-	const load = button("Load CSV …", `load-fiducials-${side}`, () => {
-		loadFile(side);
-	});
-	const clear = button("Clear", `clear-fiducials-${side}`, () => {
-		set({ fiducials: [] });
-	});
+	const load = button("Load CSV …", `load-fiducials-${side}`, () => loadFile(side));
+	const clear = button("Clear", `clear-fiducials-${side}`, () => set({ fiducials: [] }));
 	let shown = null;
 	const stage = side === "left" ? "interiorLeft" : "interiorRight";
 	store.watch((s) => [s.photos[side].fiducials, s.results[stage]], ([fiducials, interior]) => {
@@ -7304,13 +7154,13 @@ function mountGeometry(host, store) {
 	const body = h("div", {});
 	const panel = section("Geometry of the two views", "geometry-section", body);
 	host.append(panel);
-	store.watch((s) => [
-		s.results,
-		s.settings,
-		s.images,
-		s.camera,
-		s.photos,
-		s.masks
+	store.watch([
+		"results",
+		"settings",
+		"images",
+		"camera",
+		"photos",
+		"masks"
 	], () => {
 		const { state } = store;
 		panel.hidden = state.settings === null || !comparesGradients(state.settings);
@@ -7507,9 +7357,7 @@ function exportEverything(state) {
 }
 async function exportPicture(state, view) {
 	const canvas = view.snapshot();
-	const blob = await new Promise((resolve) => {
-		canvas.toBlob(resolve, "image/png");
-	});
+	const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
 	if (blob === null) throw new Error("the picture is too large for this browser to encode; make the window smaller");
 	save(blob, `${baseName(state)}.png`);
 }
@@ -7549,15 +7397,13 @@ function inputOf(state) {
 async function exportReport(store, engine) {
 	const input = inputOf(store.state);
 	if (input === null) return;
-	const say = (text) => {
-		store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text
-			}
-		});
-	};
+	const say = (text) => store.dispatch({
+		type: "notice",
+		notice: {
+			kind: "busy",
+			text
+		}
+	});
 	const client = engine.client("report");
 	try {
 		say("Report: reading the images …");
@@ -7752,15 +7598,15 @@ function mountOrientation(host, store) {
 	const body = h("div", {});
 	const panel = section("Relative orientation", "orientation-section", body);
 	host.append(panel);
-	store.watch((s) => [
-		s.results,
-		s.settings,
-		s.images,
-		s.failures,
-		s.camera,
-		s.photos,
-		s.offset,
-		s.fiducialModel
+	store.watch([
+		"results",
+		"settings",
+		"images",
+		"failures",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel"
 	], () => {
 		const { state } = store;
 		panel.classList.toggle("is-stale", isStale(state, "orientation"));
@@ -7989,9 +7835,7 @@ function mountStatus(store, actions) {
 			window.clearTimeout(timer);
 			timer = void 0;
 			bar.classList.remove("is-on");
-		} else timer ??= window.setTimeout(() => {
-			bar.classList.add("is-on");
-		}, PATIENCE_MS);
+		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS);
 	});
 }
 function isBusy(state) {
@@ -8107,29 +7951,21 @@ function pickerOf(files) {
 }
 function mountHeader({ store, engine, view, files, pick, attempt }) {
 	const on = (id, action) => {
-		byId(id).addEventListener("click", () => {
-			attempt(action);
-		});
+		byId(id).addEventListener("click", () => void attempt(action));
 	};
-	for (const id of ["open", "open-first"]) on(id, () => {
-		pick(null);
-	});
+	for (const id of ["open", "open-first"]) on(id, () => pick(null));
 	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
-	on("swap", () => {
-		swap(store, engine);
-	});
+	on("swap", () => swap(store, engine));
 	on("export-csv", () => exportMatches(store.state, engine));
-	on("export-json", () => {
-		exportEverything(store.state);
-	});
+	on("export-json", () => exportEverything(store.state));
 	on("export-report", () => exportReport(store, engine));
 	on("export-png", () => exportPicture(store.state, view));
-	store.watch((s) => [
-		s.images,
-		s.results,
-		s.catalogue,
-		s.notice,
-		s.running
+	store.watch([
+		"images",
+		"results",
+		"catalogue",
+		"notice",
+		"running"
 	], ([images, , catalogue]) => {
 		const both = images.left !== null && images.right !== null;
 		const none = images.left === null && images.right === null;
@@ -8229,15 +8065,15 @@ function mountHistograms(host, store) {
 	const panel = section("Histograms", "histograms-section", body);
 	host.append(panel);
 	let round = 0;
-	store.watch((s) => [
-		s.results,
-		s.images,
-		s.settings,
-		s.camera,
-		s.photos,
-		s.offset,
-		s.fiducialModel,
-		s.failures
+	store.watch([
+		"results",
+		"images",
+		"settings",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel",
+		"failures"
 	], () => {
 		panel.classList.toggle("is-stale", isStale(store.state, "match"));
 		round += 1;
@@ -8248,9 +8084,7 @@ function mountHistograms(host, store) {
 async function update(body, store, round, own) {
 	const charts = [];
 	for (const make of CHARTS) {
-		await new Promise((resolve) => {
-			window.setTimeout(resolve, 0);
-		});
+		await new Promise((resolve) => window.setTimeout(resolve, 0));
 		if (round() !== own) return;
 		const made = make(store.state);
 		if (made !== null) charts.push(made);
@@ -8345,20 +8179,12 @@ function label(side, actions) {
 		class: "pane-name",
 		testid: `name-${side}`
 	});
-	const replace = button("Replace …", `replace-${side}`, () => {
-		actions.open(side);
-	});
+	const replace = button("Replace …", `replace-${side}`, () => actions.open(side));
 	replace.setAttribute("aria-label", `Replace the ${side} image`);
-	const empty = button(`Open the ${side} image …`, `open-${side}`, () => {
-		actions.open(side);
-	});
+	const empty = button(`Open the ${side} image …`, `open-${side}`, () => actions.open(side));
 	empty.className = "invitation";
-	const mask = button("Mask …", `mask-${side}`, () => {
-		actions.mask(side);
-	}, "An image of the same size: no points are detected where it is 0 (black)");
-	const unmask = button("× mask", `unmask-${side}`, () => {
-		actions.unmask(side);
-	});
+	const mask = button("Mask …", `mask-${side}`, () => actions.mask(side), "An image of the same size: no points are detected where it is 0 (black)");
+	const unmask = button("× mask", `unmask-${side}`, () => actions.unmask(side));
 	unmask.setAttribute("aria-label", `Remove the mask of the ${side} image`);
 	const head = h("div", { class: "pane-head" }, name, replace, mask, unmask);
 	const element = h("div", {
@@ -8719,12 +8545,12 @@ var MOST_ROWS = 50;
 function mountPoint(host, store, select) {
 	const body = h("div", { testid: "point-panel" });
 	host.append(body);
-	store.watch((s) => [
-		s.selection,
-		s.results,
-		s.images,
-		s.settings,
-		s.failures
+	store.watch([
+		"selection",
+		"results",
+		"images",
+		"settings",
+		"failures"
 	], () => {
 		const { state } = store;
 		body.classList.toggle("is-stale", state.selection !== null && state.results.match !== void 0 && !isCurrent(state, "match"));
@@ -8839,9 +8665,7 @@ function candidateTable(state, match, { candidates }, select) {
 			class: "link",
 			aria: { label: `Select right point ${String(index + 1)}` }
 		}, count(index + 1));
-		go.addEventListener("click", () => {
-			select("right", index);
-		});
+		go.addEventListener("click", () => select("right", index));
 		const cells = [points[3 * index], points[3 * index + 1]].map((v) => h("td", { class: "number" }, fixed(v, 1)));
 		const [least = NaN, own = NaN] = [candidates[1], candidates[2 * i + 1]];
 		return h("tr", { class: index === match.best[leftIndex] ? "best" : "" }, h("td", {}, String(i + 1)), h("td", {}, go), ...cells, h("td", { class: "number" }, fixed(own, 4)), h("td", { class: "number" }, i === 0 ? "" : fixed(least / own, 3)));
@@ -8876,7 +8700,7 @@ var PRESETS = {
 	lively: "Lively: river, traffic, grain, haze"
 };
 function mountSimulate(host, store, engine, render) {
-	store.watch((s) => [s.catalogue], ([catalogue]) => {
+	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue !== null) new SimulatePanel(host, store, engine, catalogue, render);
 	});
 }
@@ -8911,12 +8735,10 @@ var SimulatePanel = class {
 		this.engine = engine;
 		this.catalogue = catalogue;
 		for (const { name } of catalogue.flights) this.preset.append(new Option(PRESETS[name] ?? name, name));
-		this.preset.addEventListener("change", () => {
-			store.dispatch({
-				type: "flight",
-				flight: this.standard()
-			});
-		});
+		this.preset.addEventListener("change", () => store.dispatch({
+			type: "flight",
+			flight: this.standard()
+		}));
 		this.sections = makeSections(catalogue.flightParameters, {
 			change: (key, value) => {
 				const { flight } = store.state;
@@ -8943,14 +8765,12 @@ var SimulatePanel = class {
 			});
 		}, "The next seed");
 		host.append(h("p", { class: "note" }, "A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors."), h("div", { class: "control" }, h("label", { for: "flight-preset" }, "Preset"), this.preset), h("div", { class: "previews" }, ...this.pictures), this.problem, h("div", { class: "buttons" }, go, another), ...this.sections.elements);
-		store.watch((s) => [s.flight], ([flight]) => {
+		store.watch(["flight"], ([flight]) => {
 			if (flight === null) return;
 			this.sections.show(flight);
 			this.later();
 		});
-		new IntersectionObserver(() => {
-			this.later();
-		}).observe(host);
+		new IntersectionObserver(() => this.later()).observe(host);
 	}
 	standard() {
 		const found = this.catalogue.flights.find(({ name }) => name === this.preset.value) ?? this.catalogue.flights[0];
@@ -8959,9 +8779,7 @@ var SimulatePanel = class {
 	}
 	later() {
 		window.clearTimeout(this.timer);
-		this.timer = window.setTimeout(() => {
-			this.preview();
-		}, DEBOUNCE_MS);
+		this.timer = window.setTimeout(() => void this.preview(), DEBOUNCE_MS);
 	}
 	/** Renders the newest flight, one rendering at a time. */
 	async preview() {
@@ -9072,15 +8890,15 @@ function mountStatistics(host, store, select) {
 		fill(caption, statistics === null ? "No matches yet." : `${count(shown)} of ${count(statistics.count)} matches`);
 	};
 	filter.addEventListener("change", show);
-	store.watch((s) => [
-		s.results,
-		s.images,
-		s.settings,
-		s.camera,
-		s.photos,
-		s.offset,
-		s.fiducialModel,
-		s.failures
+	store.watch([
+		"results",
+		"images",
+		"settings",
+		"camera",
+		"photos",
+		"offset",
+		"fiducialModel",
+		"failures"
 	], () => {
 		const { state } = store;
 		table.scroller.classList.toggle("is-stale", isStale(state, "match") || shownPair(state).orientation !== null && isStale(state, "orientation"));
@@ -9093,9 +8911,7 @@ function mountStatistics(host, store, select) {
 		fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
 		show();
 	});
-	store.watch((s) => [s.selection, s.results], () => {
-		table.mark(selectedMatch(store.state));
-	});
+	store.watch(["selection", "results"], () => table.mark(selectedMatch(store.state)));
 }
 function columnsOf({ columns, rejected, rightness }) {
 	const word = (key, help, text) => ({
@@ -9343,56 +9159,34 @@ var VECTOR_FACTORS = [
 function choice(label, testid, options, onChange) {
 	const select = h("select", { testid });
 	for (const [value, text] of options) select.append(new Option(text, value));
-	select.addEventListener("change", () => {
-		onChange(select.value);
-	});
+	select.addEventListener("change", () => onChange(select.value));
 	return [h("label", { class: "choice" }, h("span", {}, label), select), select];
 }
 function toggle(label, testid, title, onChange) {
-	const made = button(label, testid, () => {
-		onChange(made.getAttribute("aria-pressed") !== "true");
-	}, title);
+	const made = button(label, testid, () => onChange(made.getAttribute("aria-pressed") !== "true"), title);
 	made.setAttribute("aria-pressed", "false");
 	return made;
 }
 function mountToolbar(host, store, navigator) {
-	const set = (display) => {
-		store.dispatch({
-			type: "display",
-			display
-		});
-	};
+	const set = (display) => store.dispatch({
+		type: "display",
+		display
+	});
 	const [points, pointSelect] = choice("Points", "layer-points", [
 		["all", "all"],
 		["matched", "matched"],
 		["none", "none"]
-	], (value) => {
-		set({ points: value });
-	});
+	], (value) => set({ points: value }));
 	const [lines, lineSelect] = choice("Lines", "layer-lines", [
 		["none", "none"],
 		["some", `≤ ${String(100)}`],
 		["all", "all"]
-	], (value) => {
-		set({ lines: value });
-	});
-	const [vectors, vectorSelect] = choice("Residuals", "layer-vectors", VECTOR_FACTORS.map((f) => [String(f), f === 0 ? "none" : `× ${String(f)}`]), (value) => {
-		set({ vectors: Number(value) });
-	});
-	const linked = toggle("Linked", "linked", "Pan and zoom both images together (L)", (on) => {
-		set({ linked: on });
-	});
-	const magnifier = toggle("Magnifier", "magnifier", "Enlarge what is under the pointer (M)", (on) => {
-		set({ magnifier: on });
-	});
-	host.append(points, lines, vectors, h("span", { class: "divider" }), linked, magnifier, h("span", { class: "divider" }), ...zoomButtons("", "Whole images", () => navigator), labelled("1:1", "zoom-actual", "One image pixel to one screen pixel (1)", () => {
-		navigator.actualSize();
-	}), h("span", { class: "divider" }), labelled("‹", "previous-point", "Previous point (P)", () => {
-		navigator.step(-1);
-	}), labelled("›", "next-point", "Next point (N)", () => {
-		navigator.step(1);
-	}));
-	store.watch((s) => [s.display], ([display]) => {
+	], (value) => set({ lines: value }));
+	const [vectors, vectorSelect] = choice("Residuals", "layer-vectors", VECTOR_FACTORS.map((f) => [String(f), f === 0 ? "none" : `× ${String(f)}`]), (value) => set({ vectors: Number(value) }));
+	const linked = toggle("Linked", "linked", "Pan and zoom both images together (L)", (on) => set({ linked: on }));
+	const magnifier = toggle("Magnifier", "magnifier", "Enlarge what is under the pointer (M)", (on) => set({ magnifier: on }));
+	host.append(points, lines, vectors, h("span", { class: "divider" }), linked, magnifier, h("span", { class: "divider" }), ...zoomButtons("", "Whole images", () => navigator), labelled("1:1", "zoom-actual", "One image pixel to one screen pixel (1)", () => navigator.actualSize()), h("span", { class: "divider" }), labelled("‹", "previous-point", "Previous point (P)", () => navigator.step(-1)), labelled("›", "next-point", "Next point (N)", () => navigator.step(1)));
+	store.watch(["display"], ([display]) => {
 		pointSelect.value = display.points;
 		lineSelect.value = display.lines;
 		vectorSelect.value = String(display.vectors);
@@ -9713,25 +9507,13 @@ function mountInput(view, store, navigator) {
 			return pane?.picture == null ? null : pane.side;
 		},
 		focused: () => store.state.activeSide,
-		pan: (side, dx, dy) => {
-			navigator.pan(side, dx, dy);
-		},
-		zoom: (side, factor, x, y) => {
-			navigator.zoom(side, factor, x, y);
-		},
-		zoomMiddle: (factor) => {
-			navigator.zoomMiddle(factor);
-		},
-		fit: () => {
-			navigator.fit();
-		},
+		pan: (side, dx, dy) => navigator.pan(side, dx, dy),
+		zoom: (side, factor, x, y) => navigator.zoom(side, factor, x, y),
+		zoomMiddle: (factor) => navigator.zoomMiddle(factor),
+		fit: () => navigator.fit(),
 		grabbed: activate,
-		pressed: (x, y) => {
-			navigator.select(view.hit(x, y));
-		},
-		pointed: (at) => {
-			view.point(at);
-		},
+		pressed: (x, y) => navigator.select(view.hit(x, y)),
+		pointed: (at) => view.point(at),
 		command: (key) => command(key, store, navigator)
 	}, host.closest(".stage") ?? host);
 }
@@ -10099,11 +9881,7 @@ var TileCache = class {
 		}
 		if (!this.requested.has(name) && this.requested.size < MOST_REQUESTS) {
 			this.requested.add(name);
-			this.fetch(imageId, level, column, row).then((bitmap) => {
-				this.keep(name, bitmap);
-			}, () => {
-				this.requested.delete(name);
-			});
+			this.fetch(imageId, level, column, row).then((bitmap) => this.keep(name, bitmap), () => this.requested.delete(name));
 		}
 		return null;
 	}
@@ -10219,9 +9997,7 @@ function drawSelection(context, state, scene) {
 	const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
 	const leftAt = pointOf(scene.panes.left, leftIndex);
 	if (leftAt === null) return;
-	if (selection.side === "right") within(context, scene.panes.left.rect, () => {
-		ring(context, scene.panes.left, leftAt, 9, SELECTED, 2);
-	});
+	if (selection.side === "right") within(context, scene.panes.left.rect, () => ring(context, scene.panes.left, leftAt, 9, SELECTED, 2));
 	drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
 }
 /** The epipolar line of the selected point in the other image, or a cross at the one place that a map gives. */
@@ -10347,9 +10123,7 @@ var View = class {
 	constructor(host, store, engine) {
 		this.host = host;
 		this.store = store;
-		this.layers = new Layers(host, LAYERS, (name, context) => {
-			this.draw(name, context);
-		});
+		this.layers = new Layers(host, LAYERS, (name, context) => this.draw(name, context));
 		this.tiles = new TileCache(async (imageId, level, column, row) => {
 			const side = SIDES.find((s) => store.state.images[s]?.id === imageId);
 			if (side === void 0) throw new Error("the image is no longer shown");
@@ -10359,18 +10133,14 @@ var View = class {
 				row,
 				side: 512
 			});
-		}, () => {
-			this.layers.redraw("pictures", "overlay");
-		});
+		}, () => this.layers.redraw("pictures", "overlay"));
 		store.watch((s) => [
 			s.views,
 			s.images,
 			s.masks,
 			s.results.openLeft,
 			s.results.openRight
-		], () => {
-			this.layers.redraw();
-		});
+		], () => this.layers.redraw());
 		store.watch((s) => [
 			s.results.pointsLeft,
 			s.results.pointsRight,
@@ -10378,17 +10148,13 @@ var View = class {
 			s.results.orientation,
 			s.display,
 			s.catalogue
-		], () => {
-			this.layers.redraw("marks", "overlay");
-		});
+		], () => this.layers.redraw("marks", "overlay"));
 		store.watch((s) => [
 			s.selection,
 			s.results.inspection,
 			s.settings,
 			s.results.offset
-		], () => {
-			this.layers.redraw("overlay");
-		});
+		], () => this.layers.redraw("overlay"));
 	}
 	/** The scene as it stands now. */
 	scene() {
@@ -10504,54 +10270,34 @@ function mountPair() {
 	mountToolbar(byId("toolbar"), store, navigator);
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
-		open: (side) => {
-			pick(side);
-		},
-		mask: (side) => {
-			pick(side, "mask");
-		},
-		unmask: (side) => {
-			store.dispatch({
-				type: "mask",
-				side,
-				mask: null
-			});
-		}
+		open: (side) => pick(side),
+		mask: (side) => pick(side, "mask"),
+		unmask: (side) => store.dispatch({
+			type: "mask",
+			side,
+			mask: null
+		})
 	});
 	mountControls(settings, store);
-	mountCamera(camera, store, () => {
-		pick(null);
-	});
-	mountFiducials(camera, store, (side) => {
-		pick(side);
-	});
+	mountCamera(camera, store, () => pick(null));
+	mountFiducials(camera, store, (side) => pick(side));
 	mountCounts(results, store);
 	mountGeometry(results, store);
 	mountOrientation(results, store);
 	mountHistograms(results, store);
-	mountPoint(point, store, (side, index) => {
-		navigator.select({
-			side,
-			index
-		});
-	});
-	mountStatistics(matches, store, (side, index) => {
-		navigator.select({
-			side,
-			index
-		});
-	});
-	mountSimulate(simulate, store, engine, (name, flight) => {
-		attempt(() => files.takeFlight(name, flight));
-	});
+	mountPoint(point, store, (side, index) => navigator.select({
+		side,
+		index
+	}));
+	mountStatistics(matches, store, (side, index) => navigator.select({
+		side,
+		index
+	}));
+	mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
 	mountAnnouncements(byId("announce"), store);
 	mountStatus(store, {
-		cancel: () => {
-			engine.cancel();
-		},
-		run: () => {
-			store.dispatch({ type: "resume" });
-		}
+		cancel: () => engine.cancel(),
+		run: () => store.dispatch({ type: "resume" })
 	});
 	mountHeader({
 		store,
@@ -10561,7 +10307,7 @@ function mountPair() {
 		pick,
 		attempt
 	});
-	store.watch((s) => [s.selection], ([selection]) => {
+	store.watch(["selection"], ([selection]) => {
 		if (selection !== null && matches.hidden) showTab("tab-point");
 	});
 	return {
@@ -10603,9 +10349,7 @@ function mountDrop(takers) {
 			entry: item.webkitGetAsEntry(),
 			file: item.getAsFile()
 		}));
-		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
-			taker.take(lists.flat(), at);
-		});
+		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => taker.take(lists.flat(), at));
 	});
 	document.addEventListener("paste", (event) => {
 		const pasted = [...event.clipboardData?.files ?? []];
@@ -10632,11 +10376,7 @@ async function found(entry, file) {
 async function below(folder) {
 	return (await Promise.all((await entriesOf(folder)).map(async (entry) => {
 		if (entry.isDirectory) return below(entry);
-		const file = await new Promise((resolve) => {
-			entry.file(resolve, () => {
-				resolve(null);
-			});
-		});
+		const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
 		return file === null ? [] : [{
 			file,
 			path: entry.fullPath.replace(/^\//u, "")
@@ -10648,11 +10388,7 @@ async function entriesOf(folder) {
 	const reader = folder.createReader();
 	const all = [];
 	for (;;) {
-		const portion = await new Promise((resolve) => {
-			reader.readEntries(resolve, () => {
-				resolve([]);
-			});
-		});
+		const portion = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
 		if (portion.length === 0) return all;
 		all.push(...portion);
 	}
@@ -10702,9 +10438,7 @@ async function start() {
 	checkRules(catalogue.rules);
 	byId("version").textContent = `Tiepoint ${catalogue.version}`;
 	const pair = mountPair();
-	const block = mountBlock((store, images) => {
-		openPair(store, pair.store, pair.engine, images);
-	});
+	const block = mountBlock((store, images) => void openPair(store, pair.store, pair.engine, images));
 	mountDrop([block.taker, pair.taker]);
 	pair.store.dispatch({
 		type: "ready",

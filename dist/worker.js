@@ -2891,9 +2891,7 @@
 	/** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
 	async function made(block, kind, name, signal) {
 		const files = /* @__PURE__ */ new Map();
-		const write = (path, text) => {
-			files.set(path, text);
-		};
+		const write = (path, text) => files.set(path, text);
 		if (kind === "project") write(`${name}-project.tiepoint`, block.project());
 		else if (kind === "everything") await inSteps(block.files(export_formats()), write, signal);
 		else block.export(kind, write);
@@ -2908,9 +2906,7 @@
 	}
 	/** Lets messages in, of which one may end it all. */
 	async function pause(signal) {
-		await new Promise((resolve) => {
-			setTimeout(resolve);
-		});
+		await new Promise((resolve) => setTimeout(resolve));
 		signal.throwIfAborted();
 	}
 	async function packed(files, name, signal) {
@@ -2955,12 +2951,10 @@
 	}
 	async function blockRun({ files, options, masks, truth, workers, kept, port }) {
 		const link = new Link(port);
-		const coming = new Coming((view) => {
-			link.send({
-				kind: "part",
-				view
-			});
-		});
+		const coming = new Coming((view) => link.send({
+			kind: "part",
+			view
+		}));
 		try {
 			const finished = await runBlock(files.map(sourceOf), {
 				...options,
@@ -2968,15 +2962,11 @@
 			}, {
 				pool: link.pool(workers),
 				store: storeOf(kept, link),
-				progress: (step) => {
-					link.send({
-						kind: "step",
-						step
-					});
-				},
-				news: (news) => {
-					coming.take(news);
-				},
+				progress: (step) => link.send({
+					kind: "step",
+					step
+				}),
+				news: (news) => coming.take(news),
 				signal: link.stopped.signal
 			});
 			return {
@@ -3001,9 +2991,7 @@
 	}
 	async function blockExport({ kind, name, stop }) {
 		const stopped = new AbortController();
-		stop.onmessage = () => {
-			stopped.abort();
-		};
+		stop.onmessage = () => stopped.abort();
 		try {
 			return await made(heldBlock(), kind, name, stopped.signal);
 		} finally {
@@ -3044,9 +3032,7 @@
 		nextId = 1;
 		constructor(port) {
 			this.port = port;
-			port.onmessage = (event) => {
-				this.receive(event.data);
-			};
+			port.onmessage = (event) => this.receive(event.data);
 		}
 		send(message, transfer = []) {
 			this.port.postMessage(message, transfer);

@@ -20,14 +20,18 @@ const SEAMS = new Set(['block/pair.ts']);
 /** What puts the parts together. */
 const TOP = new Set(['main.ts', 'worker.ts']);
 
-const files = readdirSync(WWW, { recursive: true, encoding: 'utf8' }).map((file) => file.replaceAll('\\', '/')).filter((file) => /\.ts$/.test(file));
+const files = readdirSync(WWW, { recursive: true, encoding: 'utf8' })
+  .map((file) => file.replaceAll('\\', '/'))
+  .filter((file) => /\.ts$/.test(file));
 
 /** The files of the page that each file names, types too. */
-const imports = new Map(files.map((file) => {
-  const text = readFileSync(join(WWW, file), 'utf8');
-  const named = [...text.matchAll(/(?:\bfrom |\bimport |\bimport\()'(\.[^']+)'/g)].map(([, name = '']) => posix.join(posix.dirname(file), name));
-  return [file, named.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
-}));
+const imports = new Map(
+  files.map((file) => {
+    const text = readFileSync(join(WWW, file), 'utf8');
+    const named = [...text.matchAll(/(?:\bfrom |\bimport |\bimport\()'(\.[^']+)'/g)].map(([, name = '']) => posix.join(posix.dirname(file), name));
+    return [file, named.map((name) => [name, `${name}.ts`, `${name}.d.ts`].find((path) => files.includes(path))).filter((path) => path !== undefined)];
+  }),
+);
 
 const partOf = (/** @type {string} */ file) => file.split('/')[0] ?? '';
 const roomOf = (/** @type {string} */ file) => (SEAMS.has(file) ? 'mount' : (file.split('/')[1] ?? '').replace(/\.ts$/, ''));
@@ -43,13 +47,19 @@ test('every file has a place', () => {
 
 test('shared imports no part, and no part another one', () => {
   const wrong = edges.filter(([from, to]) => !TOP.has(from) && !SEAMS.has(from) && partOf(to) !== 'shared' && partOf(to) !== partOf(from));
-  assert.deepEqual(wrong.map((edge) => edge.join(' imports ')), []);
+  assert.deepEqual(
+    wrong.map((edge) => edge.join(' imports ')),
+    [],
+  );
 });
 
 test('a room imports only rooms before it', () => {
   const place = (/** @type {string} */ file) => ROOMS.indexOf(roomOf(file));
   const wrong = edges.filter(([from, to]) => !TOP.has(from) && place(to) > place(from));
-  assert.deepEqual(wrong.map((edge) => edge.join(' imports ')), []);
+  assert.deepEqual(
+    wrong.map((edge) => edge.join(' imports ')),
+    [],
+  );
 });
 
 test('no files import each other in a circle', () => {

@@ -4,7 +4,16 @@
 import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { block_flight_defaults, block_flight_parameters, block_parameters, block_settings, defaults, flight_parameters, flight_preset, parameters } from '../pkg/node.js';
+import {
+  block_flight_defaults,
+  block_flight_parameters,
+  block_parameters,
+  block_settings,
+  defaults,
+  flight_parameters,
+  flight_preset,
+  parameters,
+} from '../pkg/node.js';
 import { BLOCK_NAMES, optionsOf } from '../pkg/command/options.js';
 import { ROOT } from './lib/paths.mjs';
 
@@ -29,21 +38,52 @@ function chapter(title, about, all, standard, called) {
     return `| ${[`\`--${option?.name}\``, `\`${p.key}\``, p.label, range, standing, `${p.help}${acts}`].map(cell).join(' | ')} |`;
   };
   const sections = [...new Set(all.map(({ section }) => section))].flatMap((section) => [
-    `### ${section}`, '', '| command | setting | label | allowed | default | what it does |', '|---|---|---|---|---|---|',
-    ...rows.filter(({ p }) => p.section === section).map(row), '',
+    `### ${section}`,
+    '',
+    '| command | setting | label | allowed | default | what it does |',
+    '|---|---|---|---|---|---|',
+    ...rows.filter(({ p }) => p.section === section).map(row),
+    '',
   ]);
   return [`## ${title}`, '', about, '', ...sections];
 }
 
 export function optionsPage() {
-  return [
-    '# Options', '',
-    'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.', '',
-    ...chapter('Pairs', '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`.', parameters(), defaults()),
-    ...chapter('Blocks', '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.', block_parameters(), block_settings({}), BLOCK_NAMES),
-    ...chapter('Simulated pairs', '`tiepoint simulate`; in the package and the crate: `Flight`. The defaults are those of the sample.', flight_parameters(), flight_preset('sample')),
-    ...chapter('Simulated blocks', '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.', block_flight_parameters(), block_flight_defaults()),
-  ].join('\n').trimEnd() + '\n';
+  return (
+    [
+      '# Options',
+      '',
+      'Every option of the command, the package, the page and the crate. They are declared once, in the crate; `npm run docs` writes this page.',
+      '',
+      ...chapter(
+        'Pairs',
+        '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`.',
+        parameters(),
+        defaults(),
+      ),
+      ...chapter(
+        'Blocks',
+        '`tiepoint block`; in the package and the crate: `BlockSettings`, where `multiscale` and `gradient` stand in `features`.',
+        block_parameters(),
+        block_settings({}),
+        BLOCK_NAMES,
+      ),
+      ...chapter(
+        'Simulated pairs',
+        '`tiepoint simulate`; in the package and the crate: `Flight`. The defaults are those of the sample.',
+        flight_parameters(),
+        flight_preset('sample'),
+      ),
+      ...chapter(
+        'Simulated blocks',
+        '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.',
+        block_flight_parameters(),
+        block_flight_defaults(),
+      ),
+    ]
+      .join('\n')
+      .trimEnd() + '\n'
+  );
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) writeFileSync(OPTIONS_FILE, optionsPage());

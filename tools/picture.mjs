@@ -10,7 +10,10 @@ import { ensureChromium } from './lib/setup.mjs';
 const { path, reason } = await ensureChromium();
 if (path === null) throw new Error(reason);
 const server = await servePage();
-const browser = await chromium.launch({ executablePath: path, args: ['--headless', '--no-sandbox', '--disable-background-networking', '--disable-sync', '--no-first-run'] });
+const browser = await chromium.launch({
+  executablePath: path,
+  args: ['--headless', '--no-sandbox', '--disable-background-networking', '--disable-sync', '--no-first-run'],
+});
 try {
   const page = await browser.newPage({ viewport: { width: 1366, height: 768 } });
   await page.goto(server.url);

@@ -42,7 +42,10 @@ export function sampsonShare(matches, left, right, rotation, direction) {
   return share(matches, (xl, yl, xr, yr) => {
     const [x, y] = [ray(xl, yl, left), ray(xr, yr, right)];
     const [ex, ey] = [essential.map((row) => dot(row, x)), essential.map((row) => dot(row, y))];
-    const slope = ex.slice(0, 2).concat(ey.slice(0, 2)).reduce((sum, v) => sum + v * v, 0);
+    const slope = ex
+      .slice(0, 2)
+      .concat(ey.slice(0, 2))
+      .reduce((sum, v) => sum + v * v, 0);
     return (Math.abs(dot(y, ex)) / Math.sqrt(slope)) * f <= LIMIT_PX;
   });
 }
@@ -98,19 +101,45 @@ function ray(x, y, { f, cx, cy, k1, k2 }) {
 /** The turn of the axes about one of them.  @param {0 | 1 | 2} axis @param {number} deg @returns {Matrix} */
 function turn(axis, deg) {
   const [s, c] = [Math.sin((deg * Math.PI) / 180), Math.cos((deg * Math.PI) / 180)];
-  if (axis === 0) return [[1, 0, 0], [0, c, s], [0, -s, c]];
-  if (axis === 1) return [[c, 0, -s], [0, 1, 0], [s, 0, c]];
-  return [[c, s, 0], [-s, c, 0], [0, 0, 1]];
+  if (axis === 0)
+    return [
+      [1, 0, 0],
+      [0, c, s],
+      [0, -s, c],
+    ];
+  if (axis === 1)
+    return [
+      [c, 0, -s],
+      [0, 1, 0],
+      [s, 0, c],
+    ];
+  return [
+    [c, s, 0],
+    [-s, c, 0],
+    [0, 0, 1],
+  ];
 }
 
 /** @param {number[]} t @returns {Matrix} */
-const cross = ([x = 0, y = 0, z = 0]) => [[0, -z, y], [z, 0, -x], [-y, x, 0]];
+const cross = ([x = 0, y = 0, z = 0]) => [
+  [0, -z, y],
+  [z, 0, -x],
+  [-y, x, 0],
+];
 
 /** @param {number[]} a @param {number[]} b */
 const dot = (a, b) => a.reduce((sum, v, i) => sum + v * (b[i] ?? 0), 0);
 
 /** @param {Matrix} a @param {Matrix} b @returns {Matrix} */
-const multiply = (a, b) => a.map((row) => [0, 1, 2].map((c) => dot(row, b.map((r) => r[c] ?? 0))));
+const multiply = (a, b) =>
+  a.map((row) =>
+    [0, 1, 2].map((c) =>
+      dot(
+        row,
+        b.map((r) => r[c] ?? 0),
+      ),
+    ),
+  );
 
 /** @param {number} radians */
 const degrees = (radians) => (radians * 180) / Math.PI;

@@ -19,7 +19,10 @@ const GROUPS = ['rust', 'wasm', 'build', 'types', 'package', 'command', 'page'];
 /** @typedef {import('./lib/rust.mjs').Toolchain} Toolchain @typedef {import('./lib/rust.mjs').BindgenPrograms} BindgenPrograms */
 
 /** @param {Toolchain} toolchain @param {string[]} args @param {Record<string, string>} [env] */
-const mustCargo = (toolchain, args, env = {}) => async () => void (await must(...cargo(toolchain, args), { env, quiet: true }));
+const mustCargo =
+  (toolchain, args, env = {}) =>
+  async () =>
+    void (await must(...cargo(toolchain, args), { env, quiet: true }));
 
 /** Formatting and lints.  @param {Steps} steps @param {Toolchain} toolchain */
 async function rustLints(steps, toolchain) {
@@ -38,13 +41,22 @@ async function rustTests(steps, toolchain) {
 /** Runs cargo's tests without their chatter; a failure shows all of it.  @param {Toolchain} toolchain @param {string[]} args @param {Record<string, string>} [env] */
 async function cargoTest(toolchain, args, env = {}) {
   const { code, output } = await run(...cargo(toolchain, ['test', '--locked', '--no-fail-fast', ...args]), { env, quiet: true });
-  console.log(code === 0 ? output.split('\n').filter((line) => /Running|Doc-tests|test result|skipped: /.test(line)).join('\n') : output);
+  console.log(
+    code === 0
+      ? output
+          .split('\n')
+          .filter((line) => /Running|Doc-tests|test result|skipped: /.test(line))
+          .join('\n')
+      : output,
+  );
   return cargoCounts(output, code);
 }
 
 /** The library and those integration tests that have tests for wasm: the others need not be compiled for it.  @returns {string[]} */
 function wasmTargets() {
-  const tests = readdirSync(join(ROOT, 'tests')).filter((file) => file.endsWith('.rs') && readFileSync(join(ROOT, 'tests', file), 'utf8').includes('wasm_bindgen_test'));
+  const tests = readdirSync(join(ROOT, 'tests')).filter(
+    (file) => file.endsWith('.rs') && readFileSync(join(ROOT, 'tests', file), 'utf8').includes('wasm_bindgen_test'),
+  );
   return ['--target', WASM_TARGET, '--lib', ...tests.sort().flatMap((file) => ['--test', file.replace(/\.rs$/, '')])];
 }
 
@@ -77,10 +89,12 @@ async function rebuild(steps, toolchain, programs) {
 
 /** @param {Steps} steps */
 async function typeChecks(steps) {
-  const program = (/** @type {string[]} */ path, /** @type {string[]} */ ...args) => async () =>
-    void (await must(process.execPath, [join(ROOT, 'node_modules', ...path), ...args]));
+  const program =
+    (/** @type {string[]} */ path, /** @type {string[]} */ ...args) =>
+    async () =>
+      void (await must(process.execPath, [join(ROOT, 'node_modules', ...path), ...args]));
   const tsc = (/** @type {string} */ project) => program(['typescript', 'bin', 'tsc'], '--noEmit', '-p', project);
-  await steps.check('types', 'lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'lint', '--error-on-warnings'));
+  await steps.check('types', 'format and lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'ci', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
   await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
@@ -89,14 +103,24 @@ async function typeChecks(steps) {
 /** @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
 async function nodeTests(steps, group, name, env) {
   const folder = join(ROOT, 'tests', group);
-  const files = readdirSync(folder).filter((file) => file.endsWith('.test.js')).sort().map((file) => join(folder, file));
+  const files = readdirSync(folder)
+    .filter((file) => file.endsWith('.test.js'))
+    .sort()
+    .map((file) => join(folder, file));
   await steps.check(group, name, () => nodeTest(files, env));
 }
 
 /** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
 async function nodeTest(files, env = {}) {
   const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
-  console.log(code === 0 ? output.split('\n').filter((line) => /^# \w+ \d|# SKIP/.test(line)).join('\n') : output);
+  console.log(
+    code === 0
+      ? output
+          .split('\n')
+          .filter((line) => /^# \w+ \d|# SKIP/.test(line))
+          .join('\n')
+      : output,
+  );
   return tapCounts(output, code);
 }
 

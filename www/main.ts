@@ -20,7 +20,7 @@ async function start(): Promise<void> {
   checkRules(catalogue.rules);
   byId('version').textContent = `Tiepoint ${catalogue.version}`;
   const pair = mountPair();
-  const block = mountBlock((store, images) => { void openPair(store, pair.store, pair.engine, images); });
+  const block = mountBlock((store, images) => void openPair(store, pair.store, pair.engine, images));
   mountDrop([block.taker, pair.taker]);
   pair.store.dispatch({ type: 'ready', catalogue });
   block.store.dispatch({ type: 'ready', catalogue: blockCatalogue(catalogue) });

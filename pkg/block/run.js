@@ -24,7 +24,14 @@ export const MEMORY = ['RuntimeError', 'RangeError'];
 export async function runBlock(sources, { settings = {}, cameras, gps, control, masks = [] }, surroundings) {
   const { pool, progress, news, signal } = surroundings;
   const names = (/** @type {readonly Source[]} */ files) => files.map(({ name }) => name);
-  const run = new Run({ images: names(sources), masks: names(masks), settings, cameras: cameras?.text ?? null, use_gnss: gps !== 'ignore', control: control ?? null });
+  const run = new Run({
+    images: names(sources),
+    masks: names(masks),
+    settings,
+    cameras: cameras?.text ?? null,
+    use_gnss: gps !== 'ignore',
+    control: control ?? null,
+  });
   // One job more than there are workers, so that none of them waits.
   const width = pool.size + 1;
   const step = timed(width);
@@ -39,7 +46,11 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
   /** @type {{ error: unknown } | null} */
   let failure = null;
   const perform = (/** @type {Job} */ job) => {
-    const done = performed(job, run, { image: sources, mask: masks }, surroundings).catch((error) => { failure ??= { error }; }).finally(() => underway.delete(done));
+    const done = performed(job, run, { image: sources, mask: masks }, surroundings)
+      .catch((error) => {
+        failure ??= { error };
+      })
+      .finally(() => underway.delete(done));
     underway.add(done);
   };
   try {
@@ -78,7 +89,13 @@ async function performed({ id, files: needed }, run, files, { pool, store }) {
   if (kept && run.found(id, kept)) return;
   for (const place of records) {
     const record = await store.get(place);
-    if (!record) return run.failed(id, { kind: 'refused', code: 'unreadable-file', message: `the kept record ${place} was removed while the run went on: start the run again`, usage: false });
+    if (!record)
+      return run.failed(id, {
+        kind: 'refused',
+        code: 'unreadable-file',
+        message: `the kept record ${place} was removed while the run went on: start the run again`,
+        usage: false,
+      });
     inputs.push(record);
   }
   if (input) inputs.push(input);

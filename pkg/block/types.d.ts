@@ -10,7 +10,10 @@ export interface Source {
 }
 
 /** A task of the crate, and the bytes that it needs. */
-export interface BlockJob { task: string; inputs: Uint8Array[] }
+export interface BlockJob {
+  task: string;
+  inputs: Uint8Array[];
+}
 
 /**
  * Runs jobs on workers. A job that fails rejects with what it threw; a worker that broke down is replaced. `transfer` is memory of the run's

@@ -21,7 +21,9 @@ import { UsageError } from './errors.js';
 
 /** @param {Command} command @param {string[]} args @returns {Call} */
 export function parse(command, args) {
-  const options = Object.fromEntries(command.options.map((o) => [o.name, { type: /** @type {'string' | 'boolean'} */ (o.placeholder ? 'string' : 'boolean') }]));
+  const options = Object.fromEntries(
+    command.options.map((o) => [o.name, { type: /** @type {'string' | 'boolean'} */ (o.placeholder ? 'string' : 'boolean') }]),
+  );
   const { tokens, positionals } = parseArgs({ args, options, strict: false, allowPositionals: true, tokens: true });
   /** @type {Call['values']} */
   const values = new Map();
@@ -39,7 +41,10 @@ export function parse(command, args) {
 function find(command, name) {
   const option = command.options.find((o) => `--${o.name}` === name);
   if (option) return option;
-  const near = nearest(name, command.options.map((o) => `--${o.name}`));
+  const near = nearest(
+    name,
+    command.options.map((o) => `--${o.name}`),
+  );
   throw new UsageError(`tiepoint ${command.name} has no option ${name}; ${near ? `did you mean ${near}?` : `see tiepoint ${command.name} --help`}`);
 }
 
@@ -47,7 +52,8 @@ function find(command, name) {
 
 /** What follows the option, unless it is an option itself.  @param {Option} option @param {Token} token @returns {string} */
 function argumentOf(option, { value, inlineValue }) {
-  if (value === undefined || (!inlineValue && /^--[a-z]/i.test(value))) throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
+  if (value === undefined || (!inlineValue && /^--[a-z]/i.test(value)))
+    throw new UsageError(`--${option.name} needs a value: --${option.name} ${option.placeholder}`);
   return value;
 }
 

@@ -14,18 +14,45 @@ export function describe(out, { images, cameras, pairs, groups, points, selectio
   const [first] = models;
   return [
     table([
-      ['images', images.read], ['left out', images.left_out.length], ...(images.masked > 0 ? [['with a mask', images.masked]] : []), ['cameras', cameras.length], ['features', images.features ?? '–'],
-      ['pairs tried', pairs.tried], ['pairs connected', pairs.connected], ['groups of connected images', groups.length], ['verified matches', pairs.matches],
-      ...(points ? [['multi-ray points', points.found], ['rays of multi-ray points', points.rays]] : []), ['points chosen', selection.points], ['rays of points chosen', selection.rays],
-      ['fewest chosen rays of an image', selection.least_rays_of_an_image], ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []),
-      ['images oriented', `${orientation.oriented} of ${images.read}`], ...(models.length > 1 ? [['models', models.length]] : []),
-      ...(first ? [['sigma0 [px]', fixed(first.sigma0_px, 3)], ['residuals, RMS [px]', fixed(first.rmse_px, 3)]] : []),
-      ...(score ? [['right points by the truth', `${score.right_points} of ${score.points}`], ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)]] : []),
+      ['images', images.read],
+      ['left out', images.left_out.length],
+      ...(images.masked > 0 ? [['with a mask', images.masked]] : []),
+      ['cameras', cameras.length],
+      ['features', images.features ?? '–'],
+      ['pairs tried', pairs.tried],
+      ['pairs connected', pairs.connected],
+      ['groups of connected images', groups.length],
+      ['verified matches', pairs.matches],
+      ...(points
+        ? [
+            ['multi-ray points', points.found],
+            ['rays of multi-ray points', points.rays],
+          ]
+        : []),
+      ['points chosen', selection.points],
+      ['rays of points chosen', selection.rays],
+      ['fewest chosen rays of an image', selection.least_rays_of_an_image],
+      ...(refinement ? [['rays refined', `${refinement.refined} of ${refinement.rays - refinement.references}`]] : []),
+      ['images oriented', `${orientation.oriented} of ${images.read}`],
+      ...(models.length > 1 ? [['models', models.length]] : []),
+      ...(first
+        ? [
+            ['sigma0 [px]', fixed(first.sigma0_px, 3)],
+            ['residuals, RMS [px]', fixed(first.rmse_px, 3)],
+          ]
+        : []),
+      ...(score
+        ? [
+            ['right points by the truth', `${score.right_points} of ${score.points}`],
+            ['angles, RMS error [deg]', fixed(score.angle_rmse_deg, 4)],
+          ]
+        : []),
       ...(score?.position_rmse_m ? [['positions, RMS error [m]', score.position_rmse_m.map((v) => fixed(v, 3)).join(' ')]] : []),
     ]),
     ...(models.length > 1 ? ['', ...models.flatMap(describeModel)] : (first?.warnings ?? []).map(warning)),
     ...(pairs.connected > 0 ? reasons(orientation) : []),
-    '', `written to ${out}`,
+    '',
+    `written to ${out}`,
   ];
 }
 
@@ -39,7 +66,10 @@ function describeModel({ names, sigma0_px, warnings }, index) {
 const warning = ({ text }) => `warning: ${text}`;
 
 /** @param {Summary['orientation']} orientation @returns {string[]} */
-const reasons = (orientation) => ('reason' in orientation ? ['', `not oriented: ${orientation.reason}`] : orientation.unoriented.map(({ name, reason: { text } }) => `not oriented: ${name}: ${text}`));
+const reasons = (orientation) =>
+  'reason' in orientation
+    ? ['', `not oriented: ${orientation.reason}`]
+    : orientation.unoriented.map(({ name, reason: { text } }) => `not oriented: ${name}: ${text}`);
 
 /** @param {string[]} names */
 const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');

@@ -2,7 +2,16 @@
 import { readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { runBlock } from '../block/index.js';
-import { block_parameters, block_settings, check_block_truth, export_formats, parse_camera_rules, parse_ground_control_points, parse_image_measurements, planned_files } from '../node.js';
+import {
+  block_parameters,
+  block_settings,
+  check_block_truth,
+  export_formats,
+  parse_camera_rules,
+  parse_ground_control_points,
+  parse_image_measurements,
+  planned_files,
+} from '../node.js';
 import { describe, failureOf } from './block-text.js';
 import { about, DataError, UsageError } from './errors.js';
 import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
@@ -33,21 +42,34 @@ export const block = {
   rest: 'FOLDER|IMAGE…',
   options: [
     path('out', 'DIR', 'Folder that receives the files; required. What is done stands in its folder work/: started again, the command goes on from there.'),
-    path('cameras', 'cameras.json', 'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.'),
+    path(
+      'cameras',
+      'cameras.json',
+      'Cameras in place of those of EXIF: {"cameras": [{"images": "DJI_*.JPG", "focal_px", "principal_point_px": [x, y], "radial": [k1, k2, k3], "tangential": [p1, p2], "pixel_mm", "fixed"}]}, all but focal_px optional.',
+    ),
     word('gps', ['use', 'ignore'], 'Whether positions that the images record choose near images and place the block.', 'use'),
-    path('control', 'points.csv', 'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.'),
+    path(
+      'control',
+      'points.csv',
+      'Surveyed points that place the block, in place of recorded positions: name,x,y,z and perhaps standard errors, in m; needs --marks.',
+    ),
     path('marks', 'marks.csv', 'Where the images show surveyed points: image,point,x,y in px.'),
-    path('masks', 'DIR', 'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.'),
+    path(
+      'masks',
+      'DIR',
+      'Masks: images in which no features are wanted where they are 0 (black), as large as the images whose names they have: IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png for IMG_1.jpg.',
+    ),
     path('truth', 'truth.json', 'Scores the block by the truth of a simulated flight.'),
     list('export', export_formats(), 'Formats for other programs, with commas between; each in a folder of its name.'),
     workersOption('the result is'),
     JSON_FLAG,
     ...OPTIONS,
   ],
-  details: 'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a '
-    + 'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. '
-    + 'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. Where no image could be oriented, the files are written and the exit code is 1. '
-    + 'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
+  details:
+    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a ' +
+    'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
+    'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. Where no image could be oriented, the files are written and the exit code is 1. ' +
+    'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
   run,
 };
 
@@ -58,9 +80,19 @@ async function run(call) {
   if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the files');
   const sources = sourcesOf(call.positionals);
   const settings = settingsOf(OPTIONS, values, block_settings({}));
-  const formats = /** @type {ExportFormat[]} */ (String(values.get('export') ?? '').split(',').filter(Boolean));
+  const formats = /** @type {ExportFormat[]} */ (
+    String(values.get('export') ?? '')
+      .split(',')
+      .filter(Boolean)
+  );
   const cameras = values.get('cameras');
-  const options = { settings, gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'), ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }), ...controlOf(values), ...masksOf(values) };
+  const options = {
+    settings,
+    gps: /** @type {'use' | 'ignore'} */ (values.get('gps') ?? 'use'),
+    ...(typeof cameras === 'string' && { cameras: camerasOf(cameras) }),
+    ...controlOf(values),
+    ...masksOf(values),
+  };
   const truth = values.get('truth');
   const known = typeof truth === 'string' ? truthOf(truth) : null;
   // What can be refused before anything is computed.
@@ -89,7 +121,8 @@ async function run(call) {
     const failure = failureOf(summary);
     if (failure !== null) throw new DataError(failure);
     const refused = summary.exports.filter((e) => e.refused !== null);
-    if (refused.length > 0) throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
+    if (refused.length > 0)
+      throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
   } finally {
     shown.end();
     await pool.close();

@@ -39,7 +39,10 @@ export function attempt(what, path, action) {
 export const readBytes = (path) => attempt('read', path, () => readFileSync(path));
 
 /** @param {string} path @returns {string} */
-export const readText = (path) => readBytes(path).toString('utf8').replace(/^\ufeff/, '');
+export const readText = (path) =>
+  readBytes(path)
+    .toString('utf8')
+    .replace(/^\ufeff/, '');
 
 /** @param {string} path @returns {Photo} */
 export function readPhoto(path) {
@@ -69,7 +72,10 @@ export const exists = (path) => statSync(path, { throwIfNoEntry: false }) !== un
 /** The names of the files of a folder, in the order of their letters and of the numbers in them.  @param {string} path @returns {string[]} */
 export function filesIn(path) {
   const entries = attempt('read the folder', path, () => readdirSync(path, { withFileTypes: true }));
-  return entries.filter((entry) => !entry.isDirectory()).map(({ name }) => name).sort(byNumbers);
+  return entries
+    .filter((entry) => !entry.isDirectory())
+    .map(({ name }) => name)
+    .sort(byNumbers);
 }
 
 /** `photo_9` comes before `photo_10`.  @param {string} a @param {string} b */

@@ -26,13 +26,19 @@ export function overview(commands) {
 export function helpOf(command) {
   const usage = ['tiepoint', command.name, ...command.positionals, ...(command.rest ? [command.rest] : []), '[OPTIONS]'].join(' ');
   const sections = [...new Set(command.options.map(({ section }) => section))];
-  const options = sections.flatMap((title) => [...(title ? [`${title}:`, ''] : []), ...command.options.filter(({ section }) => section === title).map(describe)]);
+  const options = sections.flatMap((title) => [
+    ...(title ? [`${title}:`, ''] : []),
+    ...command.options.filter(({ section }) => section === title).map(describe),
+  ]);
   return [usage, '', wrap(command.summary, WIDTH), '', ...options, wrap(command.details, WIDTH)].join('\n').trimEnd();
 }
 
 /** @param {Option} option @returns {string} */
 function describe({ name, placeholder, help, range = '', fallback = '' }) {
-  const facts = [['allowed', range], ['default', String(fallback)]].filter(([, text]) => text !== '');
+  const facts = [
+    ['allowed', range],
+    ['default', String(fallback)],
+  ].filter(([, text]) => text !== '');
   const text = facts.length > 0 ? [help, `(${facts.map((fact) => fact.join(': ')).join('; ')})`] : [help];
   return `${`  --${name} ${placeholder}`.trimEnd()}\n${text.map((part) => wrap(part, WIDTH, '      ')).join('\n')}\n`;
 }

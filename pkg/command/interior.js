@@ -19,8 +19,9 @@ export const interior = {
   summary: 'Interior orientation: the transformation from measured to calibrated fiducial marks, by least squares.',
   positionals: ['FIDUCIALS.csv'],
   options: [MODEL, JSON_FLAG],
-  details: 'FIDUCIALS.csv: columns col,row,x_mm,y_mm, a line a mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. '
-    + 'JSON: parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), degrees_of_freedom.',
+  details:
+    'FIDUCIALS.csv: columns col,row,x_mm,y_mm, a line a mark. x_mm = a col + b row + tx, y_mm = d col + e row + ty. ' +
+    'JSON: parameters [[a, b, tx], [d, e, ty]], residuals_mm, sigma0_mm, standard_errors (null without redundancy), degrees_of_freedom.',
   run({ positionals: [file = ''], values }) {
     const text = readText(file);
     const model = /** @type {FiducialModel} */ (values.get('model') ?? 'affine');
@@ -33,7 +34,10 @@ export const interior = {
 /** @param {import('../node.js').FiducialOrientation} result @returns {string[]} */
 function describe(result) {
   const { parameters, standard_errors: errors, residuals_mm: residuals } = result;
-  const names = [['a', 'b', 'tx [mm]'], ['d', 'e', 'ty [mm]']];
+  const names = [
+    ['a', 'b', 'tx [mm]'],
+    ['d', 'e', 'ty [mm]'],
+  ];
   const lines = names.flatMap((row, r) => row.map((name, c) => [name, fixed(parameters[r]?.[c], 8), fixed(errors?.[r]?.[c], 8)]));
   return [
     `${result.model} transformation: x = a col + b row + tx, y = d col + e row + ty`,

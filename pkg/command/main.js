@@ -57,6 +57,9 @@ function general(name, rest) {
 
 /** @param {string} name @returns {never} */
 function unknown(name) {
-  const near = nearest(name, COMMANDS.map((c) => c.name));
+  const near = nearest(
+    name,
+    COMMANDS.map((c) => c.name),
+  );
   throw new UsageError(`there is no command ${name}; ${near ? `did you mean ${near}?` : `allowed: ${COMMANDS.map((c) => c.name).join(', ')}, help`}`);
 }

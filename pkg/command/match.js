@@ -30,12 +30,16 @@ export const match = {
   summary: 'Matches two overlapping photos and orients them relative to each other.',
   positionals: ['LEFT', 'RIGHT'],
   options: OPTIONS,
-  details: 'Without --camera the focal length comes from the images\' EXIF data; without either the matches are given and the orientation is null, with the '
-    + 'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` '
-    + 'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, '
-    + 'degenerate, focal) or null with no_geometry; where no camera is known and the matches tell the focal length, they are oriented with it.',
+  details:
+    "Without --camera the focal length comes from the images' EXIF data; without either the matches are given and the orientation is null, with the " +
+    'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
+    'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, ' +
+    'degenerate, focal) or null with no_geometry; where no camera is known and the matches tell the focal length, they are oriented with it.',
   async run(call) {
-    const { positionals: [leftPath = '', rightPath = ''], values } = call;
+    const {
+      positionals: [leftPath = '', rightPath = ''],
+      values,
+    } = call;
     const input = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
     const [out, truthPath] = [values.get('out'), values.get('truth')];
@@ -53,7 +57,12 @@ export const match = {
     progress.end();
     if (!output.interior) noteWithoutEffect(values);
     if (values.has('json')) printJson(result);
-    else print(...describe(output), ...(score ? ['', ...describeScore(score, output)] : []), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
+    else
+      print(
+        ...describe(output),
+        ...(score ? ['', ...describeScore(score, output)] : []),
+        ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
+      );
   },
 };
 
@@ -98,11 +107,24 @@ function describeScore(score, output) {
   const { errors } = score;
   const standard = o?.total_standard_errors ?? o?.standard_errors;
   const lines = errors
-    ? [table([['', 'true error', 'in std. errors'], ...UNKNOWNS.map(({ name, unit, field }) => [`${name} [${unit}]`, fixed(errors[field], 4), fixed((errors[field] ?? NaN) / (standard?.[field] ?? NaN), 1)])])]
+    ? [
+        table([
+          ['', 'true error', 'in std. errors'],
+          ...UNKNOWNS.map(({ name, unit, field }) => [
+            `${name} [${unit}]`,
+            fixed(errors[field], 4),
+            fixed((errors[field] ?? NaN) / (standard?.[field] ?? NaN), 1),
+          ]),
+        ]),
+      ]
     : [];
   return [
     'by the truth',
-    table([['right matches, at edges too', part(score.right, score.right_share)], ['strictly right', part(score.strict, score.strict_share)], ['points missed', score.missed]]),
+    table([
+      ['right matches, at edges too', part(score.right, score.right_share)],
+      ['strictly right', part(score.strict, score.strict_share)],
+      ['points missed', score.missed],
+    ]),
     ...lines,
   ];
 }
@@ -110,7 +132,13 @@ function describeScore(score, output) {
 /** @param {PairOutput['match']} match @returns {string[]} */
 function describeGeometry({ geometry, no_geometry: none }) {
   if (!geometry) return none ? [`no geometry of the two views: ${message('no_geometry', none)}`] : [];
-  const { model: { kind }, threshold_px: threshold, sigma_px: sigma, degenerate, focal } = geometry;
+  const {
+    model: { kind },
+    threshold_px: threshold,
+    sigma_px: sigma,
+    degenerate,
+    focal,
+  } = geometry;
   return [
     `geometry of the two views: ${message('two_view_model', { kind })}, standard error ${fixed(sigma, 2)} px, threshold ${fixed(threshold, 2)} px`,
     ...(degenerate ? [message('degeneracy', degenerate)] : []),
@@ -122,12 +150,20 @@ function describeGeometry({ geometry, no_geometry: none }) {
 function describe(output) {
   const { matches, ...rejected } = output.match.counts;
   return [
-    countTable([['left', output.left], ['right', output.right]]),
+    countTable([
+      ['left', output.left],
+      ['right', output.right],
+    ]),
     '',
-    table([['matches', matches], ...Object.entries(rejected).map(([rule, count]) => [`rejected: ${message('verdict', /** @type {import('../node.js').Rule} */ (rule), 'label')}`, count])]),
+    table([
+      ['matches', matches],
+      ...Object.entries(rejected).map(([rule, count]) => [`rejected: ${message('verdict', /** @type {import('../node.js').Rule} */ (rule), 'label')}`, count]),
+    ]),
     ...(output.offset ? [`offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`] : []),
     ...describeGeometry(output.match),
     '',
-    ...(output.orientation ? describeOrientation(output.orientation, output.pixel_mm) : [`not oriented: ${message('no_orientation', /** @type {import('../node.js').NoOrientation} */ (output.no_orientation))}`]),
+    ...(output.orientation
+      ? describeOrientation(output.orientation, output.pixel_mm)
+      : [`not oriented: ${message('no_orientation', /** @type {import('../node.js').NoOrientation} */ (output.no_orientation))}`]),
   ];
 }

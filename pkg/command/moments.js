@@ -15,8 +15,9 @@ export const moments = {
   summary: 'The moments and the invariants of the grey values around a pixel.',
   positionals: ['IMAGE'],
   options: OPTIONS,
-  details: 'A position inside a pixel, as `tiepoint points` prints it, names that pixel. JSON: central, normalized, invariants, and of the window '
-    + 'col, row, side, centroid_px and axis_angle_deg.',
+  details:
+    'A position inside a pixel, as `tiepoint points` prints it, names that pixel. JSON: central, normalized, invariants, and of the window ' +
+    'col, row, side, centroid_px and axis_angle_deg.',
   run({ positionals: [image = ''], values }) {
     const at = values.get('at');
     if (!Array.isArray(at)) throw new UsageError('--at is missing: give the pixel as --at COL,ROW');
@@ -30,7 +31,10 @@ export const moments = {
         `${image}: window of ${side} x ${side} px at column ${col}, row ${row}`,
         `centroid ${centroid_px.map((v) => fixed(v, 3)).join(', ')} px, axis ${fixed(axis_angle_deg, 3)} deg`,
         '',
-        table([['moment', 'central', 'normalised'], ...Object.entries(central).map(([name, value]) => [name, short(value), short(normalizedOf(normalized, name))])]),
+        table([
+          ['moment', 'central', 'normalised'],
+          ...Object.entries(central).map(([name, value]) => [name, short(value), short(normalizedOf(normalized, name))]),
+        ]),
         '',
         table([['invariant', 'value'], ...invariants.map((value, i) => [`I${i}`, short(value)])]),
       );

@@ -31,10 +31,14 @@ function number(name, text) {
 /** What a parameter allows, in words.  @param {Parameter} p @returns {string} */
 function allowed(p) {
   switch (p.kind) {
-    case 'integer': return `${p.odd ? 'odd ' : ''}whole numbers from ${p.min} to ${p.max}`;
-    case 'real': return `${p.min} to ${p.max}`;
-    case 'choice': return p.values.join(', ');
-    default: return '';
+    case 'integer':
+      return `${p.odd ? 'odd ' : ''}whole numbers from ${p.min} to ${p.max}`;
+    case 'real':
+      return `${p.min} to ${p.max}`;
+    case 'choice':
+      return p.values.join(', ');
+    default:
+      return '';
   }
 }
 
@@ -98,24 +102,39 @@ export const BLOCK_NAMES = { 'multiscale.number': 'features' };
 
 /** Some of some words, with commas between.  @param {string} name @param {readonly string[]} words @param {string} help @returns {Option} */
 export const list = (name, words, help) => ({
-  name, placeholder: 'NAME,…', range: words.join(', '), help,
+  name,
+  placeholder: 'NAME,…',
+  range: words.join(', '),
+  help,
   read: (text) => {
     const given = text.split(',').map((one) => one.trim());
     const wrong = given.find((one, i) => !words.includes(one) || given.indexOf(one) !== i);
-    if (wrong !== undefined) throw new UsageError(`--${name} has ${wrong || 'an empty name'}${words.includes(wrong) ? ' twice' : ''}; allowed, with commas between: ${words.join(', ')}`);
+    if (wrong !== undefined)
+      throw new UsageError(
+        `--${name} has ${wrong || 'an empty name'}${words.includes(wrong) ? ' twice' : ''}; allowed, with commas between: ${words.join(', ')}`,
+      );
     return given.join(',');
   },
 });
 
 /** One of some words.  @param {string} name @param {readonly string[]} words @param {string} help @param {string} [fallback] @returns {Option} */
-export const word = (name, words, help, fallback) => ({ name, placeholder: 'NAME', range: words.join(', '), help, fallback, read: (text) => oneOf(name, words, text) });
+export const word = (name, words, help, fallback) => ({
+  name,
+  placeholder: 'NAME',
+  range: words.join(', '),
+  help,
+  fallback,
+  read: (text) => oneOf(name, words, text),
+});
 
 /** @param {string} name @param {string} help @returns {Option} */
 export const flag = (name, help) => ({ name, placeholder: '', help, read: () => true });
 
 /** @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
 export const path = (name, placeholder, help) => ({
-  name, placeholder, help,
+  name,
+  placeholder,
+  help,
   read: (text) => {
     if (text === '') throw new UsageError(`--${name} is empty; allowed: the path of a file or folder`);
     return text;
@@ -124,7 +143,11 @@ export const path = (name, placeholder, help) => ({
 
 /** A number that is no setting.  @param {string} name @param {string} key @param {string} help @param {(value: number) => boolean} valid @param {string} range in words @returns {Option} */
 export const real = (name, key, help, valid, range) => ({
-  name, placeholder: 'N', key, range, help,
+  name,
+  placeholder: 'N',
+  key,
+  range,
+  help,
   read: (text) => {
     const value = number(name, text);
     if (!valid(value)) throw new UsageError(`--${name} is ${text}; allowed: ${range}`);
@@ -134,7 +157,9 @@ export const real = (name, key, help, valid, range) => ({
 
 /** Two numbers with a comma between.  @param {string} name @param {string} placeholder @param {string} help @returns {Option} */
 export const pair = (name, placeholder, help) => ({
-  name, placeholder, help,
+  name,
+  placeholder,
+  help,
   read: (text) => {
     const parts = text.split(',').map((part) => part.trim());
     if (parts.length !== 2) throw new UsageError(`--${name} is ${text || 'empty'}; allowed: two numbers with a comma between, ${placeholder}`);

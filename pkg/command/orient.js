@@ -18,10 +18,11 @@ export const orient = {
   summary: 'Dependent relative orientation of two photos from measured photo coordinates.',
   positionals: ['OBSERVATIONS.csv'],
   options: OPTIONS,
-  details: 'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. '
-    + '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), sigma0_mm, degrees_of_freedom, '
-    + 'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], '
-    + 'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
+  details:
+    'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. ' +
+    '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), sigma0_mm, degrees_of_freedom, ' +
+    'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
+    'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
     if (typeof focal !== 'number') throw new UsageError('--focal-mm is missing: give the focal length in mm');
@@ -62,10 +63,7 @@ export function describeOrientation(o, pixelMm) {
   });
   const sigma = pixelMm === null || o.sigma0_mm === null ? '' : ` = ${fixed(o.sigma0_mm / pixelMm, 3)} px`;
   return [
-    table([
-      ['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : [])],
-      ...rows,
-    ]),
+    table([['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : [])], ...rows]),
     '',
     `base ${fixed(o.base_mm, 3)} mm, focal length ${fixed(o.focal_mm, 3)} mm, ${o.method}`,
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,

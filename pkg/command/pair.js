@@ -15,19 +15,29 @@ import { MASK, pair, path, real } from './options.js';
 const NOMINAL_PIXEL_MM = 0.001;
 
 export const PAIR_OPTIONS = [
-  path('camera', 'camera.json', 'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}.'),
-  { ...real('focal-px', 'focal_px', 'Focal length of both photos in px, in place of --camera: principal point in the middle, no distortion. A pixel is then taken to be 0.001 mm.', (f) => f > 0 && f <= 1e7, 'above 0, up to 10000000'), placeholder: 'F' },
+  path(
+    'camera',
+    'camera.json',
+    'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}.',
+  ),
+  {
+    ...real(
+      'focal-px',
+      'focal_px',
+      'Focal length of both photos in px, in place of --camera: principal point in the middle, no distortion. A pixel is then taken to be 0.001 mm.',
+      (f) => f > 0 && f <= 1e7,
+      'above 0, up to 10000000',
+    ),
+    placeholder: 'F',
+  },
   path('left-fiducials', 'F.csv', 'Fiducial marks measured in the scan of the left photo: col,row,x_mm,y_mm.'),
   path('right-fiducials', 'F.csv', 'The same of the right photo.'),
-  pair('left-origin', 'COL,ROW', 'Place of the left image\'s top-left pixel in the scan whose fiducials were measured.'),
+  pair('left-origin', 'COL,ROW', "Place of the left image's top-left pixel in the scan whose fiducials were measured."),
   pair('right-origin', 'COL,ROW', 'The same of the right image.'),
   pair('offset', 'DX,DY', 'Position of a point in the right image minus that in the left, in px; estimated when not given.'),
 ];
 
-export const MASK_OPTIONS = [
-  path('mask-left', 'FILE', `${MASK} in the left photo.`),
-  path('mask-right', 'FILE', 'The same of the right photo.'),
-];
+export const MASK_OPTIONS = [path('mask-left', 'FILE', `${MASK} in the left photo.`), path('mask-right', 'FILE', 'The same of the right photo.')];
 
 /** The masks that were given.  @param {Call} call @param {import('../node.js').Photo} left @param {import('../node.js').Photo} right @returns {[Uint8Array | undefined, Uint8Array | undefined]} */
 export function masksOf({ values }, left, right) {
@@ -40,7 +50,12 @@ export function masksOf({ values }, left, right) {
 
 /** Options that only make sense beside another.  @param {Call} call */
 function checkTogether({ values }) {
-  for (const [one, other] of [['left-fiducials', 'right-fiducials'], ['right-fiducials', 'left-fiducials'], ['left-origin', 'left-fiducials'], ['right-origin', 'right-fiducials']]) {
+  for (const [one, other] of [
+    ['left-fiducials', 'right-fiducials'],
+    ['right-fiducials', 'left-fiducials'],
+    ['left-origin', 'left-fiducials'],
+    ['right-origin', 'right-fiducials'],
+  ]) {
     if (one && other && values.has(one) && !values.has(other)) throw new UsageError(`--${one} needs --${other} beside it`);
   }
 }

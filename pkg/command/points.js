@@ -19,7 +19,8 @@ export const points = {
   summary: 'Finds the interest points of an image.',
   positionals: ['IMAGE'],
   options: OPTIONS,
-  details: 'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
+  details:
+    'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
   run({ positionals: [image = ''], values }) {
     const settings = settingsOf(OPTIONS, values, defaults());
     const progress = new Progress({ steps: 2 });
@@ -29,7 +30,8 @@ export const points = {
     const found = progress.step('finding points', () => photo.detect(settings, mask));
     progress.end();
     const { width, height } = photo;
-    if (values.has('json')) printJson({ width, height, threshold: found.threshold, counts: found.counts, points: rows(found.points, 3), frames: rows(found.frames, 2) });
+    if (values.has('json'))
+      printJson({ width, height, threshold: found.threshold, counts: found.counts, points: rows(found.points, 3), frames: rows(found.frames, 2) });
     else print(`${image}: ${width} x ${height} px`, '', countTable([['', found]]), '', pointTable(found.points));
   },
 };

@@ -10,8 +10,14 @@ const PAUSE_MS = 100;
 
 /** What the steps of each stage are; those of one piece have one step, which is not counted.  @type {Record<Step['stage'], string>} */
 const WORDS = {
-  photos: 'photos', images: 'images', likeness: 'similarity of images', pairs: 'pairs', points: 'tie points', windows: 'images for windows of observations',
-  refinement: 'groups of points refined', orientation: 'orientation',
+  photos: 'photos',
+  images: 'images',
+  likeness: 'similarity of images',
+  pairs: 'pairs',
+  points: 'tie points',
+  windows: 'images for windows of observations',
+  refinement: 'groups of points refined',
+  orientation: 'orientation',
 };
 
 /** Stages that are one computation. */

@@ -24,10 +24,14 @@ export const report = {
   summary: 'Matches and orients a pair by every strategy and writes one self-contained HTML report with pictures and tables.',
   positionals: ['LEFT', 'RIGHT'],
   options: OPTIONS,
-  details: 'The options are those of `tiepoint match`. The report holds the images with their points, the paper\'s Tables 1 to 3 for all strategies beside the '
-    + 'printed values, residuals, reliability and parameters. JSON: file.',
+  details:
+    "The options are those of `tiepoint match`. The report holds the images with their points, the paper's Tables 1 to 3 for all strategies beside the " +
+    'printed values, residuals, reliability and parameters. JSON: file.',
   run(call) {
-    const { positionals: [leftPath = '', rightPath = ''], values } = call;
+    const {
+      positionals: [leftPath = '', rightPath = ''],
+      values,
+    } = call;
     const input = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
     const [out, truthPath] = [values.get('out'), values.get('truth')];

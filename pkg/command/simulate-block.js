@@ -30,8 +30,9 @@ export const simulateBlock = {
     JSON_FLAG,
     ...OPTIONS,
   ],
-  details: 'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), '
-    + 'photo x right, y up; X east, north, up of the origin in m. JSON: photos, truth, and block, the command to try next as a list of words.',
+  details:
+    'Files: photos/photo_00000.png and so on, grey, with camera and recorded position as EXIF; truth.json with the flight, the cameras and the exterior orientations: photo = M (X - X0), ' +
+    'photo x right, y up; X east, north, up of the origin in m. JSON: photos, truth, and block, the command to try next as a list of words.',
   run,
 };
 
@@ -51,14 +52,20 @@ async function run({ values }) {
     let done = 0;
     const tell = (name = '') => shown.stage(step({ stage: 'photos', done, total, found: 0, name }));
     tell();
-    const photos = await Promise.all(truth.images.map(async ({ name: file }, index) => {
-      const name = `photos/${file}`;
-      replaceInto(out, name, await pool.run('photo', { flight, index }));
-      done += 1;
-      tell(name);
-      return join(out, name);
-    }));
-    replaceInto(out, 'truth.json', `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`);
+    const photos = await Promise.all(
+      truth.images.map(async ({ name: file }, index) => {
+        const name = `photos/${file}`;
+        replaceInto(out, name, await pool.run('photo', { flight, index }));
+        done += 1;
+        tell(name);
+        return join(out, name);
+      }),
+    );
+    replaceInto(
+      out,
+      'truth.json',
+      `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`,
+    );
     const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
     if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });
     else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', shellCommand(words));

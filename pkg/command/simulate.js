@@ -26,11 +26,20 @@ export const simulate = {
   summary: 'Flies over a made town and writes the pair of photos with its camera, its fiducial marks and the truth to compare with.',
   variant: simulateBlock,
   positionals: [],
-  options: [flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'), OUT, word('preset', flight_presets(), 'The flight that the other options change; their defaults are those of the sample.', 'sample'), JSON_FLAG, ...OPTIONS],
-  details: 'truth.json holds the relative orientation, the flight, and digests that name both images; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the '
-    + 'top-left pixel at 0, at which each left pixel is seen in the right image (NaN: nowhere); visible.png is 255 where it is seen. JSON: files, and match, the '
-    + 'command to try next as a list of words.',
-  run: ({ values }) => { make(values, /** @type {Preset} */ (values.get('preset') ?? 'sample')); },
+  options: [
+    flag('block', 'A block of photos in place of a pair; simulate --block --help tells its options.'),
+    OUT,
+    word('preset', flight_presets(), 'The flight that the other options change; their defaults are those of the sample.', 'sample'),
+    JSON_FLAG,
+    ...OPTIONS,
+  ],
+  details:
+    'truth.json holds the relative orientation, the flight, and digests that name both images; map_row_col.f32 the row and column, 32-bit little-endian floats with the centre of the ' +
+    'top-left pixel at 0, at which each left pixel is seen in the right image (NaN: nowhere); visible.png is 255 where it is seen. JSON: files, and match, the ' +
+    'command to try next as a list of words.',
+  run: ({ values }) => {
+    make(values, /** @type {Preset} */ (values.get('preset') ?? 'sample'));
+  },
 };
 
 /** @type {Command} */
@@ -40,7 +49,9 @@ export const sample = {
   positionals: [],
   options: [OUT, ...SEED, JSON_FLAG],
   details: 'JSON: files, and match, the command to try next as a list of words.',
-  run: ({ values }) => { make(values, 'sample'); },
+  run: ({ values }) => {
+    make(values, 'sample');
+  },
 };
 
 /** @param {import('./args.js').Call['values']} values @param {Preset} preset */
@@ -89,7 +100,8 @@ function write(folder, made, flight) {
 
 /** @param {SamplePair} made @param {Flight} flight */
 const truthOf = (made, flight) => ({
-  convention: 'map_row_col.f32 counts from the centre of the top-left pixel; fiducials and origins are px of the scans, the centre of the top-left pixel at (0.5, 0.5)',
+  convention:
+    'map_row_col.f32 counts from the centre of the top-left pixel; fiducials and origins are px of the scans, the centre of the top-left pixel at (0.5, 0.5)',
   relative_orientation: made.truth,
   b_mm: made.base_mm,
   f_mm: made.camera.focal_mm,
@@ -107,11 +119,23 @@ const fiducialCsv = (fiducials) => `${['col,row,x_mm,y_mm', ...fiducials.map((f)
 function matchCommand(files, made) {
   const file = (/** @type {string} */ key) => files[key] ?? '';
   return [
-    'tiepoint', 'match', file('left'), file('right'), '--camera', file('camera'),
-    '--left-fiducials', file('left_fiducials'), '--right-fiducials', file('right_fiducials'),
-    '--left-origin', made.left_origin.join(','), '--right-origin', made.right_origin.join(','),
+    'tiepoint',
+    'match',
+    file('left'),
+    file('right'),
+    '--camera',
+    file('camera'),
+    '--left-fiducials',
+    file('left_fiducials'),
+    '--right-fiducials',
+    file('right_fiducials'),
+    '--left-origin',
+    made.left_origin.join(','),
+    '--right-origin',
+    made.right_origin.join(','),
     // Photos from one place have no base that could give by and bz their scale.
     ...(made.base_mm === 0 ? [] : ['--base-mm', String(made.base_mm)]),
-    '--truth', file('truth'),
+    '--truth',
+    file('truth'),
   ];
 }

@@ -77,7 +77,8 @@ function readDigest(file, json, side) {
 function readMap(path, width, height) {
   const bytes = readBytes(path);
   const wanted = width * height * 8;
-  if (bytes.length !== wanted) throw new DataError(`${path}: it has ${bytes.length} bytes; allowed: ${wanted}, two 32-bit numbers for each of ${width} x ${height} px`);
+  if (bytes.length !== wanted)
+    throw new DataError(`${path}: it has ${bytes.length} bytes; allowed: ${wanted}, two 32-bit numbers for each of ${width} x ${height} px`);
   const positions = new Float32Array(2 * width * height);
   for (let i = 0; i < width * height; i++) {
     positions[2 * i] = bytes.readFloatLE(8 * i + 4) + 0.5;
@@ -98,7 +99,9 @@ export function checkPair(truth, left, right) {
   for (const side of SIDES) {
     const wanted = truth.digests[side];
     if (wanted === null || wanted === found[side]) continue;
-    throw new DataError(`the truth is of another pair: the grey values of the ${side} image have the SHA-256 digest ${short(found[side])}; allowed: ${short(wanted)}`);
+    throw new DataError(
+      `the truth is of another pair: the grey values of the ${side} image have the SHA-256 digest ${short(found[side])}; allowed: ${short(wanted)}`,
+    );
   }
 }
 

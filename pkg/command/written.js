@@ -32,7 +32,9 @@ export class Written {
     this.#out = out;
     makeFolder(join(out, dirname(LIST)));
     if (!existsSync(join(out, LIST))) return;
-    for (const line of readText(join(out, LIST)).split(/(?<=\n)/).filter(Boolean)) {
+    for (const line of readText(join(out, LIST))
+      .split(/(?<=\n)/)
+      .filter(Boolean)) {
       const [, digest = '', path = ''] = /^[0-9a-f]{16} ([0-9a-f]{64}) (.+)\n$/.exec(line) ?? [];
       if (line === lineOf(digest, path)) this.#before.set(path, (this.#before.get(path) ?? new Set()).add(digest));
       else this.#torn = true;

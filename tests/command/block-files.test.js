@@ -76,7 +76,10 @@ test('a folder holds what the last run wrote and what the user put there', () =>
   const after = [...contents(out).keys()];
   assert.ok(after.includes('colmap/sparse/images.txt'));
   // Gone but for the user's file, and for the one that was changed.
-  assert.deepEqual(after.filter((name) => /^(bingo|csv)\//.test(name)), ['bingo/mine/notes.txt', 'csv/points.csv']);
+  assert.deepEqual(
+    after.filter((name) => /^(bingo|csv)\//.test(name)),
+    ['bingo/mine/notes.txt', 'csv/points.csv'],
+  );
   json(...BLOCK.call, '--out', out);
   assert.ok(!existsSync(join(out, 'colmap')));
 });
@@ -117,7 +120,11 @@ test('files that were changed since a run wrote them are not written over', () =
 });
 
 test('a file of the user is found before anything is computed, whatever would write it', () => {
-  for (const [name, ...options] of [['orientation.json'], ['colmap/features/photo_00002.png.txt', '--export', 'colmap'], ['bingo/bingo.dat', '--export', 'csv,bingo']]) {
+  for (const [name, ...options] of [
+    ['orientation.json'],
+    ['colmap/features/photo_00002.png.txt', '--export', 'colmap'],
+    ['bingo/bingo.dat', '--export', 'csv,bingo'],
+  ]) {
     const out = folder();
     const path = join(out, ...(name ?? '').split('/'));
     mkdirSync(dirname(path), { recursive: true });
@@ -140,7 +147,10 @@ test('what comes in the way while a run goes on is set aside', async () => {
   next.put('points.csv', 'ours again');
   next.finish();
   assert.deepEqual(next.setAside, [{ path: join(out, 'points.csv'), kept: join(out, 'points.csv.mine') }]);
-  assert.deepEqual(['points.csv', 'points.csv.mine'].map((name) => readFileSync(join(out, name), 'utf8')), ['ours again', 'mine']);
+  assert.deepEqual(
+    ['points.csv', 'points.csv.mine'].map((name) => readFileSync(join(out, name), 'utf8')),
+    ['ours again', 'mine'],
+  );
   const last = new Written(out);
   last.refuseOthers(['points.csv'], []);
   last.finish();
@@ -154,7 +164,10 @@ test('names that a format cannot hold and a truth of other images are refused be
   const call = ['block', named, ...BLOCK.call.slice(2), '--out', out];
   const blank = tiepoint(...call, '--export', 'csv,colmap,nvm');
   assert.deepEqual([blank.code, records(out, 'features')], [1, 0]);
-  assert.match(blank.stderr, /^tiepoint: these images cannot be exported as colmap, nvm \(.*'a photo\.png'; allowed: names without blanks\): rename them, or leave out what cannot hold their names\n$/);
+  assert.match(
+    blank.stderr,
+    /^tiepoint: these images cannot be exported as colmap, nvm \(.*'a photo\.png'; allowed: names without blanks\): rename them, or leave out what cannot hold their names\n$/,
+  );
   const truth = structuredClone(BLOCK.truth);
   for (const one of truth.block.images) one.name = `other_${one.name}`;
   const other = tiepoint(...BLOCK.call, '--out', out, '--truth', file(folder(), 'other.json', JSON.stringify(truth)));
@@ -173,7 +186,12 @@ test('killed while it writes, the next run knows its files', async () => {
 
 test('the exactness of recorded positions is an option', () => {
   const sigma = (/** @type {string[]} */ ...options) => json(...BLOCK.call, '--out', folder(), ...options).settings.placing;
-  assert.deepEqual(sigma('--receiver-across-m', '0.02', '--receiver-up-m', '0.04'), { receiver_across_m: 0.02, receiver_up_m: 0.04, surveyed_across_m: 0.02, surveyed_up_m: 0.03 });
+  assert.deepEqual(sigma('--receiver-across-m', '0.02', '--receiver-up-m', '0.04'), {
+    receiver_across_m: 0.02,
+    receiver_up_m: 0.04,
+    surveyed_across_m: 0.02,
+    surveyed_up_m: 0.03,
+  });
   assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--receiver-up-m', '0').stderr, /--receiver-up-m is 0; allowed: 0\.001 to 1000/);
 });
 
@@ -197,6 +215,10 @@ test('a project that is damaged anywhere is refused', () => {
     const damaged = i % 2 === 0 ? bytes.subarray(0, below(bytes.length)) : Buffer.from(bytes);
     const at = below(bytes.length);
     if (i % 2 === 1) damaged[at] = (damaged[at] ?? 0) ^ (1 << below(8));
-    assert.throws(() => FinishedBlock.open(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.message.length > 10, `damage ${i} at ${at}`);
+    assert.throws(
+      () => FinishedBlock.open(damaged),
+      (/** @type {any} */ error) => error.name === 'TiepointError' && error.message.length > 10,
+      `damage ${i} at ${at}`,
+    );
   }
 });

@@ -44,7 +44,10 @@ test('all files and the text give the same numbers of points and rays', () => {
   for (const row of images) assert.equal(Number(row.rays), rays.filter((ray) => ray.image === row.image).length, row.name);
   assert.equal(selection.least_rays_of_an_image, Math.min(...images.map((row) => Number(row.rays))));
   const { stdout, stderr } = tiepoint(...BLOCK.call, '--out', out);
-  const labels = stdout.split('\n').map((line) => line.split('  ')[0]).filter((label) => label !== '');
+  const labels = stdout
+    .split('\n')
+    .map((line) => line.split('  ')[0])
+    .filter((label) => label !== '');
   assert.deepEqual(labels, [...new Set(labels)]);
   assert.match(stdout, new RegExp(`^points chosen +${points.length}\nrays of points chosen +${rays.length}$`, 'm'));
   // Steps are not told as points.
@@ -56,24 +59,48 @@ test('every model is told by itself, with its images', () => {
   const other = photographed('--seed', '9');
   const mixed = folder();
   for (const name of readdirSync(BLOCK.photos)) copyFileSync(join(BLOCK.photos, name), join(mixed, name));
-  const others = readdirSync(other.photos).sort().slice(0, 3).map((name) => `other_${name}`);
+  const others = readdirSync(other.photos)
+    .sort()
+    .slice(0, 3)
+    .map((name) => `other_${name}`);
   for (const name of others) copyFileSync(join(other.photos, name.replace('other_', '')), join(mixed, name));
   const out = folder();
   const call = ['block', mixed, ...BLOCK.call.slice(2), '--out', out];
   const { orientation } = json(...call);
-  assert.deepEqual(orientation.models.map((/** @type {any} */ { images, names }) => [images, names]), [[6, readdirSync(BLOCK.photos)], [3, others]]);
-  assert.deepEqual(rows(out, 'images.csv').map(({ model }) => model), [...'222111111']);
+  assert.deepEqual(
+    orientation.models.map((/** @type {any} */ { images, names }) => [images, names]),
+    [
+      [6, readdirSync(BLOCK.photos)],
+      [3, others],
+    ],
+  );
+  assert.deepEqual(
+    rows(out, 'images.csv').map(({ model }) => model),
+    [...'222111111'],
+  );
   const { stdout } = tiepoint(...call);
   assert.match(stdout, /^images oriented +6 of 9\nmodels +2$/m);
   assert.match(stdout, /^model 1: photo_00000\.png, .* and 1 more; sigma0 0\.\d+ px$/m);
   assert.match(stdout, /^model 2, in orientation\.json alone: other_photo_00000\.png, other_photo_00001\.png, other_photo_00002\.png; sigma0 0\.\d+ px$/m);
   const first = stdout.split('\nmodel 2')[0] ?? '';
-  for (const { text } of orientation.models[1].warnings) assert.ok(stdout.includes(`  warning: ${text}`) && (orientation.models[0].warnings.some((/** @type {{ text: string }} */ other) => other.text === text) || !first.includes(text)), text);
+  for (const { text } of orientation.models[1].warnings)
+    assert.ok(
+      stdout.includes(`  warning: ${text}`) &&
+        (orientation.models[0].warnings.some((/** @type {{ text: string }} */ other) => other.text === text) || !first.includes(text)),
+      text,
+    );
 });
 
 test('positions that do not fit are not in the RMS of those that do', () => {
-  const { orientation: { models: [model] } } = json('block', recorded({ 'photo_00004.png': { height_m: 5000 } }), ...BLOCK.call.slice(2), '--out', folder());
-  assert.ok(model.warnings.some((/** @type {{ text: string }} */ { text }) => text.includes('photo_00004.png (')), JSON.stringify(model.warnings));
+  const {
+    orientation: {
+      models: [model],
+    },
+  } = json('block', recorded({ 'photo_00004.png': { height_m: 5000 } }), ...BLOCK.call.slice(2), '--out', folder());
+  assert.ok(
+    model.warnings.some((/** @type {{ text: string }} */ { text }) => text.includes('photo_00004.png (')),
+    JSON.stringify(model.warnings),
+  );
   for (const error of model.position_rmse_m) assert.ok(error < 20, JSON.stringify(model));
 });
 

@@ -28,7 +28,17 @@ test('a block is matched, oriented and written', () => {
   assert.equal(summary.orientation.oriented, 6, JSON.stringify(summary.orientation));
   const [model] = summary.orientation.models;
   assert.ok(model.in_system && model.sigma0_px < 1, JSON.stringify(model));
-  for (const name of ['project.tiepoint', 'images.csv', 'pairs.csv', 'points.csv', 'rays.csv', 'orientation.json', 'summary.json', 'colmap/sparse/images.txt', 'bingo/bingo.dat']) {
+  for (const name of [
+    'project.tiepoint',
+    'images.csv',
+    'pairs.csv',
+    'points.csv',
+    'rays.csv',
+    'orientation.json',
+    'summary.json',
+    'colmap/sparse/images.txt',
+    'bingo/bingo.dat',
+  ]) {
     assert.ok(contents(out).has(name), name);
   }
   assert.deepEqual(JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8')), summary);
@@ -60,7 +70,12 @@ test('killed at any moment and started again, it gives the same bytes', async ()
   const out = folder();
   const args = [...BLOCK.call, '--out', out, '--workers', '2', '--export', 'colmap,bingo'];
   // Ended in the midst of the images, of the pairs, and right after the last of them.
-  const moments = [() => records(out, 'features') >= 2, () => records(out, 'pairs') >= 1, () => records(out, 'pairs') >= 8, () => records(out, 'pairs') >= PAIRS];
+  const moments = [
+    () => records(out, 'features') >= 2,
+    () => records(out, 'pairs') >= 1,
+    () => records(out, 'pairs') >= 8,
+    () => records(out, 'pairs') >= PAIRS,
+  ];
   let kills = 0;
   for (const moment of moments) kills += (await killed(args, moment)) ? 1 : 0;
   assert.ok(kills >= 3, `${kills}`);
@@ -72,7 +87,10 @@ test('killed at any moment and started again, it gives the same bytes', async ()
   assert.equal(code, 0, stderr);
   assert.match(stderr, /images: 6 \(6 from an earlier run\)/);
   assert.deepEqual(contents(out), wanted);
-  assert.deepEqual(readdirSync(join(out, 'work', 'pairs')).filter((name) => !name.endsWith('.record')), []);
+  assert.deepEqual(
+    readdirSync(join(out, 'work', 'pairs')).filter((name) => !name.endsWith('.record')),
+    [],
+  );
 });
 
 test('one worker gives the bytes of two', () => {
@@ -125,7 +143,10 @@ test('an image that cannot be read is told and left out', () => {
   assert.equal(code, 0, stderr);
   const summary = JSON.parse(stdout);
   assert.equal(summary.images.read, 5);
-  assert.deepEqual(summary.images.left_out.map((/** @type {any} */ image) => image.name), ['a_text.jpg', names[2]]);
+  assert.deepEqual(
+    summary.images.left_out.map((/** @type {any} */ image) => image.name),
+    ['a_text.jpg', names[2]],
+  );
   assert.match(stderr, /a_text\.jpg is left out: /);
   assert.match(stderr, new RegExp(`${names[2]} is left out: the image cannot be read`));
   const alone = tiepoint('block', join(mixed, 'a_text.jpg'), join(mixed, names[0] ?? ''), '--out', folder());
@@ -147,12 +168,24 @@ test('images of the same content share what is kept of them', () => {
   assert.equal(records(out, 'features'), 1);
   assert.equal(summary.images.read, 4);
   const rows = readFileSync(join(out, 'images.csv'), 'utf8').trimEnd().split('\n').slice(1);
-  assert.deepEqual(rows.map((row) => row.split(',')[1]), ['IMG.png', 'img_9.png', 'img_9b.png', 'img_10.png']);
+  assert.deepEqual(
+    rows.map((row) => row.split(',')[1]),
+    ['IMG.png', 'img_9.png', 'img_9b.png', 'img_10.png'],
+  );
 });
 
 test('cameras of a file take the place of those of EXIF', () => {
   const at = folder();
-  const cameras = file(at, 'cameras.json', JSON.stringify({ cameras: [{ images: 'PHOTO_0000[0]*', focal_px: 1 }, { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true }] }));
+  const cameras = file(
+    at,
+    'cameras.json',
+    JSON.stringify({
+      cameras: [
+        { images: 'PHOTO_0000[0]*', focal_px: 1 },
+        { images: 'photo_0000?.png', focal_px: 700, radial: [0.01, 0, 0], fixed: true },
+      ],
+    }),
+  );
   const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
   assert.equal(code, 0, stderr);
   const summary = JSON.parse(stdout);
@@ -167,9 +200,15 @@ test('cameras of a file take the place of those of EXIF', () => {
   assert.match(refused.stderr, /wrong\.json: .*focal length of a camera: got -3/);
   const strange = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'strange.json', '{"cameras": [{"images": "DJI_*.jpg", "focal_px": 700}]}'));
   assert.deepEqual([strange.code, strange.stdout], [1, '']);
-  assert.match(strange.stderr, /^tiepoint: the cameras: got DJI_\*\.jpg, which fit no image; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/);
+  assert.match(
+    strange.stderr,
+    /^tiepoint: the cameras: got DJI_\*\.jpg, which fit no image; allowed: patterns that fit names as photo_00000\.png, photo_00001\.png\n$/,
+  );
   const short = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', file(at, 'short.json', '{"cameras": [{"focal_px": 11.7}]}'));
-  assert.match(short.stderr, /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/);
+  assert.match(
+    short.stderr,
+    /the focal length of \*, 480 x 360 px is 11\.7 px, 0\.024 of the longer side of the image, where 0\.3 to 20 are usual: is it in mm\?/,
+  );
 });
 
 test('surveyed points place the block', () => {
@@ -177,8 +216,15 @@ test('surveyed points place the block', () => {
   const { images, cameras } = BLOCK.truth.block;
   const at = folder();
   const [camera] = cameras;
-  const [low, high] = [0, 1].map((axis) => images.map((/** @type {any} */ image) => image.pose.position[axis])).map((list) => [Math.min(...list), Math.max(...list)]);
-  const places = [[low?.[0], high?.[0], 0], [low?.[1], high?.[1], 10], [low?.[0], high?.[1], 20], [low?.[1], high?.[0], 5]];
+  const [low, high] = [0, 1]
+    .map((axis) => images.map((/** @type {any} */ image) => image.pose.position[axis]))
+    .map((list) => [Math.min(...list), Math.max(...list)]);
+  const places = [
+    [low?.[0], high?.[0], 0],
+    [low?.[1], high?.[1], 10],
+    [low?.[0], high?.[1], 20],
+    [low?.[1], high?.[0], 5],
+  ];
   const points = places.map(([x = 0, y = 0, z = 0], i) => ({ name: `P${i}`, at: [x, y, z] }));
   /** @type {string[]} */
   const marks = [];
@@ -186,7 +232,7 @@ test('surveyed points place the block', () => {
     for (const { name: image, pose } of images) {
       const d = place.map((v, k) => v - pose.position[k]);
       const [u = 0, v = 0, w = 0] = pose.rotation.map((/** @type {number[]} */ row) => row.reduce((sum, m, k) => sum + m * (d[k] ?? 0), 0));
-      const [x, y] = [camera.width_px / 2 - camera.focal_px * u / w, camera.height_px / 2 + camera.focal_px * v / w];
+      const [x, y] = [camera.width_px / 2 - (camera.focal_px * u) / w, camera.height_px / 2 + (camera.focal_px * v) / w];
       if (w < 0 && x > 0 && y > 0 && x < camera.width_px && y < camera.height_px) marks.push([image, name, x, y].join());
     }
   }
@@ -202,16 +248,33 @@ test('surveyed points place the block', () => {
   });
   assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control).stderr, /--control needs --marks beside it/);
   const strange = file(at, 'strange.csv', `absent.png,P0,1,1\n${marks.join('\n')}\n`);
-  assert.match(tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', strange).stderr, /the marks name absent\.png, which is none of the images/);
+  assert.match(
+    tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', strange).stderr,
+    /the marks name absent\.png, which is none of the images/,
+  );
   const other = file(at, 'other.csv', marks.join('\n').replaceAll('.png', '.PNG'));
-  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr, /ground control points: got 0 of 4 measured in two images or more; the block does not have the images photo_00000\.PNG/);
+  assert.match(
+    tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', other).stderr,
+    /ground control points: got 0 of 4 measured in two images or more; the block does not have the images photo_00000\.PNG/,
+  );
   const stranger = file(at, 'stranger.csv', 'photo_00000.png,P9,10,10\n');
-  assert.match(tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr, /image measurements: got the point P9; allowed: points of the table of control points/);
+  assert.match(
+    tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr,
+    /image measurements: got the point P9; allowed: points of the table of control points/,
+  );
   const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
-  assert.match(tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr, /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
+  assert.match(
+    tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr,
+    /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/,
+  );
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
   const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
-  assert.ok(warnings.some((/** @type {{ text: string }} */ { text }) => /The GCPs make the block 3\.\d times as large as the GNSS positions: are they in feet\?/.test(text)), JSON.stringify(warnings));
+  assert.ok(
+    warnings.some((/** @type {{ text: string }} */ { text }) =>
+      /The GCPs make the block 3\.\d times as large as the GNSS positions: are they in feet\?/.test(text),
+    ),
+    JSON.stringify(warnings),
+  );
 });
 
 test('each rule of pairs chooses its own', () => {
@@ -265,7 +328,11 @@ test('calls that cannot be run are refused by name', () => {
 const STRIP = join(DATA, 'block_caliterra');
 
 test('one strip is oriented where its poor recorded positions do not settle', { skip: existsSync(STRIP) ? false : `${STRIP} is absent` }, () => {
-  const photos = readdirSync(STRIP).filter((name) => name.endsWith('.jpg')).sort().slice(0, 6).map((name) => join(STRIP, name));
+  const photos = readdirSync(STRIP)
+    .filter((name) => name.endsWith('.jpg'))
+    .sort()
+    .slice(0, 6)
+    .map((name) => join(STRIP, name));
   const { orientation } = json('block', ...photos, '--out', folder(), '--workers', '2');
   assert.equal(orientation.oriented, 6, JSON.stringify(orientation));
   const [model] = orientation.models;
@@ -281,7 +348,10 @@ test('a damaged project is refused plainly', () => {
   assert.equal(block.images.length, 6);
   assert.equal(connections.length, PAIRS);
   const refused = (/** @type {Uint8Array} */ damaged) => {
-    assert.throws(() => FinishedBlock.open(damaged), (/** @type {any} */ error) => error.name === 'TiepointError' && error.code === 'unreadable-file' && /project file/.test(error.message));
+    assert.throws(
+      () => FinishedBlock.open(damaged),
+      (/** @type {any} */ error) => error.name === 'TiepointError' && error.code === 'unreadable-file' && /project file/.test(error.message),
+    );
   };
   refused(bytes.subarray(0, bytes.length - 100));
   const flipped = Buffer.from(bytes);

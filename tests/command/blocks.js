@@ -35,7 +35,9 @@ export function contents(at, without = 'work') {
 export function killed(args, until) {
   return new Promise((resolve) => {
     const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: 'ignore' });
-    const timer = setInterval(() => { if (until()) child.kill('SIGKILL'); }, 1);
+    const timer = setInterval(() => {
+      if (until()) child.kill('SIGKILL');
+    }, 1);
     child.on('exit', (_code, signal) => {
       clearInterval(timer);
       resolve(signal === 'SIGKILL');

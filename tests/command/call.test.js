@@ -84,13 +84,25 @@ test('bad data exits with 1 and names the file', () => {
   refuses(1, /notes\.png: this kind of file is not supported; allowed: JPEG/, 'points', file(at, 'notes.png', 'no image at all'));
   refuses(1, /empty\.png: /, 'points', file(at, 'empty.png', ''));
   refuses(1, /cut\.png: the image cannot be read/, 'points', file(at, 'cut.png', readFileSync(picture).subarray(0, 400)));
-  refuses(1, /pixel\.png|needs at least/, 'points', image(at, 'pixel.png', 1, 1, () => 7));
+  refuses(
+    1,
+    /pixel\.png|needs at least/,
+    'points',
+    image(at, 'pixel.png', 1, 1, () => 7),
+  );
   refuses(1, /camera\.json: /, 'match', picture, picture, '--camera', file(at, 'camera.json', '{"focal_mm": "long"}'));
   refuses(1, /camera2\.json: .*focal_length/, 'match', picture, picture, '--camera', file(at, 'camera2.json', '{"focal_mm": 153, "focal_length": 1}'));
   refuses(1, /marks\.csv: /, 'interior', file(at, 'marks.csv', 'col,row,x_mm,y_mm\n1,2,3\n'));
   refuses(1, /few\.csv: /, 'interior', file(at, 'few.csv', 'col,row,x_mm,y_mm\n1,2,3,4\n'));
   refuses(1, /obs\.csv: /, 'orient', file(at, 'obs.csv', 'x_left_mm,y_left_mm,x_right_mm,y_right_mm\n1,2,3,NaN\n'), '--focal-mm', '153', '--base-mm', '92');
-  refuses(1, /constant/, 'moments', image(at, 'flat.png', 32, 32, () => 9), '--at', '16,16');
+  refuses(
+    1,
+    /constant/,
+    'moments',
+    image(at, 'flat.png', 32, 32, () => 9),
+    '--at',
+    '16,16',
+  );
   refuses(1, /leaves the image/, 'moments', picture, '--at', '2,2');
 });
 
@@ -144,8 +156,12 @@ test('values may start with a minus sign or follow an equals sign', () => {
 test('a reader that stops early is no error, and a pipe gets no progress bar', async () => {
   const child = spawn(process.execPath, [PROGRAM, 'points', image(at, 'large.png', 600, 600, speckle), '--json', '--suppress', '1']);
   let errors = '';
-  child.stderr.on('data', (chunk) => { errors += chunk; });
+  child.stderr.on('data', (chunk) => {
+    errors += chunk;
+  });
   child.stdout.once('data', () => child.stdout.destroy());
-  const code = await new Promise((resolve) => { child.on('close', resolve); });
+  const code = await new Promise((resolve) => {
+    child.on('close', resolve);
+  });
   assert.deepEqual([code, errors], [0, '']);
 });

@@ -18,7 +18,10 @@ test('the pieces of nearest neighbours, joined, are those of the whole', () => {
     const pieces = ends.map((end, i) => nearest_piece(left.descriptors, ends[i - 1] ?? 0, end, right.descriptors));
     assert.deepEqual(join_nearest(pieces, {}), whole);
   }
-  assert.throws(() => join_nearest([nearest_piece(left.descriptors, 5, 9, right.descriptors), nearest_piece(left.descriptors, 10, 12, right.descriptors)], {}), { name: 'TiepointError', code: 'invalid-input' });
+  assert.throws(
+    () => join_nearest([nearest_piece(left.descriptors, 5, 9, right.descriptors), nearest_piece(left.descriptors, 10, 12, right.descriptors)], {}),
+    { name: 'TiepointError', code: 'invalid-input' },
+  );
 });
 
 test('matching photos takes pieces of nearest neighbours and finds the same', () => {
@@ -43,7 +46,13 @@ test('features of two images are matched, verified and completed', () => {
   assert.equal(result.no_geometry, null);
   assert.ok(result.geometry && result.geometry.sigma_px < 0.5 * result.geometry.threshold_px && result.geometry.threshold_px < 2);
   assert.ok(result.indices.length > 0.5 * match_descriptors(left.descriptors, right.descriptors, {}).indices.length);
-  const none = match_features(positions(left), left.descriptors, positions(right), right.descriptors.map((byte) => byte ^ 85), {});
+  const none = match_features(
+    positions(left),
+    left.descriptors,
+    positions(right),
+    right.descriptors.map((byte) => byte ^ 85),
+    {},
+  );
   assert.equal(none.geometry, null);
   assert.match(none.no_geometry?.kind ?? '', /chance|too_few_matches/);
   assert.equal(none.indices.length, 0);
@@ -53,10 +62,19 @@ test('what does not fit is refused by name', () => {
   const refused = { name: 'TiepointError', code: 'invalid-input' };
   assert.throws(() => match_features(positions(left).subarray(2), left.descriptors, positions(right), right.descriptors, {}), refused);
   assert.throws(() => match_features(positions(left), left.descriptors.subarray(1), positions(right), right.descriptors, {}), refused);
-  assert.throws(() => match_features(positions(left), left.descriptors, positions(right), right.descriptors, { nearest: { ratio: 2 } }), { code: 'invalid-option', message: /nearest\.ratio is 2/ });
+  assert.throws(() => match_features(positions(left), left.descriptors, positions(right), right.descriptors, { nearest: { ratio: 2 } }), {
+    code: 'invalid-option',
+    message: /nearest\.ratio is 2/,
+  });
   const [one, two] = photos;
   assert.ok(one && two);
-  assert.throws(() => match_photos(one, two, { points: new Float64Array([5, 5, 1]) }, { points: new Float64Array([5, 5, 1]) }, null, null, { matching: { strategy: 'gradient' } }), { ...refused, message: /descriptors: got 0 bytes of gradients for 1 points/ });
+  assert.throws(
+    () =>
+      match_photos(one, two, { points: new Float64Array([5, 5, 1]) }, { points: new Float64Array([5, 5, 1]) }, null, null, {
+        matching: { strategy: 'gradient' },
+      }),
+    { ...refused, message: /descriptors: got 0 bytes of gradients for 1 points/ },
+  );
   assert.throws(() => one.detect({ points: { operator: 'multiscale' } }, new Uint8Array(7)), refused);
 });
 

@@ -18,12 +18,18 @@ test('the JSON has the counts, the matches and the orientation', () => {
   assert.equal(result.counts.matches + refusals, result.counts.left.after_suppression, 'every left point is matched or rejected by one rule');
   assert.equal(result.matches.length, result.counts.matches);
   assert.deepEqual([...new Set(result.matches.map((/** @type {number[]} */ m) => m.length))], [5]);
-  assert.ok(result.matches.every((/** @type {number[]} */ m) => (m[4] ?? NaN) < 3), 'every measure is below the threshold');
+  assert.ok(
+    result.matches.every((/** @type {number[]} */ m) => (m[4] ?? NaN) < 3),
+    'every measure is below the threshold',
+  );
 });
 
 test('the orientation of the sample is the true one within its precision', () => {
   const o = result.orientation;
-  assert.deepEqual(o.correlations.map((/** @type {number[]} */ row) => row.length), [5, 5, 5, 5, 5]);
+  assert.deepEqual(
+    o.correlations.map((/** @type {number[]} */ row) => row.length),
+    [5, 5, 5, 5, 5],
+  );
   assert.equal(o.residuals_mm.length, result.counts.matches);
   for (const [name, limit] of Object.entries({ omega_deg: 0.05, phi_deg: 0.05, kappa_deg: 0.05, by_mm: 0.1, bz_mm: 0.15 })) {
     assert.ok(Math.abs(o[name] - truth[name]) < limit, `${name} is ${o[name]}, truth ${truth[name]}`);
@@ -51,10 +57,17 @@ for (const [name, ...options] of [
 ]) {
   test(`Node finds exactly the matches of ${name} that the native build finds`, () => {
     // The golden file ends with a line of the orientation.
-    const golden = readFileSync(new URL(`../golden/${name}`, import.meta.url), 'utf8').trimEnd().split('\n');
+    const golden = readFileSync(new URL(`../golden/${name}`, import.meta.url), 'utf8')
+      .trimEnd()
+      .split('\n');
     const { orientation: o } = json(...call, '--fraction', '0.148', ...options, '--out', join(at, 'identity'));
     assert.equal([o.omega_deg, o.phi_deg, o.kappa_deg, o.by_mm, o.bz_mm].join(), golden.pop());
-    assert.deepEqual(readFileSync(join(at, 'identity', 'matches.csv'), 'utf8').trimEnd().split('\n'), golden);
+    assert.deepEqual(
+      readFileSync(join(at, 'identity', 'matches.csv'), 'utf8')
+        .trimEnd()
+        .split('\n'),
+      golden,
+    );
   });
 }
 
@@ -121,7 +134,12 @@ test('the outcome of gradients is the same for any number of workers, oriented o
   const [left = '', right = ''] = call.slice(1, 3);
   const flat = image(folder(), 'flat.png', 80, 60, () => 50);
   const half = image(at, 'half-mask.png', 450, 700, (col) => (col < 225 ? 0 : 255));
-  for (const pair of [[...call, '--mask-left', half], ['match', left, right], ['match', left, right, '--focal-px', '600', '--offset', '5,5'], ['match', flat, flat]]) {
+  for (const pair of [
+    [...call, '--mask-left', half],
+    ['match', left, right],
+    ['match', left, right, '--focal-px', '600', '--offset', '5,5'],
+    ['match', flat, flat],
+  ]) {
     const outcomes = ['1', '2', '3'].map((workers) => tiepoint(...pair, '--strategy', 'gradient', '--workers', workers, '--json'));
     assert.deepEqual([...new Set(outcomes.map(({ code }) => code))], [0], outcomes[1]?.stderr);
     assert.equal(new Set(outcomes.map(({ stdout }) => stdout)).size, 1, pair.join(' '));
@@ -146,7 +164,8 @@ test('what lies at the same place of both frames is left out, and kept where tha
   const scans = ['match', framed(left, 'framed-left.png', 0), framed(right, 'framed-right.png', shift), '--strategy', 'gradient'];
   const [without, kept] = [json(...scans), json(...scans, '--keep-frame')];
   assert.deepEqual([without.settings.matching.without_frame, kept.settings.matching.without_frame], [true, false]);
-  const atSamePlace = (/** @type {{ matches: number[][] }} */ { matches }) => matches.filter(([xl = 0, yl = 0, xr = 0, yr = 0]) => Math.hypot(xl - xr, yl - yr) < 2).length;
+  const atSamePlace = (/** @type {{ matches: number[][] }} */ { matches }) =>
+    matches.filter(([xl = 0, yl = 0, xr = 0, yr = 0]) => Math.hypot(xl - xr, yl - yr) < 2).length;
   assert.ok(without.counts.rejected.frame > 500 && without.counts.matches > 500, JSON.stringify(without.counts));
   assert.equal(atSamePlace(without), 0);
   assert.equal(kept.counts.rejected.frame, 0);
@@ -170,9 +189,17 @@ test('masks leave points out of their image, and have its size', () => {
   for (const strategy of ['moments', 'gradient']) {
     const out = join(at, `masked-${strategy}`);
     const { counts } = json(...call, '--strategy', strategy, '--mask-left', half, '--out', out);
-    const columns = (/** @type {string} */ name) => readFileSync(join(out, name), 'utf8').trim().split('\n').slice(1).map((line) => Number(line.split(',')[0]));
+    const columns = (/** @type {string} */ name) =>
+      readFileSync(join(out, name), 'utf8')
+        .trim()
+        .split('\n')
+        .slice(1)
+        .map((line) => Number(line.split(',')[0]));
     assert.ok(counts.left.after_suppression > 500 && columns('left-points.csv').every((x) => x >= 225), strategy);
-    assert.ok(columns('right-points.csv').some((x) => x < 225), strategy);
+    assert.ok(
+      columns('right-points.csv').some((x) => x < 225),
+      strategy,
+    );
     assert.ok(counts.matches > 200, strategy);
   }
   const small = image(at, 'small.png', 45, 70, () => 255);

@@ -8,8 +8,11 @@ const speckled = image(at, 'speckle.png', 64, 48, speckle);
 /** The moments of a square window by their definition.  @param {number} col @param {number} row @param {number} side */
 function byDefinition(col, row, side) {
   const half = (side - 1) / 2;
-  const window = Array.from({ length: side * side }, (_, i) => ({ x: (i % side) - half, y: Math.floor(i / side) - half }))
-    .map(({ x, y }) => ({ x, y, grey: speckle(col + x, row + y) }));
+  const window = Array.from({ length: side * side }, (_, i) => ({ x: (i % side) - half, y: Math.floor(i / side) - half })).map(({ x, y }) => ({
+    x,
+    y,
+    grey: speckle(col + x, row + y),
+  }));
   const least = Math.min(...window.map((p) => p.grey));
   const sum = window.reduce((s, p) => s + p.grey - least, 0);
   const weighted = window.map((p) => ({ ...p, g: (p.grey - least) / sum }));
@@ -21,7 +24,16 @@ function byDefinition(col, row, side) {
 test('the central moments are those of the definition', () => {
   const { central, normalized } = json('moments', speckled, '--at', '30,20');
   const mu = byDefinition(30, 20, 11);
-  for (const [i, j] of [[0, 0], [2, 0], [1, 1], [0, 2], [3, 0], [2, 1], [1, 2], [0, 3]]) {
+  for (const [i, j] of [
+    [0, 0],
+    [2, 0],
+    [1, 1],
+    [0, 2],
+    [3, 0],
+    [2, 1],
+    [1, 2],
+    [0, 3],
+  ]) {
     const [value, expected] = [central[`mu${i}${j}`], mu(i ?? 0, j ?? 0)];
     assert.ok(Math.abs(value - expected) < 1e-9 * Math.max(1, Math.abs(expected)), `mu${i}${j} is ${value}, by definition ${expected}`);
   }
@@ -34,8 +46,12 @@ test('the invariants follow from the normalised moments', () => {
   const { normalized: n, invariants } = json('moments', speckled, '--at', '30,20', '--window', '9');
   const [a, b, c, d] = [n.mu30 + n.mu12, n.mu21 + n.mu03, n.mu30 - 3 * n.mu12, 3 * n.mu21 - n.mu03];
   const expected = [
-    n.mu20 + n.mu02, (n.mu20 - n.mu02) ** 2 + 4 * n.mu11 ** 2, c * c + d * d, a * a + b * b,
-    c * a * (a * a - 3 * b * b) + d * b * (3 * a * a - b * b), (n.mu20 - n.mu02) * (a * a - b * b) + 4 * n.mu11 * a * b,
+    n.mu20 + n.mu02,
+    (n.mu20 - n.mu02) ** 2 + 4 * n.mu11 ** 2,
+    c * c + d * d,
+    a * a + b * b,
+    c * a * (a * a - 3 * b * b) + d * b * (3 * a * a - b * b),
+    (n.mu20 - n.mu02) * (a * a - b * b) + 4 * n.mu11 * a * b,
     d * a * (a * a - 3 * b * b) - c * b * (3 * a * a - b * b),
   ];
   assert.equal(invariants.length, 7);

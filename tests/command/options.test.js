@@ -12,7 +12,11 @@ test('the table of options is what the catalogue says; npm run docs writes it', 
 });
 
 test('every option has a name of its own', () => {
-  for (const [command, count] of /** @type {const} */ ([['match', parameters().length], ['block', block_parameters().length], ['simulate', 1]])) {
+  for (const [command, count] of /** @type {const} */ ([
+    ['match', parameters().length],
+    ['block', block_parameters().length],
+    ['simulate', 1],
+  ])) {
     const names = [...tiepoint(command, '--help').stdout.matchAll(/^ {2}--([\w-]+)/gm)].map(([, name]) => name);
     assert.equal(new Set(names).size, names.length, names.join(' '));
     assert.ok(names.length > count, `${command} takes ${names.length} options`);

@@ -14,9 +14,21 @@ function rotation() {
   const [so = 0, co = 0, sp = 0, cp = 0, sk = 0, ck = 0] = [o, p, k].flatMap((a = 0) => [Math.sin(a), Math.cos(a)]);
   const product = (/** @type {number[][]} */ a, /** @type {number[][]} */ b) =>
     a.map((row) => [0, 1, 2].map((c) => row.reduce((s, v, i) => s + v * (b[i]?.[c] ?? 0), 0)));
-  const m1 = [[1, 0, 0], [0, co, so], [0, -so, co]];
-  const m2 = [[cp, 0, -sp], [0, 1, 0], [sp, 0, cp]];
-  const m3 = [[ck, sk, 0], [-sk, ck, 0], [0, 0, 1]];
+  const m1 = [
+    [1, 0, 0],
+    [0, co, so],
+    [0, -so, co],
+  ];
+  const m2 = [
+    [cp, 0, -sp],
+    [0, 1, 0],
+    [sp, 0, cp],
+  ];
+  const m3 = [
+    [ck, sk, 0],
+    [-sk, ck, 0],
+    [0, 0, 1],
+  ];
   return product(m3, product(m2, m1));
 }
 
@@ -46,20 +58,41 @@ test('exact observations give the orientation back', () => {
 });
 
 test('the JSON has precision, correlations and residuals', () => {
-  const result = json('orient', file(at, 'noisy.csv', observations(40, (i) => (speckle(i, 9) / 255 - 0.5) * 0.02)), ...CALL);
+  const result = json(
+    'orient',
+    file(
+      at,
+      'noisy.csv',
+      observations(40, (i) => (speckle(i, 9) / 255 - 0.5) * 0.02),
+    ),
+    ...CALL,
+  );
   assert.ok(result.sigma0_mm > 0.001 && result.sigma0_mm < 0.02, `sigma0 ${result.sigma0_mm}`);
   assert.deepEqual(Object.keys(result.standard_errors), [...NAMES]);
   for (const name of NAMES) assert.ok(result.standard_errors[name] > 0 && Math.abs(result[name] - TRUTH[name]) < 5 * result.standard_errors[name], name);
-  assert.deepEqual(result.correlations.map((/** @type {number[]} */ row) => row.length), [5, 5, 5, 5, 5]);
+  assert.deepEqual(
+    result.correlations.map((/** @type {number[]} */ row) => row.length),
+    [5, 5, 5, 5, 5],
+  );
   for (let i = 0; i < 5; i++) assert.ok(Math.abs(result.correlations[i][i] - 1) < 1e-9);
-  assert.deepEqual(result.residuals_mm.map((/** @type {number[]} */ row) => row.length), Array(40).fill(4));
+  assert.deepEqual(
+    result.residuals_mm.map((/** @type {number[]} */ row) => row.length),
+    Array(40).fill(4),
+  );
   assert.ok(result.iterations >= 1);
 });
 
 test('gross errors are rejected by their indices; plain least squares keeps them', () => {
-  const path = file(at, 'blunders.csv', observations(60, (i) => (i % 10 === 3 ? 4 + i / 10 : (speckle(i, 9) / 255 - 0.5) * 0.01)));
+  const path = file(
+    at,
+    'blunders.csv',
+    observations(60, (i) => (i % 10 === 3 ? 4 + i / 10 : (speckle(i, 9) / 255 - 0.5) * 0.01)),
+  );
   const robust = json('orient', path, ...CALL);
-  assert.deepEqual(robust.rejected.filter((/** @type {number} */ i) => i % 10 === 3), [3, 13, 23, 33, 43, 53]);
+  assert.deepEqual(
+    robust.rejected.filter((/** @type {number} */ i) => i % 10 === 3),
+    [3, 13, 23, 33, 43, 53],
+  );
   assert.ok(Math.abs(robust.kappa_deg - TRUTH.kappa_deg) < 0.02);
   const plain = tiepoint('orient', path, ...CALL, '--no-robust', '--json');
   if (plain.code === 0) assert.deepEqual(JSON.parse(plain.stdout).rejected, []);

@@ -35,11 +35,19 @@ test('every operator finds something in speckle and nothing in a flat image', ()
 
 test('points of many scales have frames, the others none', () => {
   // A disc and one twice as large, bright on dark.
-  const discs = image(at, 'discs.png', 160, 80, (col, row) => ([[40, 4], [110, 8]].some(([x = 0, r = 0]) => (col - x) ** 2 + (row - 40) ** 2 < r * r) ? 220 : 60));
+  const discs = image(at, 'discs.png', 160, 80, (col, row) =>
+    [
+      [40, 4],
+      [110, 8],
+    ].some(([x = 0, r = 0]) => (col - x) ** 2 + (row - 40) ** 2 < r * r)
+      ? 220
+      : 60,
+  );
   const { points, frames, counts } = json('points', discs, '--operator', 'multiscale');
   assert.equal(frames.length, points.length);
   assert.equal(counts.after_suppression, points.length);
-  const scaleAt = (/** @type {number} */ x) => frames[points.findIndex((/** @type {number[]} */ p) => Math.hypot((p[0] ?? 0) - x - 0.5, (p[1] ?? 0) - 40.5) < 2)]?.[0];
+  const scaleAt = (/** @type {number} */ x) =>
+    frames[points.findIndex((/** @type {number[]} */ p) => Math.hypot((p[0] ?? 0) - x - 0.5, (p[1] ?? 0) - 40.5) < 2)]?.[0];
   const [small, large] = [scaleAt(40), scaleAt(110)];
   assert.ok(Math.abs(large / small - 2) < 0.2, `${small}, ${large} px`);
   assert.ok(json('points', discs, '--operator', 'multiscale', '--number', '3').points.length <= 3);
@@ -69,8 +77,14 @@ test('the options reach the operator', () => {
 test('of equal neighbours both stay, or the first', () => {
   const twins = image(at, 'twins.png', 40, 30, (col, row) => ((col === 20 || col === 22) && row === 10 ? 250 : 100));
   const find = (/** @type {string} */ ties) => json('points', twins, '--operator', 'ground1', '--threshold', '40', '--suppress', '5', '--ties', ties).points;
-  assert.deepEqual(find('keep').map((/** @type {number[]} */ [x]) => x), [20.5, 22.5]);
-  assert.deepEqual(find('first').map((/** @type {number[]} */ [x]) => x), [20.5]);
+  assert.deepEqual(
+    find('keep').map((/** @type {number[]} */ [x]) => x),
+    [20.5, 22.5],
+  );
+  assert.deepEqual(
+    find('first').map((/** @type {number[]} */ [x]) => x),
+    [20.5],
+  );
 });
 
 test('the table tells the same counts', () => {

@@ -6,7 +6,10 @@ import { block_settings } from '../../pkg/node.js';
 const FEATURES = JSON.stringify({ kind: 'features', key: 'features/none', options: block_settings({}).features, mask: null });
 
 /** Coarse descriptors of images, so many each.  @param {number[]} counts */
-const likeness = (...counts) => ({ task: JSON.stringify({ kind: 'likeness', key: 'likeness/none', counts }), inputs: [new Uint8Array(128 * counts.reduce((sum, count) => sum + count, 0))] });
+const likeness = (...counts) => ({
+  task: JSON.stringify({ kind: 'likeness', key: 'likeness/none', counts }),
+  inputs: [new Uint8Array(128 * counts.reduce((sum, count) => sum + count, 0))],
+});
 
 test('a job that fails rejects by itself, and the others go on', async () => {
   const pool = new ThreadPool(1);
@@ -33,10 +36,7 @@ test('a job whose memory has moved elsewhere rejects, and the next one runs', as
   try {
     const bytes = new Uint8Array(8);
     structuredClone(bytes, { transfer: [bytes.buffer] });
-    const [moved, alike] = await Promise.allSettled([
-      pool.run('block', { task: FEATURES, inputs: [bytes] }, [bytes.buffer]),
-      pool.run('block', likeness()),
-    ]);
+    const [moved, alike] = await Promise.allSettled([pool.run('block', { task: FEATURES, inputs: [bytes] }, [bytes.buffer]), pool.run('block', likeness())]);
     assert.match(String(moved?.status === 'rejected' && moved.reason), /deserialize/);
     assert.equal(alike?.status, 'fulfilled');
   } finally {

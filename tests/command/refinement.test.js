@@ -39,7 +39,12 @@ test('each ray has its outcome, and those that were refined their precision', ()
   const counted = refinement.references + refinement.refined + Object.values(refinement.kept).reduce((sum, count) => sum + count, 0);
   assert.deepEqual([refinement.references, counted], [refinement.points, refinement.rays]);
   const rays = rayTable(WHOLE);
-  assert.equal(rays.length, FinishedBlock.open(readFileSync(join(WHOLE, 'project.tiepoint'))).model().points.reduce((sum, point) => sum + point.rays.length, 0));
+  assert.equal(
+    rays.length,
+    FinishedBlock.open(readFileSync(join(WHOLE, 'project.tiepoint')))
+      .model()
+      .points.reduce((sum, point) => sum + point.rays.length, 0),
+  );
   for (const ray of rays) {
     assert.ok(refinement_outcomes().includes(/** @type {any} */ (ray.refinement)), JSON.stringify(ray));
     const known = ray.refinement === 'refined';
@@ -58,7 +63,8 @@ test('any number of workers gives the same bytes', () => {
 
 test('killed while windows are kept or points refined, it goes on to the same bytes', async () => {
   const out = folder();
-  for (const wanted of [1, 4, 6]) await killed([...REFINED, '--out', out, '--workers', '1', '--json', '--truth', BLOCK.truthFile], () => records(out, 'windows') >= wanted);
+  for (const wanted of [1, 4, 6])
+    await killed([...REFINED, '--out', out, '--workers', '1', '--json', '--truth', BLOCK.truthFile], () => records(out, 'windows') >= wanted);
   json(...REFINED, '--out', out, '--workers', '2', '--truth', BLOCK.truthFile);
   assert.deepEqual(contents(out), contents(WHOLE));
 });

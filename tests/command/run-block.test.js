@@ -13,7 +13,9 @@ import { folder, json } from './command.js';
 /** @typedef {import('../../pkg/block/index.js').Step} Step @typedef {import('../../pkg/block/index.js').Pool} Pool */
 
 const BLOCK = photographed();
-const SOURCES = readdirSync(BLOCK.photos).sort().map((name) => ({ name, bytes: async () => new Uint8Array(readFileSync(join(BLOCK.photos, name))) }));
+const SOURCES = readdirSync(BLOCK.photos)
+  .sort()
+  .map((name) => ({ name, bytes: async () => new Uint8Array(readFileSync(join(BLOCK.photos, name))) }));
 const OPTIONS = { settings: { features: { multiscale: { number: 1200 } } } };
 
 /** @type {Pool} */
@@ -22,7 +24,11 @@ const HERE = { size: 2, run: async (name, input, transfer) => jobs[name](structu
 function memory() {
   /** @type {Map<string, Uint8Array>} */
   const records = new Map();
-  return { records, get: async (/** @type {string} */ key) => records.get(key) ?? null, put: async (/** @type {string} */ key, /** @type {Uint8Array} */ record) => void records.set(key, record) };
+  return {
+    records,
+    get: async (/** @type {string} */ key) => records.get(key) ?? null,
+    put: async (/** @type {string} */ key, /** @type {Uint8Array} */ record) => void records.set(key, record),
+  };
 }
 
 test('without the command the same project comes out', async () => {
@@ -36,7 +42,9 @@ test('an aborted run rejects with the reason, and goes on where it stood', async
   const store = memory();
   const abort = new AbortController();
   const reason = new Error('enough');
-  const progress = (/** @type {Step} */ { stage, done }) => { if (stage === 'pairs' && done === 4) abort.abort(reason); };
+  const progress = (/** @type {Step} */ { stage, done }) => {
+    if (stage === 'pairs' && done === 4) abort.abort(reason);
+  };
   await assert.rejects(runBlock(SOURCES, OPTIONS, { pool: HERE, store, progress, signal: abort.signal }), reason);
   const kept = store.records.size;
   assert.ok(kept >= 10 && kept < 21, `${kept}`);
@@ -47,11 +55,16 @@ test('an aborted run rejects with the reason, and goes on where it stood', async
   assert.deepEqual([last('images')?.found, last('pairs')?.found], [6, kept - 6]);
   for (const stage of ['images', 'pairs', 'points', 'orientation']) {
     const own = steps.filter((step) => step.stage === stage);
-    assert.ok(own.every((step, i) => step.done === i && step.total === own.length - 1), stage);
+    assert.ok(
+      own.every((step, i) => step.done === i && step.total === own.length - 1),
+      stage,
+    );
   }
   assert.equal(last('pairs')?.secondsLeft, 0);
   // The first job of each worker says nothing of the next ones.
-  const hasty = steps.filter(({ stage, done, found, total, secondsLeft }) => stage === 'pairs' && done - found < 2 * HERE.size && done < total && secondsLeft !== undefined);
+  const hasty = steps.filter(
+    ({ stage, done, found, total, secondsLeft }) => stage === 'pairs' && done - found < 2 * HERE.size && done < total && secondsLeft !== undefined,
+  );
   assert.deepEqual(hasty, []);
 });
 
@@ -68,7 +81,10 @@ test('a pair whose worker breaks down is told as failed, and tried again the nex
   };
   const first = await runBlock(SOURCES, OPTIONS, { pool: weak, store });
   const failed = first.overview().pairs.filter(({ outcome }) => outcome.kind === 'failed');
-  assert.deepEqual(failed.map(({ outcome }) => outcome), [{ kind: 'failed', failure: { kind: 'out_of_memory', message: 'unreachable' } }]);
+  assert.deepEqual(
+    failed.map(({ outcome }) => outcome),
+    [{ kind: 'failed', failure: { kind: 'out_of_memory', message: 'unreachable' } }],
+  );
   const second = await runBlock(SOURCES, OPTIONS, { pool: HERE, store });
   assert.ok(second.overview().pairs.every(({ outcome }) => outcome.kind !== 'failed'));
 });
@@ -78,15 +94,22 @@ test('features where the distortion has no inverse are left out of their pairs a
   const run = await runBlock(SOURCES, { ...OPTIONS, cameras }, { pool: HERE, store: memory() });
   const { pairs } = run.overview();
   const reasons = pairs.map(({ reason }) => reason);
-  assert.ok(reasons.every((reason) => !reason.includes('inverse')), reasons.join('\n'));
-  assert.ok(pairs.some(({ geometry }) => geometry !== null), reasons.join('\n'));
+  assert.ok(
+    reasons.every((reason) => !reason.includes('inverse')),
+    reasons.join('\n'),
+  );
+  assert.ok(
+    pairs.some(({ geometry }) => geometry !== null),
+    reasons.join('\n'),
+  );
 });
 
 test('options outside their range end the run, and name themselves', async () => {
-  const refused = (/** @type {any} */ settings, /** @type {RegExp} */ pattern) => assert.rejects(
-    runBlock(SOURCES, { settings }, { pool: HERE, store: memory() }),
-    (/** @type {any} */ error) => error.name === 'TiepointError' && error.usage && pattern.test(error.message),
-  );
+  const refused = (/** @type {any} */ settings, /** @type {RegExp} */ pattern) =>
+    assert.rejects(
+      runBlock(SOURCES, { settings }, { pool: HERE, store: memory() }),
+      (/** @type {any} */ error) => error.name === 'TiepointError' && error.usage && pattern.test(error.message),
+    );
   await refused({ pairs: { least_matches: 1 } }, /pairs\.least_matches is 1; allowed/);
   await refused({ features: { multiscale: { contrast: -1 } } }, /multiscale\.contrast is -1; allowed/);
   await refused({ nearest: { ratio: NaN } }, /NaN/);

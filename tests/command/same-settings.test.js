@@ -8,7 +8,12 @@ import { estimate_offset, interior, match_pair, match_photos, matches_csv, neare
 import { folder, json, samplePair } from './command.js';
 
 const { at, call } = samplePair();
-const golden = (/** @type {string} */ name) => readFileSync(new URL(`../golden/${name}`, import.meta.url), 'utf8').trimEnd().split('\n').slice(0, -1).join('\n');
+const golden = (/** @type {string} */ name) =>
+  readFileSync(new URL(`../golden/${name}`, import.meta.url), 'utf8')
+    .trimEnd()
+    .split('\n')
+    .slice(0, -1)
+    .join('\n');
 
 /** @param {string} file */
 const bytes = (file) => readFileSync(join(at, file));
@@ -19,7 +24,8 @@ const given = (option) => call[call.indexOf(option) + 1] ?? '';
 const [left, right] = [Photo.decode(bytes('left.png')), Photo.decode(bytes('right.png'))];
 const camera = parse_camera(text('camera.json'));
 const side = (/** @type {'left' | 'right'} */ name) => ({
-  fiducials: parse_fiducials(text(`${name}-fiducials.csv`)), origin: /** @type {[number, number]} */ (given(`--${name}-origin`).split(',').map(Number)),
+  fiducials: parse_fiducials(text(`${name}-fiducials.csv`)),
+  origin: /** @type {[number, number]} */ (given(`--${name}-origin`).split(',').map(Number)),
 });
 const input = { camera, left: side('left'), right: side('right') };
 const orientation = { base_mm: Number(given('--base-mm')) };
@@ -31,7 +37,11 @@ function byStages(settings) {
   assert.ok(ofLeft && ofRight);
   const gradient = settings.matching?.strategy === 'gradient';
   const offset = gradient ? null : estimate_offset(left.reduced(1024), right.reduced(1024));
-  const interiors = { focal_mm: camera.focal_mm, left: interior(camera, { width: left.width, height: left.height, ...input.left }), right: interior(camera, { width: right.width, height: right.height, ...input.right }) };
+  const interiors = {
+    focal_mm: camera.focal_mm,
+    left: interior(camera, { width: left.width, height: left.height, ...input.left }),
+    right: interior(camera, { width: right.width, height: right.height, ...input.right }),
+  };
   const [a, b] = [ofLeft.gradients ?? new Uint8Array(), ofRight.gradients ?? new Uint8Array()];
   const half = Math.floor(a.length / 256);
   const pieces = gradient ? [nearest_piece(a, 0, half, b), nearest_piece(a, half, a.length / 128, b)] : undefined;
@@ -41,7 +51,12 @@ function byStages(settings) {
 for (const [name, file, settings, options] of /** @type {const} */ ([
   ['gradients', 'sample-gradient.csv', { matching: { strategy: 'gradient' } }, ['--strategy', 'gradient']],
   ['moments', 'sample.csv', { points: { fraction: 0.148 } }, ['--fraction', '0.148']],
-  ['least squares', 'sample-least-squares.csv', { points: { fraction: 0.148 }, matching: { strategy: 'least-squares' } }, ['--fraction', '0.148', '--strategy', 'least-squares']],
+  [
+    'least squares',
+    'sample-least-squares.csv',
+    { points: { fraction: 0.148 }, matching: { strategy: 'least-squares' } },
+    ['--fraction', '0.148', '--strategy', 'least-squares'],
+  ],
 ])) {
   test(`the same settings give the same result from every entry: ${name}`, () => {
     const wanted = golden(file);

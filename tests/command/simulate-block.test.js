@@ -18,7 +18,10 @@ test('a block is photographed with camera and recorded position', () => {
   const { at, photos } = made('--receiver-m', '0');
   assert.equal(photos.length, 4);
   const truth = JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8')).block;
-  assert.deepEqual(readdirSync(join(at, 'photos')), truth.images.map((/** @type {any} */ image) => image.name));
+  assert.deepEqual(
+    readdirSync(join(at, 'photos')),
+    truth.images.map((/** @type {any} */ image) => image.name),
+  );
   const bytes = readFileSync(photos[3]);
   const photo = Photo.decode(bytes);
   assert.deepEqual([photo.width, photo.height], [480, 360]);

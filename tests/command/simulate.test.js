@@ -49,7 +49,13 @@ test('a flight that cannot be flown is refused by name', () => {
     [['--width-px', '4000'], /overlap|columns|width/i],
     [['--base-mm', '200', '--width-px', '450'], /--width-px is 450; allowed: 16 to 118$/],
   ])) {
-    const { code, stderr } = tiepoint('simulate', '--out', folder(), ...SMALL.filter((_, i) => !options.some((option) => option === '--width-px') || i > 1), ...options);
+    const { code, stderr } = tiepoint(
+      'simulate',
+      '--out',
+      folder(),
+      ...SMALL.filter((_, i) => !options.some((option) => option === '--width-px') || i > 1),
+      ...options,
+    );
     assert.ok(code === 1 || code === 2, stderr);
     assert.match(stderr.trimEnd(), pattern);
     assert.doesNotMatch(stderr, /flight\./);
@@ -61,7 +67,8 @@ test('a truth that does not fit, or is damaged, is refused by name', () => {
   const { at, match } = made();
   const other = madeOf(OTHER);
   const place = match.indexOf('--truth') + 1;
-  const against = (/** @type {string} */ truth) => tiepoint(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? truth : word)));
+  const against = (/** @type {string} */ truth) =>
+    tiepoint(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? truth : word)));
   assert.match(against(join(other.at, 'truth.json')).stderr, /200 x 210 px; the left image has 200 x 220/);
   writeFileSync(join(at, 'map_row_col.f32'), 'short');
   assert.match(against(at).stderr, /map_row_col\.f32: it has 5 bytes; allowed: 352000/);
@@ -76,7 +83,10 @@ test('a truth is taken for its own pair alone, in its own order', () => {
   const other = made('--seed', '7');
   const refused = tiepoint('report', files.left, other.files.right, ...truth, '--out', at);
   assert.equal(refused.code, 1);
-  assert.match(refused.stderr, /the truth is of another pair: the grey values of the right image have the SHA-256 digest [0-9a-f]{12}…; allowed: [0-9a-f]{12}…/);
+  assert.match(
+    refused.stderr,
+    /the truth is of another pair: the grey values of the right image have the SHA-256 digest [0-9a-f]{12}…; allowed: [0-9a-f]{12}…/,
+  );
   // A truth without digests is taken by its size.
   const path = join(at, 'truth.json');
   const json_ = JSON.parse(readFileSync(path, 'utf8'));
@@ -91,8 +101,15 @@ test('a truth is taken for its own pair alone, in its own order', () => {
 test('true errors of by and bz are at the scale of the base that was used', () => {
   const { match } = made();
   const place = match.indexOf('--base-mm') + 1;
-  const [own, double] = [1, 2].map((factor) => json(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? String(factor * Number(word)) : word))));
-  for (const [name, scale] of /** @type {const} */ ([['omega_deg', 1], ['kappa_deg', 1], ['by_mm', 2], ['bz_mm', 2]])) {
+  const [own, double] = [1, 2].map((factor) =>
+    json(...match.map((/** @type {string} */ word, /** @type {number} */ i) => (i === place ? String(factor * Number(word)) : word))),
+  );
+  for (const [name, scale] of /** @type {const} */ ([
+    ['omega_deg', 1],
+    ['kappa_deg', 1],
+    ['by_mm', 2],
+    ['bz_mm', 2],
+  ])) {
     assert.ok(Math.abs(double.score.errors[name] - scale * own.score.errors[name]) < 1e-6, `${name}: ${own.score.errors[name]}, ${double.score.errors[name]}`);
   }
 });
@@ -109,7 +126,8 @@ test('the report of a flight is one file that holds everything', () => {
   const out = join(at, 'report');
   const { file } = json('report', ...match.slice(1), '--out', out);
   const page = readFileSync(file, 'utf8');
-  for (const part of ['left.png', 'Table 1.', 'Table 2.', 'Table 3.', 'true errors', 'Reliability', 'data:image/png;base64,']) assert.ok(page.includes(part), part);
+  for (const part of ['left.png', 'Table 1.', 'Table 2.', 'Table 3.', 'true errors', 'Reliability', 'data:image/png;base64,'])
+    assert.ok(page.includes(part), part);
   assert.ok(!/(?:src|href)="(?!data:|#)/.test(page));
   json('report', ...match.slice(1), '--out', out);
   assert.equal(readFileSync(file, 'utf8'), page);
@@ -117,7 +135,11 @@ test('the report of a flight is one file that holds everything', () => {
 });
 
 test('the next command is told as this one was called', () => {
-  const next = tiepoint('simulate', '--out', folder(), ...SMALL).stdout.trimEnd().split('\n').at(-1) ?? '';
+  const next =
+    tiepoint('simulate', '--out', folder(), ...SMALL)
+      .stdout.trimEnd()
+      .split('\n')
+      .at(-1) ?? '';
   assert.ok(next.startsWith('node ') && next.includes('tiepoint.js match '), next);
   const [, program = '', ...words] = next.split(' ');
   assert.equal(resolve(program), PROGRAM);

@@ -8,22 +8,29 @@ const run = (...options) => json(...call, ...options);
 const moments = run();
 
 test('the truth of the sample scores every strategy', () => {
-  const shares = Object.fromEntries(['moments', 'invariants', 'correlation', 'least-squares', 'gradient'].map((strategy) => {
-    const { counts, score, orientation } = run('--strategy', strategy);
-    assert.equal(score.matches, counts.matches);
-    assert.equal(score.rightness.length, counts.matches);
-    assert.ok(score.strict <= score.right && score.right <= score.matches);
-    assert.ok(score.missed > 0 && score.right + score.missed <= counts.left.after_suppression);
-    for (const name of ['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']) {
-      assert.ok(Math.abs(score.errors[name]) < 5 * orientation.total_standard_errors[name], `${strategy}: ${name} ${score.errors[name]}`);
-    }
-    return [strategy, score.right_share];
-  }));
+  const shares = Object.fromEntries(
+    ['moments', 'invariants', 'correlation', 'least-squares', 'gradient'].map((strategy) => {
+      const { counts, score, orientation } = run('--strategy', strategy);
+      assert.equal(score.matches, counts.matches);
+      assert.equal(score.rightness.length, counts.matches);
+      assert.ok(score.strict <= score.right && score.right <= score.matches);
+      assert.ok(score.missed > 0 && score.right + score.missed <= counts.left.after_suppression);
+      for (const name of ['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']) {
+        assert.ok(Math.abs(score.errors[name]) < 5 * orientation.total_standard_errors[name], `${strategy}: ${name} ${score.errors[name]}`);
+      }
+      return [strategy, score.right_share];
+    }),
+  );
   assert.ok(shares['least-squares'] > 0.97 && shares['least-squares'] > shares.moments, JSON.stringify(shares));
 });
 
 test('every left point has one verdict with any strategy', () => {
-  for (const options of [['--strategy', 'correlation'], ['--strategy', 'least-squares'], ['--refine', 'least-squares'], ['--strategy', 'gradient']]) {
+  for (const options of [
+    ['--strategy', 'correlation'],
+    ['--strategy', 'least-squares'],
+    ['--refine', 'least-squares'],
+    ['--strategy', 'gradient'],
+  ]) {
     const { counts } = run(...options);
     const refused = Object.values(counts.rejected).reduce((sum, n) => sum + Number(n), 0);
     assert.equal(counts.matches + refused, counts.left.after_suppression, options.join(' '));
@@ -64,7 +71,8 @@ test('the statistics follow the options', () => {
   assert.ok(orientation.points.every((/** @type {number[]} */ p) => p.length === 9));
   const strict = run('--alpha0', '0.05').orientation;
   assert.ok(strict.rejected.length > orientation.rejected.length);
-  const detectable = (/** @type {any} */ o) => o.points.map((/** @type {number[]} */ p) => p[3]).sort((/** @type {number} */ a, /** @type {number} */ b) => a - b)[100];
+  const detectable = (/** @type {any} */ o) =>
+    o.points.map((/** @type {number[]} */ p) => p[3]).sort((/** @type {number} */ a, /** @type {number} */ b) => a - b)[100];
   assert.ok(detectable(run('--beta0', '0.95').orientation) > detectable(orientation));
   assert.equal(orientation.global_test, null);
   // A known σ₀ that is too small fails the test and rejects no more than the estimated one; a large one rejects less.

@@ -22,9 +22,14 @@ const read = (file, pattern) => pattern.exec(readFileSync(join(ROOT, file), 'utf
 
 test('the crate holds its sources, its texts and its licences, and no test, page or data', () => {
   const files = cargo(['package', '--list', '--allow-dirty']).trim().split('\n');
-  for (const needed of ['Cargo.toml', 'README.md', 'CHANGELOG.md', 'LICENSE-APACHE', 'LICENSE-MIT', 'src/lib.rs']) assert.ok(files.includes(needed), `${needed} is missing`);
-  const allowed = /^(src\/|examples\/[\w-]+\.rs$|build\.rs$|Cargo\.(toml|toml\.orig|lock)$|README\.md$|docs\/rust\.md$|CHANGELOG\.md$|LICENSE-|\.cargo_vcs_info\.json$)/;
-  assert.deepEqual(files.filter((file) => !allowed.test(file)), []);
+  for (const needed of ['Cargo.toml', 'README.md', 'CHANGELOG.md', 'LICENSE-APACHE', 'LICENSE-MIT', 'src/lib.rs'])
+    assert.ok(files.includes(needed), `${needed} is missing`);
+  const allowed =
+    /^(src\/|examples\/[\w-]+\.rs$|build\.rs$|Cargo\.(toml|toml\.orig|lock)$|README\.md$|docs\/rust\.md$|CHANGELOG\.md$|LICENSE-|\.cargo_vcs_info\.json$)/;
+  assert.deepEqual(
+    files.filter((file) => !allowed.test(file)),
+    [],
+  );
 });
 
 test('the packed crate compiles by itself', () => {

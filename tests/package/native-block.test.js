@@ -27,7 +27,10 @@ test('a native program writes the same bytes as the command, and takes up what t
   const wanted = contents(ours);
   const made = contents(own);
   assert.ok(wanted.get('project.tiepoint')?.equals(made.get('project.tiepoint') ?? Buffer.alloc(0)), 'project.tiepoint differs');
-  assert.deepEqual([...made.keys()], [...wanted.keys()].filter((name) => made.has(name)));
+  assert.deepEqual(
+    [...made.keys()],
+    [...wanted.keys()].filter((name) => made.has(name)),
+  );
   for (const [name, content] of made) assert.ok(wanted.get(name)?.equals(content), name);
   // Keys and records are the same: built of the same sources, what one host has kept is done for the other.
   const before = records(ours, 'pairs');

@@ -29,18 +29,35 @@ const files = (pack?.files ?? []).map(({ path }) => path);
 test('the package holds the module, both entries with their types, the command and the licences, and nothing else', () => {
   const { exports, bin, files: listed } = JSON.parse(readFileSync(join(PKG, 'package.json'), 'utf8'));
   // What stands behind a colon is a file; a name before it is what programs import.
-  const named = JSON.stringify([exports, bin]).match(/:"\.\/[^"]+/g)?.map((path) => path.slice(4)) ?? [];
-  assert.deepEqual([...named, 'README.md', 'LICENSE-APACHE', 'LICENSE-MIT'].filter((file) => !files.includes(file)), []);
-  assert.deepEqual(files.filter((file) => file !== 'package.json' && !listed.includes(file.split('/')[0])), []);
-  assert.ok(files.every((file) => !/test|node_modules|\.map$/.test(file)), files.join(' '));
+  const named =
+    JSON.stringify([exports, bin])
+      .match(/:"\.\/[^"]+/g)
+      ?.map((path) => path.slice(4)) ?? [];
+  assert.deepEqual(
+    [...named, 'README.md', 'LICENSE-APACHE', 'LICENSE-MIT'].filter((file) => !files.includes(file)),
+    [],
+  );
+  assert.deepEqual(
+    files.filter((file) => file !== 'package.json' && !listed.includes(file.split('/')[0])),
+    [],
+  );
+  assert.ok(
+    files.every((file) => !/test|node_modules|\.map$/.test(file)),
+    files.join(' '),
+  );
 });
 
 test('every file that a packed script imports is packed', () => {
-  const missing = files.filter((file) => file.endsWith('.js')).flatMap((file) => {
-    const code = readFileSync(join(PKG, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
-    const imports = [...code.matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)].map(([, path]) => path ?? '');
-    return imports.map((path) => normalize(join(dirname(file), path)).replaceAll('\\', '/')).filter((path) => !files.includes(path)).map((path) => `${file}: ${path}`);
-  });
+  const missing = files
+    .filter((file) => file.endsWith('.js'))
+    .flatMap((file) => {
+      const code = readFileSync(join(PKG, file), 'utf8').replace(/\/\*[\s\S]*?\*\//g, '');
+      const imports = [...code.matchAll(/(?:from|import)\s*\(?\s*'(\.[^']+)'/g)].map(([, path]) => path ?? '');
+      return imports
+        .map((path) => normalize(join(dirname(file), path)).replaceAll('\\', '/'))
+        .filter((path) => !files.includes(path))
+        .map((path) => `${file}: ${path}`);
+    });
   assert.deepEqual(missing, []);
 });
 

@@ -17,7 +17,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   await photograph(page);
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points selected/);
-  assert.ok(await number(page, 'block-points-count') > 0);
+  assert.ok((await number(page, 'block-points-count')) > 0);
   const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
   assert.ok(right > 0.9 * all, `${right} of ${all}`);
   assert.match((await part(page, 'stage-pairs').textContent()) ?? '', /15 of 15/);
@@ -49,7 +49,7 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
 
   await part(page, 'block-open-pair').click();
   assert.match(await done(page), /matches/);
-  assert.ok(await number(page, 'count-matches') > 50);
+  assert.ok((await number(page, 'count-matches')) > 50);
   assert.match((await part(page, 'of-block').textContent()) ?? '', /photo_0000\d\.png – photo_0000\d\.png/);
   await page.screenshot({ path: join(SHOTS, 'block-pair.png') });
   await part(page, 'back-to-block').click();
@@ -59,12 +59,18 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   await part(page, 'sort-point-rays').click();
   await part(page, 'sort-point-rays').click();
   const rays = (await page.locator('[data-testid="block-points"] tbody tr:not(.filler) td:nth-child(2)').allTextContents()).map(Number);
-  assert.deepEqual(rays, [...rays].sort((a, b) => b - a));
+  assert.deepEqual(
+    rays,
+    [...rays].sort((a, b) => b - a),
+  );
   assert.ok((rays[0] ?? 0) >= 3 && rays.length < 100);
 
   await part(page, 'block-export-kind').selectOption('colmap');
   const archive = unzipSync(new Uint8Array(await saved(page, 'block-export')));
-  assert.ok(Object.keys(archive).some((name) => name.endsWith('cameras.txt')), Object.keys(archive).join());
+  assert.ok(
+    Object.keys(archive).some((name) => name.endsWith('cameras.txt')),
+    Object.keys(archive).join(),
+  );
   await part(page, 'block-export-kind').selectOption('project');
   const project = await saved(page, 'block-export');
   await status(page, /was saved/);
@@ -88,11 +94,13 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   await status(page, /^5 images in the block\. 1 file skipped/);
   await part(page, 'block-run').click();
   // What cannot be read is not kept: the second is.
-  await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, { polling: 10 });
+  await page.waitForFunction(() => /^Images: features[2-4] of 5/.test(document.querySelector('[data-testid="stage-images"]')?.textContent ?? ''), undefined, {
+    polling: 10,
+  });
   await part(page, 'block-cancel').click();
   await status(page, /^Cancelled/);
   // What was found until then stays on the screen.
-  assert.ok(await number(page, 'block-read') >= 1);
+  assert.ok((await number(page, 'block-read')) >= 1);
   assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
   assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
@@ -114,7 +122,13 @@ test('pairs are drawn as they come, and what is chosen stays chosen', { skip: SK
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  await page.waitForFunction(() => /^[1-9]\d* of [1-9]/.test(document.querySelector('[data-testid="block-connected"]')?.textContent ?? '') && document.querySelector('[data-testid="block-read"]'), undefined, { polling: 10, timeout: 30_000 });
+  await page.waitForFunction(
+    () =>
+      /^[1-9]\d* of [1-9]/.test(document.querySelector('[data-testid="block-connected"]')?.textContent ?? '') &&
+      document.querySelector('[data-testid="block-read"]'),
+    undefined,
+    { polling: 10, timeout: 30_000 },
+  );
   await part(page, 'block-picture').focus();
   await page.keyboard.press('n');
   await page.keyboard.press('n');
@@ -133,7 +147,7 @@ test('Cancel breaks off an export, and the block is still there', { skip: SKIP }
   await status(page, /^Done/);
   await part(page, 'block-export-kind').selectOption('everything');
   await page.evaluate(() => {
-    for (const id of ['block-export', 'block-cancel']) (/** @type {HTMLButtonElement | null} */ (document.querySelector(`[data-testid="${id}"]`)))?.click();
+    for (const id of ['block-export', 'block-cancel']) /** @type {HTMLButtonElement | null} */ (document.querySelector(`[data-testid="${id}"]`))?.click();
   });
   await status(page, /^Cancelled: nothing was saved/);
   const archive = unzipSync(new Uint8Array(await saved(page, 'block-export')));
@@ -168,7 +182,11 @@ test('masks of the block leave features out, and one of no image is told', { ski
   const { page, complaints, close } = await block();
   const folder = photoFolder(2);
   await part(page, 'block-folder-input').setInputFiles(folder);
-  const half = grey_png(480, 360, Uint8Array.from({ length: 480 * 360 }, (_, i) => (i % 480 < 240 ? 255 : 0)));
+  const half = grey_png(
+    480,
+    360,
+    Uint8Array.from({ length: 480 * 360 }, (_, i) => (i % 480 < 240 ? 255 : 0)),
+  );
   await part(page, 'block-masks-input').setInputFiles([upload('photo_0_mask.png', half, 'image/png'), upload('other.png', half, 'image/png')]);
   assert.match((await part(page, 'block-masks-name').textContent()) ?? '', /2 masks: photo_0_mask\.png, other\.png/);
   await part(page, 'block-run').click();
@@ -176,7 +194,9 @@ test('masks of the block leave features out, and one of no image is told', { ski
   assert.match((await part(page, 'block-stray-masks').textContent()) ?? '', /other\.png: no image has their name/);
   await part(page, 'tab-block-images').click();
   await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').first().waitFor();
-  const features = (await page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:nth-child(3)').allTextContents()).map((text) => Number(text.replaceAll(/\D/g, '')));
+  const features = (await page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:nth-child(3)').allTextContents()).map((text) =>
+    Number(text.replaceAll(/\D/g, '')),
+  );
   assert.ok((features[0] ?? 0) < 0.75 * (features[1] ?? 0), features.join());
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
@@ -207,7 +227,10 @@ test('the page in one file runs a block offline', { skip: SKIP }, async () => {
   await close();
 });
 
-for (const [name, width, height, colorScheme] of /** @type {const} */ ([['narrow', 390, 844, 'dark'], ['tablet', 1024, 768, 'light']])) {
+for (const [name, width, height, colorScheme] of /** @type {const} */ ([
+  ['narrow', 390, 844, 'dark'],
+  ['tablet', 1024, 768, 'light'],
+])) {
   test(`a ${name} screen shows the block without scrolling sideways`, { skip: SKIP }, async () => {
     const { page, complaints, close } = await block({ options: { viewport: { width, height }, colorScheme } });
     await page.screenshot({ path: join(SHOTS, `block-${name}.png`) });

@@ -13,7 +13,11 @@ export const FLIGHT = { strips: 2, exposures: 3, width_px: 480, height_px: 360, 
 
 /** @param {Page} page @param {RegExp} pattern @returns {Promise<string>} the status line once it is so */
 export async function status(page, pattern) {
-  await page.waitForFunction(([source]) => new RegExp(source ?? '').test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), [pattern.source], { timeout: 40_000 });
+  await page.waitForFunction(
+    ([source]) => new RegExp(source ?? '').test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''),
+    [pattern.source],
+    { timeout: 40_000 },
+  );
   return (await part(page, 'block-status').textContent()) ?? '';
 }
 

@@ -19,7 +19,10 @@ const look = (page, layer) =>
 /** Two fingers that part.  @param {Page} page @param {number} x @param {number} y */
 async function spread(page, x, y) {
   const session = await page.context().newCDPSession(page);
-  const at = (/** @type {number} */ d) => [{ x: x - d, y, id: 1 }, { x: x + d, y, id: 2 }];
+  const at = (/** @type {number} */ d) => [
+    { x: x - d, y, id: 1 },
+    { x: x + d, y, id: 2 },
+  ];
   await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(20) });
   for (const d of [30, 45, 60]) await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(d) });
   await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] });
@@ -36,15 +39,21 @@ async function moves(page, host, layer, arrow) {
   const whole = await look(page, layer);
   /** @type {[string, () => Promise<void>][]} */
   const gestures = [
-    ['wheel', async () => {
-      await page.mouse.move(x, y);
-      await page.mouse.wheel(0, -600);
-    }],
-    ['drag', async () => {
-      await page.mouse.down();
-      await page.mouse.move(x - 60, y - 40, { steps: 4 });
-      await page.mouse.up();
-    }],
+    [
+      'wheel',
+      async () => {
+        await page.mouse.move(x, y);
+        await page.mouse.wheel(0, -600);
+      },
+    ],
+    [
+      'drag',
+      async () => {
+        await page.mouse.down();
+        await page.mouse.move(x - 60, y - 40, { steps: 4 });
+        await page.mouse.up();
+      },
+    ],
     ['plus', () => page.keyboard.press('+')],
     ...(arrow === null ? [] : [/** @type {[string, () => Promise<void>]} */ ([arrow, () => page.keyboard.press(arrow)])]),
     ['pinch', () => spread(page, x, y)],

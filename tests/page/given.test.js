@@ -11,7 +11,8 @@ hosted('/given/');
 const POINTS = 'a,0,0,0\nb,100,0,0\nc,0,100,0\n';
 
 /** Marks of three points in images.  @param {string[]} images @param {string[]} [points] */
-const marksIn = (images, points = ['a', 'b', 'c']) => images.flatMap((image) => points.map((point, i) => `${image},${point},${100 + 90 * i},${80 + 70 * i}`)).join('\n');
+const marksIn = (images, points = ['a', 'b', 'c']) =>
+  images.flatMap((image) => points.map((point, i) => `${image},${point},${100 + 90 * i},${80 + 70 * i}`)).join('\n');
 
 /** @param {import('playwright-core').Page} page @param {string} given @param {string} name @param {string} content */
 const give = (page, given, name, content) => part(page, `block-${given}-input`).setInputFiles(upload(name, new TextEncoder().encode(content)));

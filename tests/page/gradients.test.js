@@ -19,22 +19,23 @@ const text = async (page, id) => (await part(page, id).textContent()) ?? '';
 const everything = async (page) => JSON.parse((await saved(page, 'export-json')).toString());
 
 /** How many pixels of a canvas are neither black nor white nor grey.  @param {import('playwright-core').Locator} canvas */
-const coloured = (canvas) => canvas.evaluate((element) => {
-  const { width, height } = /** @type {HTMLCanvasElement} */ (element);
-  const bytes = /** @type {HTMLCanvasElement} */ (element).getContext('2d')?.getImageData(0, 0, width, height).data ?? [];
-  let count = 0;
-  for (let i = 0; i < bytes.length; i += 4) if (bytes[i] !== bytes[i + 1] || bytes[i] !== bytes[i + 2]) count++;
-  return count;
-});
+const coloured = (canvas) =>
+  canvas.evaluate((element) => {
+    const { width, height } = /** @type {HTMLCanvasElement} */ (element);
+    const bytes = /** @type {HTMLCanvasElement} */ (element).getContext('2d')?.getImageData(0, 0, width, height).data ?? [];
+    let count = 0;
+    for (let i = 0; i < bytes.length; i += 4) if (bytes[i] !== bytes[i + 1] || bytes[i] !== bytes[i + 2]) count++;
+    return count;
+  });
 
 test('gradients need no offset, and a point shows both descriptors, its candidates and its epipolar line', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
   await choose(page, 'matching.strategy', 'gradient');
   assert.equal(await page.locator('select[data-key="points.operator"] option:checked').textContent(), 'default: many scales');
-  assert.ok(await number(page, 'score-right') > 2900);
+  assert.ok((await number(page, 'score-right')) > 2900);
   assert.equal(await text(page, 'geometry-kind'), 'calibrated cameras');
-  assert.ok(await number(page, 'geometry-sigma') < await number(page, 'geometry-threshold'));
+  assert.ok((await number(page, 'geometry-sigma')) < (await number(page, 'geometry-threshold')));
   for (const key of ['points.threshold', 'window.side', 'matching.search']) assert.ok(!(await page.locator(`[data-key="${key}"]`).first().isVisible()), key);
   const { points, frames, offset, geometry } = await everything(page);
   assert.deepEqual([frames.left.length, frames.right.length], [points.left.length, points.right.length]);
@@ -47,14 +48,17 @@ test('gradients need no offset, and a point shows both descriptors, its candidat
   const best = page.locator('[data-testid="point-candidates"] tbody tr');
   assert.equal(await best.count(), 50);
   const distances = (await best.locator('td:nth-child(5)').allTextContents()).map(Number);
-  assert.deepEqual(distances, [...distances].sort((a, b) => a - b));
+  assert.deepEqual(
+    distances,
+    [...distances].sort((a, b) => a - b),
+  );
   assert.equal(Number(await best.nth(1).locator('td:nth-child(6)').textContent()), Number(((distances[0] ?? 0) / (distances[1] ?? 1)).toFixed(3)));
   assert.match(await text(page, 'point-verdict'), /agrees with the geometry/);
   const [patches, descriptors] = ['point-patches', 'point-descriptors'].map((id) => page.locator(`[data-testid="${id}"] canvas`));
   assert.ok(patches && descriptors);
   assert.deepEqual([await patches.count(), await descriptors.count()], [2, 2]);
   assert.equal(await coloured(patches.first()), 0);
-  assert.ok(await coloured(descriptors.first()) > 500 && await coloured(descriptors.last()) > 500, 'the stars of the descriptors');
+  assert.ok((await coloured(descriptors.first())) > 500 && (await coloured(descriptors.last())) > 500, 'the stars of the descriptors');
   assert.match(await text(page, 'point-line'), /epipolar line/);
   await page.screenshot({ path: join(SHOTS, 'gradients.png') });
   await choose(page, 'matching.strategy', 'moments');
@@ -78,14 +82,22 @@ test('the matches are the same to the last byte for any number of workers', { sk
   assert.ok((found[0]?.csv.split('\n').length ?? 0) > 3000);
   assert.ok(found.every(({ csv }) => csv === found[0]?.csv));
   // Those of the images and of the pair are there in any case.
-  assert.deepEqual(found.map(({ workers }) => workers - (found[0]?.workers ?? 0)), [0, 2, 3]);
+  assert.deepEqual(
+    found.map(({ workers }) => workers - (found[0]?.workers ?? 0)),
+    [0, 2, 3],
+  );
 });
 
 test('photos without a base are named and not oriented', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Ready'));
   await part(page, 'tab-simulate').click();
-  for (const [field, value] of /** @type {const} */ ([['base_mm', '0'], ['by_mm', '0'], ['bz_mm', '0'], ['kappa_deg', '5']])) {
+  for (const [field, value] of /** @type {const} */ ([
+    ['base_mm', '0'],
+    ['by_mm', '0'],
+    ['bz_mm', '0'],
+    ['kappa_deg', '5'],
+  ])) {
     await page.locator(`input[data-key="flight.${field}"]:not([type="range"])`).first().fill(value);
   }
   await part(page, 'render-flight').click();
@@ -122,12 +134,14 @@ test('one photo twice, photos of different ground and a photo of one pixel are t
   await page.waitForFunction(() => /^Right image: the image has 1 × 1 px/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''));
   await replace(right);
   await again(page);
-  assert.ok(await number(page, 'count-matches') > 1000, 'it goes on with another image');
+  assert.ok((await number(page, 'count-matches')) > 1000, 'it goes on with another image');
   assert.deepEqual(complaints, []);
   await close();
 });
 
-test('a focal length that only the matches tell orients the photos and is shown as estimated', { skip: SKIP || (FOUNTAIN.every((file) => existsSync(file)) ? false : 'skipped: no photographs') }, async () => {
+test('a focal length that only the matches tell orients the photos and is shown as estimated', {
+  skip: SKIP || (FOUNTAIN.every((file) => existsSync(file)) ? false : 'skipped: no photographs'),
+}, async () => {
   const { page, complaints, close } = await open();
   await part(page, 'file-input').setInputFiles(FOUNTAIN);
   await done(page);
@@ -137,7 +151,7 @@ test('a focal length that only the matches tell orients the photos and is shown 
   // The cameras were calibrated: 2759.48 px at 3072 px width.
   assert.ok(Math.abs(focal - 0.5 * 2759.48) < 5 * error && error < 100, `${focal} ± ${error} px`);
   assert.match(await text(page, 'estimated-focal'), /estimated from the matches/);
-  assert.ok(await number(page, 'degrees-of-freedom') > 1000);
+  assert.ok((await number(page, 'degrees-of-freedom')) > 1000);
   await page.screenshot({ path: join(SHOTS, 'estimated-focal.png') });
   assert.deepEqual(complaints, []);
   await close();
@@ -154,16 +168,22 @@ test('a mask leaves points out, is shown, and goes with its image; one of anothe
   const half = Uint8Array.from({ length: 450 * 700 }, (_, i) => (i % 450 < 225 ? 0 : 255));
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), part(page, 'mask-left').click()]);
   await chooser.setFiles([upload('half.png', grey_png(450, 700, half), 'image/png')]);
-  await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before, all);
+  await page.waitForFunction(
+    (before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) < before,
+    all,
+  );
   assert.match(await done(page), /masks 50\.0 % of the left image/);
   const { points, images } = await everything(page);
   assert.ok(points.left.length > 500 && points.left.every((/** @type {number[]} */ [x]) => (x ?? 0) >= 225));
   assert.ok(points.right.some((/** @type {number[]} */ [x]) => (x ?? 0) < 225));
   assert.deepEqual([images.left.mask, images.right.mask], ['half.png', null]);
-  assert.ok(await coloured(part(page, 'layer-pictures')) > 1000, 'the overlay');
+  assert.ok((await coloured(part(page, 'layer-pictures'))) > 1000, 'the overlay');
   await page.screenshot({ path: join(SHOTS, 'mask.png') });
   await part(page, 'unmask-left').click();
-  await page.waitForFunction((before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) === before, all);
+  await page.waitForFunction(
+    (before) => Number(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent?.replaceAll(/\D/g, '')) === before,
+    all,
+  );
   await done(page);
   assert.equal(await coloured(part(page, 'layer-pictures')), 0);
   assert.deepEqual(complaints, []);

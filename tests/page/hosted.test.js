@@ -9,7 +9,7 @@ hosted('/some/folder/');
 test('the sample pair is matched and oriented, from a subfolder under the policy', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
-  assert.ok(await number(page, 'count-matches') > 500);
+  assert.ok((await number(page, 'count-matches')) > 500);
   assert.equal(await verdicts(page), await number(page, 'count-left-after_suppression'));
   await page.screenshot({ path: join(SHOTS, 'sample.png') });
   assert.deepEqual(complaints, []);
@@ -27,7 +27,10 @@ test('the browser finds the matches of the golden files', { skip: SKIP }, async 
   /** @param {string} name */
   const same = async (name) => {
     // The golden file ends with a line of the orientation.
-    const golden = readFileSync(join(ROOT, 'tests', 'golden', name), 'utf8').split('\n').slice(0, -2).join('\n');
+    const golden = readFileSync(join(ROOT, 'tests', 'golden', name), 'utf8')
+      .split('\n')
+      .slice(0, -2)
+      .join('\n');
     assert.equal((await saved(page, 'export-csv')).toString().trimEnd(), golden);
   };
   await same('sample.csv');
@@ -55,24 +58,31 @@ test('the table of matches sorts, filters, and is linked to the images both ways
   await sample(page);
   await part(page, 'tab-matches').click();
   const rows = page.locator('[data-testid="statistics"] tbody tr:not(.filler)');
-  const column = async (/** @type {number} */ at) => (await rows.locator(`td:nth-child(${at})`).allTextContents()).map((text) => Number(text.replace('−', '-')));
+  const column = async (/** @type {number} */ at) =>
+    (await rows.locator(`td:nth-child(${at})`).allTextContents()).map((text) => Number(text.replace('−', '-')));
   const heads = await page.locator('[data-testid="statistics"] thead th').allTextContents();
   const w = heads.findIndex((text) => text.trim() === 'w') + 1;
   assert.ok(w > 0, heads.join());
   await part(page, 'sort-w').click();
   const rising = await column(w);
-  assert.deepEqual(rising, [...rising].sort((a, b) => a - b));
+  assert.deepEqual(
+    rising,
+    [...rising].sort((a, b) => a - b),
+  );
   await part(page, 'sort-w').click();
   const falling = await column(w);
-  assert.deepEqual(falling, [...falling].sort((a, b) => b - a));
+  assert.deepEqual(
+    falling,
+    [...falling].sort((a, b) => b - a),
+  );
   assert.ok((falling[0] ?? 0) > 3.29);
   // Only the rows in sight exist.
-  assert.ok(await rows.count() < 100);
+  assert.ok((await rows.count()) < 100);
   await rows.nth(3).click();
   await part(page, 'statistics-selected').waitFor();
   await part(page, 'tab-point').click();
   assert.match((await part(page, 'point-verdict').textContent()) ?? '', /rejected from the relative orientation/);
-  assert.ok(await number(page, 'match-w') > 3.29);
+  assert.ok((await number(page, 'match-w')) > 3.29);
   await part(page, 'tab-matches').click();
   await part(page, 'statistics-filter').selectOption('rejected');
   assert.match((await part(page, 'statistics-caption').textContent()) ?? '', new RegExp(`^${await number(page, 'count-gross-errors')} of`));
@@ -89,12 +99,12 @@ test('grey values: settings that have no effect are left out, a point shows what
   const { page, complaints, close } = await open();
   await sample(page);
   const setting = (/** @type {string} */ key) => page.locator(`[data-key="${key}"]`).first();
-  assert.ok(await setting('matching.max_measure').isVisible() && !(await setting('matching.template').isVisible()));
+  assert.ok((await setting('matching.max_measure').isVisible()) && !(await setting('matching.template').isVisible()));
   await choose(page, 'matching.strategy', 'least-squares');
-  assert.ok(!(await setting('matching.max_measure').isVisible()) && await setting('matching.template').isVisible());
-  assert.ok(await number(page, 'score-right') > 2000 && await number(page, 'score-strict') > 1800);
+  assert.ok(!(await setting('matching.max_measure').isVisible()) && (await setting('matching.template').isVisible()));
+  assert.ok((await number(page, 'score-right')) > 2000 && (await number(page, 'score-strict')) > 1800);
   assert.ok(Math.abs(await number(page, 'deviation-ratio-omega_deg')) < 5);
-  assert.ok(await number(page, 'condition') > 1);
+  assert.ok((await number(page, 'condition')) > 1);
   await part(page, 'condition-name').click();
   assert.match((await page.locator('#condition-help').textContent()) ?? '', /eigenvalue/);
   assert.equal(await page.locator('[data-testid="correlations"] g').count(), 25);
@@ -114,16 +124,23 @@ test('a flight is simulated with a live preview, and what cannot be flown is sai
   const { page, complaints, close } = await open();
   await page.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Ready'));
   await part(page, 'tab-simulate').click();
-  const painted = () => page.evaluate(() => {
-    const canvas = document.querySelector('[data-testid="preview-left"]');
-    if (!(canvas instanceof HTMLCanvasElement)) return '';
-    return canvas.toDataURL();
-  });
+  const painted = () =>
+    page.evaluate(() => {
+      const canvas = document.querySelector('[data-testid="preview-left"]');
+      if (!(canvas instanceof HTMLCanvasElement)) return '';
+      return canvas.toDataURL();
+    });
   const blank = await painted();
-  await page.waitForFunction((before) => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="preview-left"]')).toDataURL() !== before, blank);
+  await page.waitForFunction(
+    (before) => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="preview-left"]')).toDataURL() !== before,
+    blank,
+  );
   const first = await painted();
   await part(page, 'flight-preset').selectOption('lively');
-  await page.waitForFunction((before) => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="preview-left"]')).toDataURL() !== before, first);
+  await page.waitForFunction(
+    (before) => /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="preview-left"]')).toDataURL() !== before,
+    first,
+  );
   const relief = page.locator('input[data-key="flight.relief_m"]:not([type="range"])').first();
   await relief.fill('400');
   await page.waitForFunction(() => /relief/i.test(document.querySelector('[data-testid="flight-problem"]')?.textContent ?? ''));
@@ -132,7 +149,7 @@ test('a flight is simulated with a live preview, and what cannot be flown is sai
   await part(page, 'render-flight').click();
   await done(page);
   assert.match((await part(page, 'name-left').textContent()) ?? '', /lively left/);
-  assert.ok(await number(page, 'score-right') > 500);
+  assert.ok((await number(page, 'score-right')) > 500);
   await page.screenshot({ path: join(SHOTS, 'simulate.png') });
   assert.deepEqual(complaints, []);
   await close();
@@ -157,8 +174,12 @@ test('two files are opened, matched, and a parameter recomputes what depends on 
   const field = page.locator('input[data-key="matching.max_measure"]:not([type="range"])').first();
   await field.fill('2');
   await field.press('Enter');
-  await page.waitForFunction((matches) => Number(document.querySelector('[data-testid="count-matches"]')?.textContent?.replaceAll(/\D/g, '')) !== matches, before.matches, { timeout: 20_000 });
-  assert.ok(await number(page, 'count-matches') < before.matches);
+  await page.waitForFunction(
+    (matches) => Number(document.querySelector('[data-testid="count-matches"]')?.textContent?.replaceAll(/\D/g, '')) !== matches,
+    before.matches,
+    { timeout: 20_000 },
+  );
+  assert.ok((await number(page, 'count-matches')) < before.matches);
   assert.equal(await number(page, 'count-left-after_suppression'), before.points);
   assert.deepEqual(complaints, []);
   await close();
@@ -174,7 +195,7 @@ test('dropped files are opened', { skip: SKIP }, async () => {
   }, files);
   for (const type of ['dragenter', 'dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
   await done(page);
-  assert.ok(await number(page, 'count-matches') > 500);
+  assert.ok((await number(page, 'count-matches')) > 500);
   await close();
 });
 
@@ -191,7 +212,10 @@ test('a bad file is named and what was there stays', { skip: SKIP }, async () =>
   assert.match((await page.locator('body').textContent()) ?? '', /cut\.png/);
   assert.equal(await number(page, 'count-matches'), matches);
   await page.screenshot({ path: join(SHOTS, 'bad-file.png') });
-  assert.deepEqual(complaints.filter((c) => c.startsWith('uncaught')), []);
+  assert.deepEqual(
+    complaints.filter((c) => c.startsWith('uncaught')),
+    [],
+  );
   await close();
 });
 
@@ -204,7 +228,7 @@ test('a run can be cancelled and started again', { skip: SKIP }, async () => {
   if (await again.isVisible()) await again.click();
   else await part(page, 'sample').click();
   await done(page);
-  assert.ok(await number(page, 'count-matches') > 500);
+  assert.ok((await number(page, 'count-matches')) > 500);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -221,14 +245,18 @@ test('a click and a key choose points, which tell their rule, moments and candid
   assert.ok(box);
   await page.mouse.click(box.x + box.width * 0.25, box.y + box.height * 0.5);
   await part(page, 'point-candidates').waitFor();
-  assert.ok(await page.locator('[data-testid="point-candidates"] tbody tr').count() > 0);
+  assert.ok((await page.locator('[data-testid="point-candidates"] tbody tr').count()) > 0);
   assert.match((await part(page, 'point-moments').textContent()) ?? '', /µ/);
   await page.screenshot({ path: join(SHOTS, 'point.png') });
   assert.deepEqual(complaints, []);
   await close();
 });
 
-for (const [name, width, height, colorScheme] of /** @type {const} */ ([['narrow', 360, 740, 'light'], ['tablet', 820, 1180, 'dark'], ['wide', 3840, 2160, 'light']])) {
+for (const [name, width, height, colorScheme] of /** @type {const} */ ([
+  ['narrow', 360, 740, 'light'],
+  ['tablet', 820, 1180, 'dark'],
+  ['wide', 3840, 2160, 'light'],
+])) {
   test(`a ${name} screen shows everything without scrolling sideways`, { skip: SKIP }, async () => {
     const { page, complaints, close } = await open({ options: { viewport: { width, height }, colorScheme } });
     await sample(page);

@@ -25,7 +25,9 @@ async function openedPair(page, camera) {
   await part(page, 'block-files-input').setInputFiles(photos);
   await part(page, 'block-cameras-input').setInputFiles([upload('cameras.json', Buffer.from(JSON.stringify({ cameras: [camera] })), 'application/json')]);
   await part(page, 'block-run').click();
-  await page.waitForFunction(() => /^(Done|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
+  await page.waitForFunction(() => /^(Done|The block was)/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, {
+    timeout: 60_000,
+  });
   await part(page, 'block-export-kind').selectOption('project');
   const block = FinishedBlock.open(await saved(page, 'block-export')).model();
   await part(page, 'block-show-matrix').click();
@@ -41,7 +43,9 @@ async function openedPair(page, camera) {
 
 test('a pair of a block has its focal length, principal point and distortion', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  const { shown: { focal = 0, x0 = 0, y0 = 0, k1 = 0 } } = await openedPair(page, { ...CAMERA, fixed: true });
+  const {
+    shown: { focal = 0, x0 = 0, y0 = 0, k1 = 0 },
+  } = await openedPair(page, { ...CAMERA, fixed: true });
   assert.ok(Math.abs(focal - FOCAL_MM) < 1e-6);
   assert.ok(Math.abs(x0 - 2 * FLIGHT.pixel_mm) < 1e-6 && Math.abs(y0) < 1e-9);
   // A correction of what was measured has the other sign; its first term is that of the other direction but for higher ones.
@@ -55,7 +59,11 @@ test('a pair of a block that was adjusted has its calibrated camera, not that of
   const { block, shown } = await openedPair(page, CAMERA);
   const [camera] = block.cameras;
   assert.ok(camera && block.images.every(({ pose }) => pose), 'the block is not oriented');
-  const { focal_mm, principal_point_mm: [x0, y0], radial_distortion: [k1, k2, k3] } = /** @type {Required<import('../../pkg/node.js').CameraMm>} */ (photo_camera(camera));
+  const {
+    focal_mm,
+    principal_point_mm: [x0, y0],
+    radial_distortion: [k1, k2, k3],
+  } = /** @type {Required<import('../../pkg/node.js').CameraMm>} */ (photo_camera(camera));
   assert.deepEqual(shown, { focal: focal_mm, x0, y0, k1, k2, k3 });
   // The photos were taken without distortion: what the file says of it is wrong, and the block finds that.
   assert.ok(Math.abs(camera.radial?.[0] ?? NaN) < 0.5 * Math.abs(K1), `k1 is ${camera.radial}`);

@@ -53,11 +53,16 @@ export function singleUrl() {
 export async function open({ url = server.url, options = {}, workers } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
-  if (workers !== undefined) await page.addInitScript((number) => { Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => number }); }, workers);
+  if (workers !== undefined)
+    await page.addInitScript((number) => {
+      Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => number });
+    }, workers);
   /** @type {string[]} */
   const complaints = [];
   const origin = url.startsWith('file:') ? 'file:' : new URL(url).origin;
-  page.on('console', (message) => { if (message.type() === 'error') complaints.push(`console: ${message.text()}`); });
+  page.on('console', (message) => {
+    if (message.type() === 'error') complaints.push(`console: ${message.text()}`);
+  });
   page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`));
   page.on('request', (request) => {
     if (!request.url().startsWith(origin) && !/^(blob|data):/.test(request.url())) complaints.push(`request: ${request.url()}`);
@@ -124,6 +129,10 @@ export async function choose(page, key, value) {
 
 /** Waits until a changed setting has been computed.  @param {import('playwright-core').Page} page */
 export async function again(page) {
-  await page.waitForFunction(() => !/^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? ''), undefined, { timeout: 10_000 }).catch(() => {});
+  await page
+    .waitForFunction(() => !/^(done|partial)$/.test(document.querySelector('[data-testid="status"]')?.getAttribute('data-kind') ?? ''), undefined, {
+      timeout: 10_000,
+    })
+    .catch(() => {});
   await done(page);
 }

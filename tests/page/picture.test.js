@@ -26,7 +26,11 @@ test('keys work in the picture once a button has opened a pair, and after a pres
   await close();
 });
 
-for (const [name, width, height] of /** @type {const} */ ([['narrow', 420, 800], ['wide', 1440, 900], ['low', 1280, 420]])) {
+for (const [name, width, height] of /** @type {const} */ ([
+  ['narrow', 420, 800],
+  ['wide', 1440, 900],
+  ['low', 1280, 420],
+])) {
   test(`the bars with the names of the images cover none of them on a ${name} screen`, { skip: SKIP }, async () => {
     const { page, complaints, close } = await open({ options: { viewport: { width, height } } });
     await sample(page);
@@ -36,7 +40,8 @@ for (const [name, width, height] of /** @type {const} */ ([['narrow', 420, 800],
         const canvas = /** @type {HTMLCanvasElement | null} */ (document.querySelector('[data-testid="layer-pictures"]'));
         if (bar === null || canvas === null) throw new Error('the view is not there');
         const [box, all] = [bar.getBoundingClientRect(), canvas.getBoundingClientRect()];
-        const data = canvas.getContext('2d')?.getImageData(box.left - all.left, box.top - all.top, Math.min(box.width, all.right - box.left), box.height).data ?? [];
+        const data =
+          canvas.getContext('2d')?.getImageData(box.left - all.left, box.top - all.top, Math.min(box.width, all.right - box.left), box.height).data ?? [];
         return Array.from(data).filter((value, i) => i % 4 === 3 && value > 0).length;
       }, side);
       assert.equal(covered, 0, side);

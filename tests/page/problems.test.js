@@ -11,7 +11,10 @@ hosted();
 /** Waits until a part says something.  @param {Page} page @param {string} id @param {RegExp} pattern */
 async function says(page, id, pattern) {
   const given = { id, source: pattern.source, flags: pattern.flags };
-  await page.waitForFunction((p) => new RegExp(p.source, p.flags).test(document.querySelector(`[data-testid="${p.id}"]`)?.textContent ?? ''), given, { timeout: 20_000 })
+  await page
+    .waitForFunction((p) => new RegExp(p.source, p.flags).test(document.querySelector(`[data-testid="${p.id}"]`)?.textContent ?? ''), given, {
+      timeout: 20_000,
+    })
     .catch(async () => assert.match((await part(page, id).textContent()) ?? '', pattern));
 }
 
@@ -65,7 +68,9 @@ test('one mark is told as one', { skip: SKIP }, async () => {
   await close();
 });
 
-test('numbers of the camera, the offset and the origin that are not allowed are said at their fields, and the last valid ones stay', { skip: SKIP }, async () => {
+test('numbers of the camera, the offset and the origin that are not allowed are said at their fields, and the last valid ones stay', {
+  skip: SKIP,
+}, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
   await part(page, 'tab-camera').click();
@@ -104,7 +109,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
 test('an interior orientation that fails is the status, and figures of the earlier orientation go', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
-  assert.ok(await number(page, 'count-gross-errors') > 0);
+  assert.ok((await number(page, 'count-gross-errors')) > 0);
   await part(page, 'histogram-residuals').waitFor();
   await part(page, 'tab-camera').click();
   // Its coordinates are empty yet.
@@ -116,7 +121,7 @@ test('an interior orientation that fails is the status, and figures of the earli
   await page.waitForFunction(() => document.querySelector('[data-testid="histogram-residuals"]') === null);
   await part(page, 'remove-fiducial-left-8').click();
   await done(page);
-  assert.ok(await number(page, 'count-gross-errors') > 0);
+  assert.ok((await number(page, 'count-gross-errors')) > 0);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -171,7 +176,9 @@ test('the keyboard stays where it was when what it was on is built anew', { skip
   await part(page, 'statistics-selected').waitFor();
   assert.ok(await row.evaluate((button) => button === document.activeElement));
   // Out of sight it gives the keyboard to the table, which scrolls.
-  await page.locator('#panel-matches .rows').evaluate((rows) => { rows.scrollTop = 12_000; });
+  await page.locator('#panel-matches .rows').evaluate((rows) => {
+    rows.scrollTop = 12_000;
+  });
   await page.waitForFunction(() => document.activeElement?.classList.contains('rows'));
   assert.deepEqual(complaints, []);
   await close();

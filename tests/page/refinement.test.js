@@ -10,7 +10,10 @@ const FLIGHT = { strips: 2, exposures: 2, width_px: 480, height_px: 360, pixel_m
 
 test('rays are refined when it is chosen, and the page tells how many and why not all', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
-  const status = (/** @type {string} */ pattern) => page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern, { timeout: 40_000 });
+  const status = (/** @type {string} */ pattern) =>
+    page.waitForFunction((source) => new RegExp(source).test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), pattern, {
+      timeout: 40_000,
+    });
   await part(page, 'mode-block').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
   await part(page, 'tab-block-flight').click();
@@ -26,10 +29,14 @@ test('rays are refined when it is chosen, and the page tells how many and why no
   await page.locator('select[data-key="refinement.method"]').selectOption('least-squares');
   await part(page, 'block-run').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-refined"]') !== null, undefined, { timeout: 40_000 });
-  const [refined = 0, all = 0] = ((await part(page, 'block-refined').textContent()) ?? '').replaceAll(/[^\d ]/g, '').trim().split(/\s+/).map(Number);
+  const [refined = 0, all = 0] = ((await part(page, 'block-refined').textContent()) ?? '')
+    .replaceAll(/[^\d ]/g, '')
+    .trim()
+    .split(/\s+/)
+    .map(Number);
   assert.ok(refined > 0.5 * all && refined <= all, `${refined} of ${all}`);
   assert.match((await part(page, 'stage-windows').textContent()) ?? '', /4 of 4/);
-  assert.ok(await number(page, 'block-rmse') < before);
+  assert.ok((await number(page, 'block-rmse')) < before);
   assert.deepEqual(complaints, []);
   await close();
 });

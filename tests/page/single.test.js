@@ -26,7 +26,7 @@ test('text does not become markup or a script of the page, in one file or on a h
 test('the page in one file runs from a double-click, alone and offline', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open({ url: singleUrl(), options: { offline: true } });
   await sample(page);
-  assert.ok(await number(page, 'count-matches') > 500);
+  assert.ok((await number(page, 'count-matches')) > 500);
   assert.match((await saved(page, 'export-csv')).toString(), /^x_left_px,/);
   await page.screenshot({ path: join(SHOTS, 'single.png') });
   assert.deepEqual(complaints, []);

@@ -22,9 +22,26 @@ export function accuracy() {
   if (have('simulated-a')) simulatedPair();
   if (have('semisynth_exact_caliterra')) {
     posedPair('semisynth_exact_caliterra', 'v1.png', 'v2.png', () => {});
-    posedPair('semisynth_exact_caliterra', 'v1.png', 'v2.png', (s) => { s.matching.denominator = 'floor'; }, 'floor');
+    posedPair(
+      'semisynth_exact_caliterra',
+      'v1.png',
+      'v2.png',
+      (s) => {
+        s.matching.denominator = 'floor';
+      },
+      'floor',
+    );
   }
-  if (have('pair_full_caliterra')) posedPair('pair_full_caliterra', 'IMG_9401.jpg', 'IMG_9402.jpg', (s) => { s.points.suppression_window = 9; }, 'suppression 9 px');
+  if (have('pair_full_caliterra'))
+    posedPair(
+      'pair_full_caliterra',
+      'IMG_9401.jpg',
+      'IMG_9402.jpg',
+      (s) => {
+        s.points.suppression_window = 9;
+      },
+      'suppression 9 px',
+    );
 }
 
 function simulatedPair() {
@@ -32,18 +49,39 @@ function simulatedPair() {
   /** @type {[string, (s: PairSettings) => void][]} */
   const runs = [
     ['denominator maxabs', () => {}],
-    ['denominator floor', (s) => { s.matching.denominator = 'floor'; }],
-    ['determinant form', (s) => { s.orientation.method = 'determinant'; }],
-    ['plain least squares, not robust', (s) => { s.orientation.robust = false; }],
-    ['plain, without parallax and ambiguity rules', (s) => {
-      s.orientation.robust = false;
-      s.matching.parallax_neighbours = 0;
-      s.matching.ambiguity = 1;
-    }],
-    ['robust, without parallax and ambiguity rules', (s) => {
-      s.matching.parallax_neighbours = 0;
-      s.matching.ambiguity = 1;
-    }],
+    [
+      'denominator floor',
+      (s) => {
+        s.matching.denominator = 'floor';
+      },
+    ],
+    [
+      'determinant form',
+      (s) => {
+        s.orientation.method = 'determinant';
+      },
+    ],
+    [
+      'plain least squares, not robust',
+      (s) => {
+        s.orientation.robust = false;
+      },
+    ],
+    [
+      'plain, without parallax and ambiguity rules',
+      (s) => {
+        s.orientation.robust = false;
+        s.matching.parallax_neighbours = 0;
+        s.matching.ambiguity = 1;
+      },
+    ],
+    [
+      'robust, without parallax and ambiguity rules',
+      (s) => {
+        s.matching.parallax_neighbours = 0;
+        s.matching.ambiguity = 1;
+      },
+    ],
   ];
   for (const [label, change] of runs) {
     const settings = settingsWith((s) => {
@@ -57,8 +95,16 @@ function simulatedPair() {
     if (!o) console.log(`    no orientation: ${output.no_orientation && message('no_orientation', output.no_orientation)}`);
     else console.log(`    ${precisionOf(o, output.pixel_mm ?? null)}; errors ${errorsOf(o, truth)}`);
   }
-  const phases = match_pair(left, right, input, settingsWith(() => {}));
-  for (const [side, { counts }] of /** @type {const} */ ([['left', phases.left], ['right', phases.right]])) {
+  const phases = match_pair(
+    left,
+    right,
+    input,
+    settingsWith(() => {}),
+  );
+  for (const [side, { counts }] of /** @type {const} */ ([
+    ['left', phases.left],
+    ['right', phases.right],
+  ])) {
     console.log(`  ${side}: ${counts.candidates} candidates, ${counts.after_roundness} after roundness, ${counts.after_suppression} after suppression`);
   }
 }
@@ -84,7 +130,10 @@ function posedPair(name, a, b, change, label = 'paper settings') {
   const [first, second] = cameras;
   if (!first || !second) throw new Error(`${name}: the truth names no camera`);
   /** @type {[string, import('../../pkg/node.js').Given<import('../../pkg/node.js').PairInput>][]} */
-  const ways = [['EXIF camera', {}], ['known camera', { camera: cameraOf(first, left.width, left.height) }]];
+  const ways = [
+    ['EXIF camera', {}],
+    ['known camera', { camera: cameraOf(first, left.width, left.height) }],
+  ];
   for (const [way, input] of ways) {
     const output = match_pair(left, right, input, settingsWith(change));
     const score = sampsonShare(output.match.matches, first, second, rotation, direction);
@@ -94,8 +143,10 @@ function posedPair(name, a, b, change, label = 'paper settings') {
       continue;
     }
     const pose = poseOf(output.orientation);
-    console.log(`    ${precisionOf(output.orientation, output.pixel_mm ?? null)}; rotation error ${rotationError(pose.rotation, rotation).toFixed(3)} deg, `
-      + `base direction error ${directionError(pose.direction, direction).toFixed(3)} deg`);
+    console.log(
+      `    ${precisionOf(output.orientation, output.pixel_mm ?? null)}; rotation error ${rotationError(pose.rotation, rotation).toFixed(3)} deg, ` +
+        `base direction error ${directionError(pose.direction, direction).toFixed(3)} deg`,
+    );
   }
   left.free();
   right.free();

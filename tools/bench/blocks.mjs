@@ -38,7 +38,9 @@ async function besideColmap(rounds) {
   const found = { command: [], page: [], colmap: [] };
   for (let round = 0; round < rounds; round += 1) {
     if (lacks.status === 0) {
-      const { command, colmap } = JSON.parse(await jsonOf(python, [join(ROOT, 'tools/bench/block.py'), join(DATA, NAME), '--threads', String(WORKERS), '--runs', '1', '--json']));
+      const { command, colmap } = JSON.parse(
+        await jsonOf(python, [join(ROOT, 'tools/bench/block.py'), join(DATA, NAME), '--threads', String(WORKERS), '--runs', '1', '--json']),
+      );
       found.command.push(command);
       found.colmap.push(colmap);
     } else found.command.push(await byCommand());
@@ -50,7 +52,9 @@ async function besideColmap(rounds) {
   if (page) tell('page in Chromium', found.page, colmap);
   const [first] = colmap;
   if (!first) return;
-  console.log(`  COLMAP ${first.version}: ${median(colmap.map(({ seconds }) => seconds)).toFixed(1)}, processor ${median(colmap.map(({ cpu }) => cpu)).toFixed(1)}`);
+  console.log(
+    `  COLMAP ${first.version}: ${median(colmap.map(({ seconds }) => seconds)).toFixed(1)}, processor ${median(colmap.map(({ cpu }) => cpu)).toFixed(1)}`,
+  );
   console.log(`    ${first.oriented} oriented, mean residual ${first.residual_px.toFixed(3)} px, centres ${first.centres} from the reference`);
 }
 
@@ -62,7 +66,8 @@ function tell(name, runs, colmap) {
   const spent = cpu.length > 0 ? `, processor ${median(cpu).toFixed(1)}` : '';
   console.log(`  ${name}: ${median(runs.map(({ seconds }) => seconds)).toFixed(1)}${spent} (${parts.join(', ')})`);
   if (colmap.length > 0) {
-    const ratio = (/** @type {(one: { seconds: number, cpu?: number }) => number} */ of) => median(runs.map((one, i) => of(one) / of(/** @type {Ours} */ (colmap[i])))).toFixed(3);
+    const ratio = (/** @type {(one: { seconds: number, cpu?: number }) => number} */ of) =>
+      median(runs.map((one, i) => of(one) / of(/** @type {Ours} */ (colmap[i])))).toFixed(3);
     console.log(`    ratio to COLMAP ${ratio(({ seconds }) => seconds)}${cpu.length > 0 ? `, of processor time ${ratio((one) => one.cpu ?? NaN)}` : ''}`);
   }
   console.log(`    ${oriented} oriented, RMSE ${rmsePx.toFixed(3)} px${centres ? `, centres ${centres} from the reference` : ''}`);
@@ -80,7 +85,9 @@ async function byCommand() {
   const out = mkdtempSync(join(tmpdir(), 'tiepoint-bench-'));
   try {
     const began = performance.now();
-    const { output } = await run(process.execPath, [join(ROOT, 'pkg/bin/tiepoint.js'), 'block', join(DATA, NAME), '--out', out, '--workers', String(WORKERS)], { quiet: true });
+    const { output } = await run(process.execPath, [join(ROOT, 'pkg/bin/tiepoint.js'), 'block', join(DATA, NAME), '--out', out, '--workers', String(WORKERS)], {
+      quiet: true,
+    });
     const seconds = (performance.now() - began) / 1000;
     const { orientation } = JSON.parse(readFileSync(join(out, 'summary.json'), 'utf8'));
     const stages = [...output.matchAll(/^([a-z ]+?)(?:: \d+.*)? in ([\d.]+) s$/gm)].map(([, name, s]) => [name, Number(s)]);
@@ -99,7 +106,9 @@ async function pageOf() {
   }
   const server = await servePage();
   const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--disable-quic', '--no-first-run'] });
-  const files = readdirSync(join(DATA, NAME)).filter((name) => name.endsWith('.jpg')).map((name) => join(DATA, NAME, name));
+  const files = readdirSync(join(DATA, NAME))
+    .filter((name) => name.endsWith('.jpg'))
+    .map((name) => join(DATA, NAME, name));
   /** @returns {Promise<Ours>} */
   const once = async () => {
     const context = await browser.newContext();
@@ -113,13 +122,21 @@ async function pageOf() {
     await tab.waitForFunction(() => /Press Run/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''));
     const began = performance.now();
     await part('block-run').click();
-    await tab.waitForFunction(() => /^Done|Kept:|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, { timeout: 600_000 });
+    await tab.waitForFunction(() => /^Done|Kept:|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, {
+      timeout: 600_000,
+    });
     const seconds = (performance.now() - began) / 1000;
     const text = async (/** @type {string} */ id) => (await part(id).textContent()) ?? '';
     /** @type {Record<string, number>} */
     const stages = {};
     for (const stage of ['images', 'pairs', 'points', 'orientation']) stages[stage] = Number(/([\d.]+) s/.exec(await text(`stage-${stage}`))?.[1]);
-    const ours = { seconds, stages, oriented: Number.parseInt(await text('block-oriented'), 10), rmsePx: Number.parseFloat(await text('block-rmse')), centres: '' };
+    const ours = {
+      seconds,
+      stages,
+      oriented: Number.parseInt(await text('block-oriented'), 10),
+      rmsePx: Number.parseFloat(await text('block-rmse')),
+      centres: '',
+    };
     await context.close();
     return ours;
   };
@@ -138,7 +155,13 @@ async function examples(seeds) {
   const example = async (/** @type {string} */ name, /** @type {string[]} */ ...args) => {
     const { code, output } = await run(...cargo(toolchain, ['run', '--release', '--locked', '--quiet', '--example', name, '--', ...args]), { quiet: true });
     if (code !== 0) throw new Error(`the example ${name} ended with ${code}\n${output.slice(-2000)}`);
-    console.log(output.trimEnd().split('\n').map((line) => `  ${line}`).join('\n'));
+    console.log(
+      output
+        .trimEnd()
+        .split('\n')
+        .map((line) => `  ${line}`)
+        .join('\n'),
+    );
   };
   console.log('Simulated blocks beside their truth (native, one thread)');
   await example('block_truth', seeds);

@@ -10,7 +10,8 @@ export async function calibration() {
   const tests = ['orientation', 'adjustment', 'reconstruction'].flatMap((name) => ['--test', name]);
   const env = { TIEPOINT_STATISTICS: 'full' };
   const text = await must(...cargo(toolchain, ['test', '--locked', '--release', ...tests, '--', '--nocapture', '--test-threads=1']), { env, quiet: true });
-  for (const line of text.split('\n')) if (/variance of |w-tests|blunders|global tests|observations, α|positions \d/.test(line)) console.log(`  ${line.replace(/^test .* \.\.\. /, '')}`);
+  for (const line of text.split('\n'))
+    if (/variance of |w-tests|blunders|global tests|observations, α|positions \d/.test(line)) console.log(`  ${line.replace(/^test .* \.\.\. /, '')}`);
   for (const strategy of /** @type {const} */ (['moments', 'correlation', 'least-squares'])) images(strategy);
 }
 
@@ -31,11 +32,16 @@ function images(strategy) {
     right.free();
     for (const [k, name] of NAMES.entries()) {
       const error = (orientation?.[name] ?? NaN) - made.truth[name];
-      for (const [kind, of] of /** @type {const} */ ([['own', orientation?.standard_errors], ['total', orientation?.total_standard_errors]])) {
+      for (const [kind, of] of /** @type {const} */ ([
+        ['own', orientation?.standard_errors],
+        ['total', orientation?.total_standard_errors],
+      ])) {
         sums[kind][k] = (sums[kind][k] ?? NaN) + (error / (of?.[name] ?? NaN)) ** 2 / FLIGHTS;
       }
     }
   }
   const text = (/** @type {number[]} */ v) => v.map((x) => x.toFixed(2)).join(' ');
-  console.log(`  images, ${strategy}, ${FLIGHTS} towns: mean square of error / standard error of ω φ κ by bz, of the matches alone ${text(sums.own)}, total ${text(sums.total)}`);
+  console.log(
+    `  images, ${strategy}, ${FLIGHTS} towns: mean square of error / standard error of ω φ κ by bz, of the matches alone ${text(sums.own)}, total ${text(sums.total)}`,
+  );
 }

@@ -71,6 +71,10 @@ export function posed(name, a, b) {
 /** @param {any} truth @param {string} file @returns {Pinhole} */
 function pinhole(truth, file) {
   const image = truth.images.find((/** @type {{ file: string }} */ i) => i.file === file);
-  const { K: [f, , cx, cy], k1 = 0, k2 = 0 } = image.reference ?? image;
+  const {
+    K: [f, , cx, cy],
+    k1 = 0,
+    k2 = 0,
+  } = image.reference ?? image;
   return { f, cx: cx + 0.5, cy: cy + 0.5, k1, k2 };
 }

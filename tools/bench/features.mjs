@@ -47,7 +47,9 @@ function rivals(name, files, runs = 1) {
   const python = process.env.TIEPOINT_PYTHON;
   if (!python) return null;
   const paths = files.map((file) => join(DATA, name, file));
-  const { status, stdout, stderr } = spawnSync(python, ['-c', RIVAL, String(feature_defaults().multiscale.number), String(runs), ...paths], { maxBuffer: 1 << 28 });
+  const { status, stdout, stderr } = spawnSync(python, ['-c', RIVAL, String(feature_defaults().multiscale.number), String(runs), ...paths], {
+    maxBuffer: 1 << 28,
+  });
   if (status !== 0) throw new Error(`OpenCV did not run: ${stderr}`);
   const { version, images } = JSON.parse(String(stdout));
   const bytes = (/** @type {string} */ text) => new Uint8Array(Buffer.from(text, 'base64'));
@@ -82,7 +84,9 @@ function spread(times) {
 }
 
 function times() {
-  console.log(`Features: processor time of detection and description (wasm in Node, warm; beside it OpenCV SIFT with a low threshold of contrast, native; one thread each, as many points of both, medians and ranges of ${RUNS - 1} runs)`);
+  console.log(
+    `Features: processor time of detection and description (wasm in Node, warm; beside it OpenCV SIFT with a low threshold of contrast, native; one thread each, as many points of both, medians and ranges of ${RUNS - 1} runs)`,
+  );
   for (const [name = '', file = ''] of TIMED.filter(([name = '']) => have(name))) {
     const photo = photoOf(name, file);
     const rival = rivals(name, [file], RUNS)?.images[0];
@@ -157,8 +161,7 @@ function matches(a, b) {
       }
     }
   }
-  return Array.from({ length: m }, (_, i) => [i, partner[i] ?? 0])
-    .filter(([i = 0, j = 0]) => back[j] === i && (best[i] ?? 0) < 0.64 * (second[i] ?? 0));
+  return Array.from({ length: m }, (_, i) => [i, partner[i] ?? 0]).filter(([i = 0, j = 0]) => back[j] === i && (best[i] ?? 0) < 0.64 * (second[i] ?? 0));
 }
 
 function repeatability() {

@@ -32,15 +32,25 @@ function descriptors() {
   const left = Uint8Array.from({ length: count * DESCRIPTOR_BYTES }, () => 120 * uniform() * uniform());
   const right = left.map((v, i) => (i < left.length / 2 ? v + 8 * uniform() : 120 * uniform() * uniform()));
   const found = match_descriptors(left, right, {}).indices.length / 2;
-  tell(`10,000 x 10,000 descriptors, exactly, ratio and mutual check (${found} matches)`, medianMs(7, () => match_descriptors(left, right, {})));
-  const pieces = () => join_nearest([0, 1].map((k) => nearest_piece(left, (k * count) / 2, ((k + 1) * count) / 2, right)), {});
+  tell(
+    `10,000 x 10,000 descriptors, exactly, ratio and mutual check (${found} matches)`,
+    medianMs(7, () => match_descriptors(left, right, {})),
+  );
+  const pieces = () =>
+    join_nearest(
+      [0, 1].map((k) => nearest_piece(left, (k * count) / 2, ((k + 1) * count) / 2, right)),
+      {},
+    );
   const joined = pieces().indices;
   if (joined.length !== 2 * found) throw new Error('pieces give other matches than the whole');
   tell('the same in two pieces', medianMs(7, pieces));
   const positions = Float64Array.from({ length: 2 * count }, (_, i) => uniform() * (i % 2 === 0 ? WIDTH : HEIGHT));
   const shifted = positions.map((v, i) => (i % 2 === 0 ? v + 300 : v + 2 * uniform() - 1));
   const rows = { fundamental: [0, 0, 0, 0, 0, -1, 0, 1, 0] };
-  tell('the same guided, within 3 px of epipolar lines', medianMs(7, () => match_guided_descriptors(positions, left, shifted, right, rows, {})));
+  tell(
+    'the same guided, within 3 px of epipolar lines',
+    medianMs(7, () => match_guided_descriptors(positions, left, shifted, right, rows, {})),
+  );
 }
 
 /** 2,000 matches of two tilted views over relief, a share of them anywhere.  @param {number} share */
@@ -80,12 +90,17 @@ function orientations() {
   for (const share of [0, 0.3, 0.6]) {
     const uniform = dice(12345);
     const noise = () => 0.02 * (uniform() + uniform() + uniform() + uniform() - 2) * Math.sqrt(3);
-    const observations = Float64Array.from(Array.from({ length: 2000 }, (_, i) => {
-      const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
-      const scale = 1 + 0.08 * (2 * uniform() - 1);
-      const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
-      return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
-    }).flat());
-    tell(`robust orientation of 2,000 observations, ${100 * share} % blunders`, medianMs(15, () => orient_relative(observations, 153.38, {}, null)));
+    const observations = Float64Array.from(
+      Array.from({ length: 2000 }, (_, i) => {
+        const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
+        const scale = 1 + 0.08 * (2 * uniform() - 1);
+        const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
+        return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
+      }).flat(),
+    );
+    tell(
+      `robust orientation of 2,000 observations, ${100 * share} % blunders`,
+      medianMs(15, () => orient_relative(observations, 153.38, {}, null)),
+    );
   }
 }

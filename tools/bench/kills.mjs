@@ -31,7 +31,9 @@ export async function kills() {
       wrong += same(expected, contents(join(folder, name))) ? 0 : 1;
       blocks += 1;
     }
-    console.log(`Killed ${done} times at random moments within ${(whole / 1000).toFixed(1)} s, started again each time: ${blocks - wrong} of ${blocks} blocks ended with the bytes of an uninterrupted run`);
+    console.log(
+      `Killed ${done} times at random moments within ${(whole / 1000).toFixed(1)} s, started again each time: ${blocks - wrong} of ${blocks} blocks ended with the bytes of an uninterrupted run`,
+    );
     if (wrong > 0) throw new Error('a run that was killed and started again gave other bytes');
   } finally {
     rmSync(folder, { recursive: true });

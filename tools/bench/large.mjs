@@ -26,14 +26,23 @@ const PATIENCE_MS = 300_000;
 /** @param {string} url of the page @param {Launch} launch a browser of its own for each figure, so that memory is not what others left */
 export async function largeImages(url, launch) {
   console.log('  a pair of 12 MP by gradients, two workers: files to orientation, drawn');
-  await report(url, launch, await pairFiles(), (tab) => tab.waitForFunction(() => document.querySelector('[data-testid="status"][data-kind="done"]'), undefined, { timeout: PATIENCE_MS }));
+  await report(url, launch, await pairFiles(), (tab) =>
+    tab.waitForFunction(() => document.querySelector('[data-testid="status"][data-kind="done"]'), undefined, { timeout: PATIENCE_MS }),
+  );
   const png = await made('large.png', mosaic);
   for (const file of [png, await made('large.jpg', () => asJpeg(png, launch))]) {
-    console.log(`  one image of 100 MP, ${file.slice(-3)} of ${(statSync(file).size / 1e6).toFixed(0)} MB, two workers: opened, points of many scales found, drawn`);
-    await report(url, launch, [file], (tab) => tab.waitForFunction(
-      () => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('One image') && /\d/.test(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent ?? ''),
-      undefined, { timeout: PATIENCE_MS },
-    ));
+    console.log(
+      `  one image of 100 MP, ${file.slice(-3)} of ${(statSync(file).size / 1e6).toFixed(0)} MB, two workers: opened, points of many scales found, drawn`,
+    );
+    await report(url, launch, [file], (tab) =>
+      tab.waitForFunction(
+        () =>
+          document.querySelector('[data-testid="status"]')?.textContent?.startsWith('One image') &&
+          /\d/.test(document.querySelector('[data-testid="count-left-after_suppression"]')?.textContent ?? ''),
+        undefined,
+        { timeout: PATIENCE_MS },
+      ),
+    );
   }
 }
 
@@ -54,13 +63,20 @@ async function report(url, launch, files, finished) {
     await tab.locator('[data-testid="file-input"]').setInputFiles(files);
     await finished(tab);
     // Drawn with the frame after the next.
-    await tab.evaluate(() => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); }));
+    await tab.evaluate(
+      () =>
+        new Promise((resolve) => {
+          requestAnimationFrame(() => requestAnimationFrame(resolve));
+        }),
+    );
     const seconds = (performance.now() - started) / 1000;
     const pause = await tab.evaluate(() => /** @type {Window & { longestPause?: number }} */ (window).longestPause ?? NaN);
     const after = await processOfPage(browser);
     const { wasm, heaps } = await memory();
     const status = (await tab.locator('[data-testid="status"]').textContent()) ?? '';
-    console.log(`    ${seconds.toFixed(1)} s, ${(after.seconds - before.seconds).toFixed(1)} s of processor time; longest pause of the page ${pause.toFixed(0)} ms; wasm ${wasm.toFixed(0)} MiB and heaps ${heaps.toFixed(0)} MiB${Number.isNaN(after.peak) ? '' : `; its process at most ${after.peak.toFixed(0)} MiB`}`);
+    console.log(
+      `    ${seconds.toFixed(1)} s, ${(after.seconds - before.seconds).toFixed(1)} s of processor time; longest pause of the page ${pause.toFixed(0)} ms; wasm ${wasm.toFixed(0)} MiB and heaps ${heaps.toFixed(0)} MiB${Number.isNaN(after.peak) ? '' : `; its process at most ${after.peak.toFixed(0)} MiB`}`,
+    );
     console.log(`    ${status}`);
   } finally {
     await browser.close();
@@ -93,7 +109,10 @@ async function made(name, make) {
 export async function pairFiles() {
   if (PHOTOGRAPHS.every((file) => existsSync(file))) return PHOTOGRAPHS;
   console.log('    simulated: no photographs are there (TIEPOINT_DATA names their place)');
-  return [await made('pair-12mp-0.png', () => photoFile({ flight: FLIGHT, index: 0 })), await made('pair-12mp-1.png', () => photoFile({ flight: FLIGHT, index: 1 }))];
+  return [
+    await made('pair-12mp-0.png', () => photoFile({ flight: FLIGHT, index: 0 })),
+    await made('pair-12mp-1.png', () => photoFile({ flight: FLIGHT, index: 1 })),
+  ];
 }
 
 /** A simulated photo beside its mirror images, so that it goes on without an edge. */
@@ -125,7 +144,9 @@ async function asJpeg(png, launch) {
       canvas.getContext('2d')?.drawImage(bitmap, 0, 0);
       const reader = new FileReader();
       reader.readAsDataURL(await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.9 }));
-      await new Promise((resolve) => { reader.onload = resolve; });
+      await new Promise((resolve) => {
+        reader.onload = resolve;
+      });
       return String(reader.result).replace(/^[^,]*,/, '');
     });
     return Buffer.from(base64, 'base64');

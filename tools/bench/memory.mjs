@@ -26,13 +26,21 @@ export async function memory() {
   const exposures = Math.ceil(photos / strips);
   const folder = mkdtempSync(join(tmpdir(), 'tiepoint-memory-'));
   try {
-    await must(process.execPath, [PROGRAM, 'simulate', '--block', '--out', folder, '--strips', String(strips), '--exposures', String(exposures), ...PHOTO], { quiet: true });
+    await must(process.execPath, [PROGRAM, 'simulate', '--block', '--out', folder, '--strips', String(strips), '--exposures', String(exposures), ...PHOTO], {
+      quiet: true,
+    });
     const { code, marks, peaks, output } = await watched(join(folder, 'photos'), join(folder, 'block'), workers);
     if (code !== 0) throw new Error(`the block of ${strips * exposures} photos ended with ${code}\n${output.slice(-1500)}`);
     const mb = (/** @type {number} */ kb) => `${(kb / 1000).toFixed(0)} MB`;
     console.log(`Memory of the command, ${strips * exposures} simulated photos of 4 MP, ${workers} workers (resident, all threads; peaks)`);
-    console.log(`  until ${FIRST} images were done: ${mb(peaks.first)}; during the other images: ${mb(peaks.images)}, ratio ${(peaks.images / peaks.first).toFixed(2)}`);
-    console.log(`  by shares of the other images: ${tenths(marks).map((kb) => mb(kb)).join(', ')}`);
+    console.log(
+      `  until ${FIRST} images were done: ${mb(peaks.first)}; during the other images: ${mb(peaks.images)}, ratio ${(peaks.images / peaks.first).toFixed(2)}`,
+    );
+    console.log(
+      `  by shares of the other images: ${tenths(marks)
+        .map((kb) => mb(kb))
+        .join(', ')}`,
+    );
     console.log(`  during the pairs: ${mb(peaks.pairs)}; points and orientation: ${mb(peaks.end)}`);
   } finally {
     rmSync(folder, { recursive: true });
@@ -48,20 +56,25 @@ function watched(photos, out, workers) {
   /** Of each look during the images after the first ones, in kB.  @type {number[]} */
   const marks = [];
   let output = '';
-  return /** @type {Promise<{ code: number, marks: number[], peaks: Record<Phase, number>, output: string }>} */ (new Promise((resolve) => {
-    const child = spawn(process.execPath, [PROGRAM, 'block', photos, '--out', out, '--workers', workers], { stdio: ['ignore', 'pipe', 'pipe'] });
-    for (const stream of [child.stdout, child.stderr]) stream.on('data', (chunk) => { output += chunk; });
-    const timer = setInterval(() => {
-      const kb = residentKb(child.pid ?? 0);
-      const phase = phaseOf(output, join(out, 'work', 'features'));
-      peaks[phase] = Math.max(peaks[phase], kb);
-      if (phase === 'images') marks.push(kb);
-    }, STEP_MS);
-    child.on('close', (code) => {
-      clearInterval(timer);
-      resolve({ code: code ?? 1, marks, peaks, output });
-    });
-  }));
+  return /** @type {Promise<{ code: number, marks: number[], peaks: Record<Phase, number>, output: string }>} */ (
+    new Promise((resolve) => {
+      const child = spawn(process.execPath, [PROGRAM, 'block', photos, '--out', out, '--workers', workers], { stdio: ['ignore', 'pipe', 'pipe'] });
+      for (const stream of [child.stdout, child.stderr])
+        stream.on('data', (chunk) => {
+          output += chunk;
+        });
+      const timer = setInterval(() => {
+        const kb = residentKb(child.pid ?? 0);
+        const phase = phaseOf(output, join(out, 'work', 'features'));
+        peaks[phase] = Math.max(peaks[phase], kb);
+        if (phase === 'images') marks.push(kb);
+      }, STEP_MS);
+      child.on('close', (code) => {
+        clearInterval(timer);
+        resolve({ code: code ?? 1, marks, peaks, output });
+      });
+    })
+  );
 }
 
 /** @param {string} output what the command has said @param {string} features the folder of the images' records @returns {Phase} */

@@ -29,15 +29,18 @@ export async function watchMemory(page) {
   });
   await session.send('Target.setAutoAttach', { autoAttach: true, waitForDebuggerOnStart: false, flatten: false });
   /** @type {(sessionId: string) => (method: string, params?: object) => Promise<any>} */
-  const worker = (sessionId) => (method, params = {}) => new Promise((resolve, reject) => {
-    const id = ++last;
-    waiting.set(id, ({ result, error }) => {
-      waiting.delete(id);
-      if (error) reject(new Error(`${method}: ${error.message}`));
-      else resolve(result);
-    });
-    session.send('Target.sendMessageToTarget', { sessionId, message: JSON.stringify({ id, method, params }) }).catch(reject);
-  });
+  const worker =
+    (sessionId) =>
+    (method, params = {}) =>
+      new Promise((resolve, reject) => {
+        const id = ++last;
+        waiting.set(id, ({ result, error }) => {
+          waiting.delete(id);
+          if (error) reject(new Error(`${method}: ${error.message}`));
+          else resolve(result);
+        });
+        session.send('Target.sendMessageToTarget', { sessionId, message: JSON.stringify({ id, method, params }) }).catch(reject);
+      });
   const own = (/** @type {string} */ method, params = {}) => session.send(/** @type {any} */ (method), params);
   return async () => {
     /** @type {{ wasm: number, heaps: number }[]} */

@@ -55,14 +55,36 @@ function referenceOf({ images }) {
   /** @type {Known[]} */
   const known = images.filter((/** @type {any} */ image) => image.reference);
   /** @param {Known} image @returns {BlockModel['cameras'][number]} */
-  const camera = ({ width, height, reference: { K: [focal, , x, y] } }) => (
-    { width_px: width, height_px: height, focal_px: focal, principal_point_px: [x + 0.5, y + 0.5], radial: [0, 0, 0], tangential: [0, 0], pixel_mm: null }
-  );
+  const camera = ({
+    width,
+    height,
+    reference: {
+      K: [focal, , x, y],
+    },
+  }) => ({
+    width_px: width,
+    height_px: height,
+    focal_px: focal,
+    principal_point_px: [x + 0.5, y + 0.5],
+    radial: [0, 0, 0],
+    tangential: [0, 0],
+    pixel_mm: null,
+  });
   // Its cameras look along +z with y down.
   const turned = (/** @type {Three} */ [x, y, z]) => /** @type {Three} */ ([-x, -y, -z]);
   /** @param {Known} image @returns {NonNullable<BlockModel['images'][number]['pose']>} */
-  const pose = ({ reference: { R_cw: [right, down, ahead], C } }) => ({ rotation: [right, turned(down), turned(ahead)], position: C });
-  return { cameras: known.map(camera), images: known.map((image, index) => ({ name: image.file, camera: index, pose: pose(image) })), points: [], origin: null };
+  const pose = ({
+    reference: {
+      R_cw: [right, down, ahead],
+      C,
+    },
+  }) => ({ rotation: [right, turned(down), turned(ahead)], position: C });
+  return {
+    cameras: known.map(camera),
+    images: known.map((image, index) => ({ name: image.file, camera: index, pose: pose(image) })),
+    points: [],
+    origin: null,
+  };
 }
 
 /** @param {string} folder @param {string} name @param {string[]} options */
@@ -78,8 +100,10 @@ function simulated(folder, name, options) {
     const run = block(own, name, method, [join(own, 'photos'), '--cameras', cameras, '--truth', join(own, 'truth.json')]);
     const { position_rmse_m: centres, angle_rmse_deg: angles, right_rmse_px: meet, points, right_points: right } = run.summary.score;
     const { ray, count, strangers, place } = trueErrors(scene, truth, run);
-    console.log(`${name}, ${method}: ${figures(run)}; by the truth: ${right} of ${points} points right, their rays meet within ${meet.toFixed(4)} px; half of the rays are within ${ray.toFixed(4)} px `
-      + `of where the surface at the reference ray is seen (${count} rays, ${strangers} further than ${SAME_SURFACE_PX} px), half of the points, intersected by true orientations, within ${place.toFixed(4)} m of it; centres ${listed(centres, 4)} m, angles ${angles.toFixed(4)} deg`);
+    console.log(
+      `${name}, ${method}: ${figures(run)}; by the truth: ${right} of ${points} points right, their rays meet within ${meet.toFixed(4)} px; half of the rays are within ${ray.toFixed(4)} px ` +
+        `of where the surface at the reference ray is seen (${count} rays, ${strangers} further than ${SAME_SURFACE_PX} px), half of the points, intersected by true orientations, within ${place.toFixed(4)} m of it; centres ${listed(centres, 4)} m, angles ${angles.toFixed(4)} deg`,
+    );
   }
   scene.free();
 }
@@ -93,7 +117,7 @@ function block(folder, name, method, args) {
   const model = FinishedBlock.open(readFileSync(join(out, 'project.tiepoint'))).model();
   const [header = '', ...lines] = readFileSync(join(out, 'rays.csv'), 'utf8').trimEnd().split('\n');
   const column = header.split(',').indexOf('refinement');
-  const outcomes = lines.map((line) => (column < 0 ? '' : line.split(',')[column] ?? ''));
+  const outcomes = lines.map((line) => (column < 0 ? '' : (line.split(',')[column] ?? '')));
   let next = 0;
   const rays = model.points.map((point) => point.rays.map((ray) => ({ ...ray, outcome: outcomes[next++] ?? '' })));
   return { summary: readJson(join(out, 'summary.json')), model, rays, seconds };
@@ -108,7 +132,11 @@ function call(...args) {
 /** @param {Run} run */
 function figures({ summary: { refinement, orientation, images } }) {
   const [model] = orientation.models ?? [];
-  const told = refinement ? `${refinement.refined} of ${refinement.rays - refinement.references} rays refined (kept: ${Object.entries(refinement.kept).map(([why, count]) => `${count} ${why}`).join(', ')}); ` : '';
+  const told = refinement
+    ? `${refinement.refined} of ${refinement.rays - refinement.references} rays refined (kept: ${Object.entries(refinement.kept)
+        .map(([why, count]) => `${count} ${why}`)
+        .join(', ')}); `
+    : '';
   return `${told}${orientation.oriented} of ${images.read} oriented, ${orientation.points} points, ${orientation.rays} rays, RMSE ${model.rmse_px.toFixed(4)} px, sigma0 ${model.sigma0_px.toFixed(4)} px`;
 }
 
@@ -147,9 +175,14 @@ function surfacesOf(scene, indices, rays) {
   const surfaces = rays.map(() => []);
   indices.forEach((photo, image) => {
     const own = rays.flatMap((of, point) => (referenceRay(of).image === image ? [point] : []));
-    const at = own.flatMap((point) => { const { x_px: x, y_px: y } = referenceRay(rays[point] ?? []); return [x, y]; });
+    const at = own.flatMap((point) => {
+      const { x_px: x, y_px: y } = referenceRay(rays[point] ?? []);
+      return [x, y];
+    });
     const places = scene.surface_at(photo, Float64Array.from(at));
-    own.forEach((point, i) => { surfaces[point] = Array.from(places.subarray(3 * i, 3 * i + 3)); });
+    own.forEach((point, i) => {
+      surfaces[point] = Array.from(places.subarray(3 * i, 3 * i + 3));
+    });
   });
   return surfaces;
 }
@@ -172,9 +205,16 @@ function project(truth, index, place) {
 
 /** The place nearest to all rays, by Cramer's rule.  @param {BlockModel} truth @param {{ image: number, at: number[] }[]} rays @returns {number[]} */
 function intersect(truth, rays) {
-  const n = [[0, 0, 0], [0, 0, 0], [0, 0, 0]];
+  const n = [
+    [0, 0, 0],
+    [0, 0, 0],
+    [0, 0, 0],
+  ];
   const b = [0, 0, 0];
-  for (const { image, at: [x = 0, y = 0] } of rays) {
+  for (const {
+    image,
+    at: [x = 0, y = 0],
+  } of rays) {
     const { m, centre, focal, middle } = viewOf(truth, image);
     const photo = [x - middle[0], middle[1] - y, -focal];
     const along = [0, 1, 2].map((axis) => m.reduce((sum, row, r) => sum + (row[axis] ?? 0) * (photo[r] ?? 0), 0));
@@ -188,7 +228,7 @@ function intersect(truth, rays) {
     }
   }
   const whole = determinant(n);
-  return [0, 1, 2].map((column) => determinant(n.map((row, r) => row.map((v, c) => (c === column ? b[r] ?? 0 : v)))) / whole);
+  return [0, 1, 2].map((column) => determinant(n.map((row, r) => row.map((v, c) => (c === column ? (b[r] ?? 0) : v)))) / whole);
 }
 
 /** @param {number[][]} m */

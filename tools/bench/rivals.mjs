@@ -20,7 +20,9 @@ function median(values) {
 function tell(what, score, { seconds, points, note }) {
   const times = ['features', 'matching', 'geometry'].map((part) => `${part} ${figure(seconds[part], 3)} s`).join(', ');
   const errors = `rotation ${figure(score.rotation_error_deg, 3)}°, direction ${figure(score.direction_error_deg, 3)}°`;
-  console.log(`    ${what.padEnd(12)} ${(points ?? []).join(' and ')} points, right ${score.right ?? '-'} of ${score.matches} (${figure(score.share, 3)}), ${errors}; ${times}${note ? `; ${note}` : ''}`);
+  console.log(
+    `    ${what.padEnd(12)} ${(points ?? []).join(' and ')} points, right ${score.right ?? '-'} of ${score.matches} (${figure(score.share, 3)}), ${errors}; ${times}${note ? `; ${note}` : ''}`,
+  );
 }
 
 /** @typedef {{ scores: import('./rivals/opencv.mjs').Score[], entries: import('./rivals/ours.mjs').Entry[] }} Rival */
@@ -40,10 +42,17 @@ function compare(what, own, rival, pairs) {
   });
   const right = both.map(({ mine, theirs }) => (mine.score.right ?? 0) / Math.max(1, theirs.score.right ?? 0));
   const times = both.map(({ mine, theirs }) => (mine.entry.seconds.features ?? NaN) / (theirs.entry.seconds.features ?? NaN));
-  console.log(`  ours by ${what}: right matches median ${median(right).toFixed(2)}, least ${Math.min(...right).toFixed(2)}; features' time median ${median(times).toFixed(2)}, most ${Math.max(...times).toFixed(2)}`);
+  console.log(
+    `  ours by ${what}: right matches median ${median(right).toFixed(2)}, least ${Math.min(...right).toFixed(2)}; features' time median ${median(times).toFixed(2)}, most ${Math.max(...times).toFixed(2)}`,
+  );
   for (const error of /** @type {const} */ (['rotation_error_deg', 'direction_error_deg'])) {
-    const ratios = both.filter(({ theirs }) => theirs.score[error] !== undefined).map(({ mine, theirs }) => (mine.score[error] ?? Infinity) / (theirs.score[error] ?? NaN));
-    if (ratios.length > 0) console.log(`    ${error.split('_')[0]} error lower on ${ratios.filter((ratio) => ratio < 1).length} of ${ratios.length} pairs, by ${median(ratios).toFixed(2)} in the median, ${Math.max(...ratios).toFixed(2)} at most`);
+    const ratios = both
+      .filter(({ theirs }) => theirs.score[error] !== undefined)
+      .map(({ mine, theirs }) => (mine.score[error] ?? Infinity) / (theirs.score[error] ?? NaN));
+    if (ratios.length > 0)
+      console.log(
+        `    ${error.split('_')[0]} error lower on ${ratios.filter((ratio) => ratio < 1).length} of ${ratios.length} pairs, by ${median(ratios).toFixed(2)} in the median, ${Math.max(...ratios).toFixed(2)} at most`,
+      );
   }
 }
 
@@ -52,7 +61,9 @@ export async function rivals(fresh = process.argv.includes('--fresh')) {
   const reason = missing();
   const pairs = knownPairs();
   if (reason || pairs.length === 0) return console.log(`rivals: skipped, ${reason ?? 'no pairs with truth are there'}`);
-  console.log('Rivals (ours: wasm in Node, warm; SIFT: OpenCV natively; ORB: OpenCV.js, which has neither SIFT nor the essential matrix; one thread each, at most 10,000 points)');
+  console.log(
+    'Rivals (ours: wasm in Node, warm; SIFT: OpenCV natively; ORB: OpenCV.js, which has neither SIFT nor the essential matrix; one thread each, at most 10,000 points)',
+  );
   const rival = (/** @type {string} */ name, /** @type {import('./rivals/ours.mjs').Entry[]} */ entries) => ({ entries, scores: scores(name, entries) });
   const own = rival('ours', pairs.map(ours));
   const sift = rival('sift', await nativeSift(false, fresh));
@@ -60,7 +71,12 @@ export async function rivals(fresh = process.argv.includes('--fresh')) {
   const script = rival('opencvjs', await kept('opencvjs', fresh, async (file) => writeFileSync(file, JSON.stringify(await byOpenCvJs(pairs)))));
   for (const pair of pairs) {
     console.log(`  ${pair.name} ${pair.a} ${pair.b}`);
-    for (const [what, found] of /** @type {const} */ ([['ours', own], ['SIFT', sift], ['SIFT, low T', many], ['ORB (js)', script]])) {
+    for (const [what, found] of /** @type {const} */ ([
+      ['ours', own],
+      ['SIFT', sift],
+      ['SIFT, low T', many],
+      ['ORB (js)', script],
+    ])) {
       const figures = of(found, pair);
       if (figures) tell(what, figures.score, figures.entry);
     }

@@ -29,7 +29,7 @@ export function speed() {
     windows('simulated-a', left, right);
   }
   const made = simulate({});
-  pair('sample', ...(/** @type {[Photo, Photo]} */ ([made.left, made.right].map((p) => Photo.from_grey(p.width, p.height, p.grey)))));
+  pair('sample', .../** @type {[Photo, Photo]} */ ([made.left, made.right].map((p) => Photo.from_grey(p.width, p.height, p.grey))));
   if (have('pair_full_caliterra')) large();
 }
 
@@ -48,19 +48,35 @@ function pair(name, left, right) {
     const [a, b] = [detect(left), detect(right)];
     return match_points(a, describe(left, a), b, describe(right, b), offset(), matching);
   };
-  tell(`${name}, operators to matches of both images`, medianMs(101, whole(() => constant_offset(dx, dy))));
+  tell(
+    `${name}, operators to matches of both images`,
+    medianMs(
+      101,
+      whole(() => constant_offset(dx, dy)),
+    ),
+  );
   tell(`${name}, the same with the offset estimated`, medianMs(51, whole(reduced)));
-  tell(`${name}, points of both images`, medianMs(101, () => [detect(left), detect(right)]));
-  tell(`${name}, moments of both images`, medianMs(101, () => [describe(left, pl), describe(right, pr)]));
-  tell(`${name}, matching`, medianMs(101, () => match_points(pl, dl, pr, dr, constant_offset(dx, dy), matching)));
+  tell(
+    `${name}, points of both images`,
+    medianMs(101, () => [detect(left), detect(right)]),
+  );
+  tell(
+    `${name}, moments of both images`,
+    medianMs(101, () => [describe(left, pl), describe(right, pr)]),
+  );
+  tell(
+    `${name}, matching`,
+    medianMs(101, () => match_points(pl, dl, pr, dr, constant_offset(dx, dy), matching)),
+  );
   tell(`${name}, offset`, medianMs(51, reduced));
 }
 
 /** 2,000 points by grey values, windows of 21 x 21 px.  @param {string} name @param {Photo} left @param {Photo} right */
 function windows(name, left, right) {
   const { points } = left.detect(settingsWith(() => {}));
-  const inner = Array.from({ length: points.length / 3 }, (_, i) => points.subarray(3 * i, 3 * i + 3))
-    .filter(([x = 0, y = 0]) => x > 40 && y > 40 && x < left.width - 40 && y < left.height - 40);
+  const inner = Array.from({ length: points.length / 3 }, (_, i) => points.subarray(3 * i, 3 * i + 3)).filter(
+    ([x = 0, y = 0]) => x > 40 && y > 40 && x < left.width - 40 && y < left.height - 40,
+  );
   const chosen = Float64Array.from({ length: 6000 }, (_, i) => inner[Math.floor((Math.floor(i / 3) * inner.length) / 2000)]?.[i % 3] ?? NaN);
   const run = (/** @type {Partial<import('../../pkg/node.js').MatchOptions>} */ matching) => {
     const settings = defaults();
@@ -73,7 +89,11 @@ function windows(name, left, right) {
   tell(`${name}, correlation of 2,000 points, 21 x 21 px, in 41 x 41 places (61 x 61 px)`, run({ search: 41 }));
   tell(`${name}, least squares matching of the correlated of these, beside their correlation`, run({ refine: 'least-squares' }) - plain);
   tell(`${name}, least squares matching of 2,000 points from coarse to fine`, run({ strategy: 'least-squares' }));
-  for (const share of [0, 0.3, 0.6]) tell(`robust orientation of 2,000 observations, ${100 * share} % blunders`, medianMs(9, () => orient_relative(spoiled(share), 153.38, {}, null)));
+  for (const share of [0, 0.3, 0.6])
+    tell(
+      `robust orientation of 2,000 observations, ${100 * share} % blunders`,
+      medianMs(9, () => orient_relative(spoiled(share), 153.38, {}, null)),
+    );
 }
 
 /** Observations of relief over 60 % overlap with noise of 0.02 mm, of which a share has right points anywhere within 3 mm.  @param {number} share */
@@ -84,21 +104,27 @@ function spoiled(share) {
     return state / 2 ** 32;
   };
   const noise = () => 0.02 * (uniform() + uniform() + uniform() + uniform() - 2) * Math.sqrt(3);
-  return Float64Array.from(Array.from({ length: 2000 }, (_, i) => {
-    const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
-    const scale = 1 + 0.08 * (2 * uniform() - 1);
-    const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
-    return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
-  }).flat());
+  return Float64Array.from(
+    Array.from({ length: 2000 }, (_, i) => {
+      const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
+      const scale = 1 + 0.08 * (2 * uniform() - 1);
+      const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
+      return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
+    }).flat(),
+  );
 }
 
 function large() {
   const [name, file] = ['pair_full_caliterra', 'IMG_9401.jpg'];
   const bytes = bytesOf(name, file);
-  tell(`decoding ${file} (12 MP JPEG)`, medianMs(5, () => Photo.decode(bytes).free()));
+  tell(
+    `decoding ${file} (12 MP JPEG)`,
+    medianMs(5, () => Photo.decode(bytes).free()),
+  );
   const photo = photoOf(name, file);
   const settings = settingsWith(() => {});
-  const by = (/** @type {Partial<import('../../pkg/node.js').PointOptions>} */ options) => () => photo.detect({ ...settings, points: { ...settings.points, ...options } });
+  const by = (/** @type {Partial<import('../../pkg/node.js').PointOptions>} */ options) => () =>
+    photo.detect({ ...settings, points: { ...settings.points, ...options } });
   tell('ground 2 on 12 MP, 14.8 % candidates', medianMs(15, by({})));
   tell('ground 2 on 12 MP, T = 40', medianMs(15, by({ fraction: null, threshold: 40 })));
   for (const operator of /** @type {const} */ (['ground1', 'forstner', 'moravec'])) {

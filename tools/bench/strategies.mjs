@@ -28,7 +28,9 @@ const STRATEGIES = [
 const NAMES = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by_mm', 'bz_mm']);
 
 export function strategies() {
-  console.log('Strategies (paper\'s points, ground 2, 14.8 %, where no others are named; edge precision of all matches; true errors of omega phi kappa [deg] by bz [mm], in brackets divided by the total standard error)');
+  console.log(
+    "Strategies (paper's points, ground 2, 14.8 %, where no others are named; edge precision of all matches; true errors of omega phi kappa [deg] by bz [mm], in brackets divided by the total standard error)",
+  );
   if (have('simulated-a')) compare('simulated-a', fromData());
   for (const preset of flight_presets()) compare(`preset ${preset}`, flown(preset));
 }
@@ -67,7 +69,9 @@ function compare(name, { left, right, input, base_mm, truth, share }) {
       console.log(`${found}; no orientation: ${output.no_orientation && message('no_orientation', output.no_orientation)}`);
       continue;
     }
-    const errors = NAMES.map((n) => `${(o[n] - truth[n]).toFixed(4)} (${((o[n] - truth[n]) / (o.total_standard_errors ?? o.standard_errors ?? o)[n]).toFixed(1)})`);
+    const errors = NAMES.map(
+      (n) => `${(o[n] - truth[n]).toFixed(4)} (${((o[n] - truth[n]) / (o.total_standard_errors ?? o.standard_errors ?? o)[n]).toFixed(1)})`,
+    );
     console.log(`${found}, sigma0 ${((o.sigma0_mm ?? NaN) / (output.pixel_mm ?? NaN)).toFixed(3)} px; errors ${errors.join(' ')}`);
   }
   left.free();

@@ -23,7 +23,8 @@ export async function workers() {
   for (let run = 0; run < RUNS; run += 1) for (const [count, pool] of pools) times.get(count)?.push(await searched(pool, left, right));
   await Promise.all([...pools.values()].map((pool) => pool.close()));
   const best = (/** @type {number} */ count) => Math.min(...(times.get(count) ?? []));
-  for (const count of WORKERS) console.log(`  ${count} workers: ${best(count).toFixed(0)} ms, ${(best(1) / best(count)).toFixed(2)} times as fast as one (best of ${RUNS})`);
+  for (const count of WORKERS)
+    console.log(`  ${count} workers: ${best(count).toFixed(0)} ms, ${(best(1) / best(count)).toFixed(2)} times as fast as one (best of ${RUNS})`);
   console.log('tiepoint match --strategy gradient, a pair of 12 MP');
   const files = await pairFiles();
   for (const count of WORKERS) console.log(`  ${count} workers: ${matched(files, count)}`);

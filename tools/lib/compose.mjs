@@ -23,7 +23,11 @@ export const pathOf = (name) => join(name === MODULE ? PKG_WASM : DIST, name);
 const text = (name) => readFileSync(pathOf(name), 'utf8');
 
 /** A script as it may stand inside an HTML script element. Both sequences occur in strings and patterns only.  @param {string} code */
-const inline = (code) => code.trim().replace(/<\/(script)/gi, '<\\/$1').replace(/<!--/g, '\\x3c!--');
+const inline = (code) =>
+  code
+    .trim()
+    .replace(/<\/(script)/gi, '<\\/$1')
+    .replace(/<!--/g, '\\x3c!--');
 
 /** @param {string} content @returns {string} the hash by which a policy names an inline element */
 const hash = (content) => `sha256-${createHash('sha256').update(content).digest('base64')}`;
@@ -41,12 +45,14 @@ export function singleFile() {
   return bare
     .replace(/<meta charset="[^"]*"\s*\/?>/i, (charset) => `${charset}\n    ${policy}`)
     .replace(/\s*<\/head>/, () => `\n    <style>${style}</style>\n  </head>`)
-    .replace('</body>', () => [
-      `<script type="text/plain" id="tiepoint-wasm">${wasm}</script>`,
-      `<script type="text/plain" id="tiepoint-worker">${worker}</script>`,
-      `<script type="module">${script}</script>`,
-      '</body>',
-    ].join('\n'));
+    .replace('</body>', () =>
+      [
+        `<script type="text/plain" id="tiepoint-wasm">${wasm}</script>`,
+        `<script type="text/plain" id="tiepoint-worker">${worker}</script>`,
+        `<script type="module">${script}</script>`,
+        '</body>',
+      ].join('\n'),
+    );
 }
 
 /** Writes the page in one file.  @param {string} path */

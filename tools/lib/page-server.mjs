@@ -37,10 +37,11 @@ export async function servePage({ prefix = '/', port = 0 } = {}) {
   const taken = await listen(server, port);
   return {
     url: `http://127.0.0.1:${taken}${prefix}`,
-    close: () => new Promise((resolve) => {
-      server.close(() => resolve());
-      server.closeAllConnections();
-    }),
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve());
+        server.closeAllConnections();
+      }),
   };
 }
 

@@ -42,6 +42,7 @@ function onlyScript(result) {
   const built = Array.isArray(result) ? result[0] : result;
   const files = built && 'output' in built ? built.output : [];
   const [script, ...others] = files;
-  if (script?.type !== 'chunk' || others.length > 0) throw new Error(`the worker must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
+  if (script?.type !== 'chunk' || others.length > 0)
+    throw new Error(`the worker must be one script, Vite made ${files.map(({ fileName }) => fileName).join(', ')}`);
   return script.code;
 }

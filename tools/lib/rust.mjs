@@ -107,4 +107,3 @@ async function isVersion(program, version) {
   if (!existsSync(program)) return false;
   return (await run(program, ['--version'], { quiet: true })).output.includes(` ${version}`);
 }
-

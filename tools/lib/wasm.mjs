@@ -13,7 +13,12 @@ import { bindgenVersion, cargo, WASM_TARGET } from './rust.mjs';
 /** What wasm-opt may assume of the engine; every browser that has SIMD has the rest. */
 const FEATURES = ['simd', 'bulk-memory', 'nontrapping-float-to-int', 'sign-ext', 'mutable-globals', 'multivalue', 'reference-types'];
 
-const FAST = { CARGO_PROFILE_RELEASE_LTO: 'off', CARGO_PROFILE_RELEASE_CODEGEN_UNITS: '16', CARGO_PROFILE_RELEASE_OPT_LEVEL: '2', CARGO_PROFILE_RELEASE_INCREMENTAL: 'true' };
+const FAST = {
+  CARGO_PROFILE_RELEASE_LTO: 'off',
+  CARGO_PROFILE_RELEASE_CODEGEN_UNITS: '16',
+  CARGO_PROFILE_RELEASE_OPT_LEVEL: '2',
+  CARGO_PROFILE_RELEASE_INCREMENTAL: 'true',
+};
 
 /**
  * @param {import('./rust.mjs').Toolchain} toolchain @param {import('./rust.mjs').BindgenPrograms} programs
@@ -38,7 +43,10 @@ export async function buildWasm(toolchain, programs, out, fast = false) {
 
 /** @param {import('./rust.mjs').Toolchain} toolchain @returns {string[]} */
 function rustFlags(toolchain) {
-  const remap = [[ROOT, '/tiepoint'], [realpathSync(ROOT), '/tiepoint']];
+  const remap = [
+    [ROOT, '/tiepoint'],
+    [realpathSync(ROOT), '/tiepoint'],
+  ];
   const registry = join(process.env.CARGO_HOME ?? join(homedir(), '.cargo'), 'registry', 'src');
   // The folder below is named after the registry's host.
   for (const host of readdirSync(registry).sort()) {
@@ -54,6 +62,8 @@ function rustFlags(toolchain) {
 async function optimise(module) {
   const program = join(ROOT, 'node_modules', 'binaryen', 'bin', 'wasm-opt');
   const features = FEATURES.map((name) => `--enable-${name}`);
-  await must(process.execPath, [program, module, '-O3', ...features, '--strip-debug', '--strip-producers', '--strip-target-features', '-o', module], { quiet: true });
+  await must(process.execPath, [program, module, '-O3', ...features, '--strip-debug', '--strip-producers', '--strip-target-features', '-o', module], {
+    quiet: true,
+  });
   if (statSync(module).size === 0) throw new Error('wasm-opt wrote an empty module');
 }

@@ -26,14 +26,21 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   const engine = new BlockEngine(store);
   const files = new BlockFiles(store, engine);
   const looking = {
-    choose: (choice: typeof store.state.choice) => { store.dispatch({ type: 'choose', choice }); },
-    open: (images: [number, number]) => { openPair(store, images); },
+    choose: (choice: typeof store.state.choice) => store.dispatch({ type: 'choose', choice }),
+    open: (images: [number, number]) => openPair(store, images),
   };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
   const status = mountBlockStatus(store, engine);
-  const settings = tabbed('Settings', [['block-settings', 'Settings'], ['block-flight', 'Simulate']]);
-  const results = tabbed('Results', [['block-results', 'Results'], ['block-images', 'Images'], ['block-points', 'Points']]);
+  const settings = tabbed('Settings', [
+    ['block-settings', 'Settings'],
+    ['block-flight', 'Simulate'],
+  ]);
+  const results = tabbed('Results', [
+    ['block-results', 'Results'],
+    ['block-images', 'Images'],
+    ['block-points', 'Points'],
+  ]);
   const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
   const main = h('main', { class: 'block' }, settings.element, stage, results.element);
 
@@ -46,7 +53,9 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   const back = mountBack(store);
   document.querySelector('body > main')?.before(back);
   heading.after(mountMode(store, { pair: [...pairParts], block: [actions, exports, status, main] }));
-  store.watch((s) => [s.mode, s.opened] as const, ([mode, opened]) => { back.hidden = mode !== 'pair' || opened === null; });
+  store.watch(['mode', 'opened'], ([mode, opened]) => {
+    back.hidden = mode !== 'pair' || opened === null;
+  });
 
   mountActions(actions, store, files);
   mountExports(exports, store, engine);
@@ -57,24 +66,31 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   mountStage(stage, store, looking, files);
   mountImages(results.panels[1], store, { ...looking, point: () => undefined });
   mountPoints(results.panels[2], store);
-  store.watch((s) => [s.running] as const, ([running]) => { if (running.kind === 'yes') showTab('tab-block-results'); });
+  store.watch(['running'], ([running]) => {
+    if (running.kind === 'yes') showTab('tab-block-results');
+  });
   return { store, taker: files.taker };
 }
 
 /** The buttons that give images. */
 function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
-  const take = (given: File[]) => { void files.take(given.map((file) => ({ file, path: file.webkitRelativePath }))); };
-  const [images, imagesInput] = fileButton('Images …', { testid: 'block-files', label: 'Images, cameras or project of a block', multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' }, take,
-    'Image files; a cameras file or a saved project too');
+  const take = (given: File[]) => void files.take(given.map((file) => ({ file, path: file.webkitRelativePath })));
+  const [images, imagesInput] = fileButton(
+    'Images …',
+    { testid: 'block-files', label: 'Images, cameras or project of a block', multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.ppm,.pnm,.json,.tiepoint' },
+    take,
+    'Image files; a cameras file or a saved project too',
+  );
   const [folder, folderInput] = fileButton('Folder …', { testid: 'block-folder', label: 'Folder of images', folder: true }, take, 'All images of a folder');
   const buttons = [
-    images, folder,
-    button('Simulated block', 'block-simulate', () => { void files.simulate(); }, 'Photos of a synthetic scene, rendered in this tab'),
-    button('Clear', 'block-clear', () => { store.dispatch({ type: 'clear' }); }, 'Removes all images'),
+    images,
+    folder,
+    button('Simulated block', 'block-simulate', () => void files.simulate(), 'Photos of a synthetic scene, rendered in this tab'),
+    button('Clear', 'block-clear', () => store.dispatch({ type: 'clear' }), 'Removes all images'),
   ];
   images.classList.add('primary');
   fill(host, ...buttons, imagesInput, folderInput);
-  store.watch((s) => [s.running, s.notice, s.files, s.shown, s.catalogue] as const, ([, , given, shown, catalogue]) => {
+  store.watch(['running', 'notice', 'files', 'shown', 'catalogue'], ([, , given, shown, catalogue]) => {
     for (const press of buttons) press.disabled = catalogue === null || isBusy(store.state);
     const last = buttons.at(-1);
     if (last !== undefined) last.disabled ||= given.length === 0 && shown === null;

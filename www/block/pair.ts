@@ -43,7 +43,10 @@ function readyFor(store: Store, block: BlockStore, camera: CameraMm | null): voi
   const features = block.state.options.settings?.features;
   if (settings !== null && features !== undefined) {
     const { points, matching } = settings;
-    store.dispatch({ type: 'settings', settings: { ...settings, ...features, points: { ...points, operator: null }, matching: { ...matching, strategy: 'gradient' } } });
+    store.dispatch({
+      type: 'settings',
+      settings: { ...settings, ...features, points: { ...points, operator: null }, matching: { ...matching, strategy: 'gradient' } },
+    });
   }
   store.dispatch({ type: 'camera', camera });
   store.dispatch({ type: 'offset', offset: null });

@@ -35,8 +35,22 @@ export interface Pair {
 
 export function mountPair(): Pair {
   const store = new Store();
-  const { element: left, panels: [settings, camera, simulate] } = tabbed('Settings', [['settings', 'Settings'], ['camera', 'Camera'], ['simulate', 'Simulate']]);
-  const { element: right, panels: [results, point, matches] } = tabbed('Results', [['results', 'Results'], ['point', 'Point'], ['matches', 'Matches']]);
+  const {
+    element: left,
+    panels: [settings, camera, simulate],
+  } = tabbed('Settings', [
+    ['settings', 'Settings'],
+    ['camera', 'Camera'],
+    ['simulate', 'Simulate'],
+  ]);
+  const {
+    element: right,
+    panels: [results, point, matches],
+  } = tabbed('Results', [
+    ['results', 'Results'],
+    ['point', 'Point'],
+    ['matches', 'Matches'],
+  ]);
   byId('stage').before(left);
   byId('stage').after(right);
   const engine = new Engine(store);
@@ -56,27 +70,27 @@ export function mountPair(): Pair {
   mountToolbar(byId('toolbar'), store, navigator);
   const pick = pickerOf(files);
   mountPanes(view, store, {
-    open: (side) => { pick(side); },
-    mask: (side) => { pick(side, 'mask'); },
-    unmask: (side) => { store.dispatch({ type: 'mask', side, mask: null }); },
+    open: (side) => pick(side),
+    mask: (side) => pick(side, 'mask'),
+    unmask: (side) => store.dispatch({ type: 'mask', side, mask: null }),
   });
   mountControls(settings, store);
-  mountCamera(camera, store, () => { pick(null); });
-  mountFiducials(camera, store, (side) => { pick(side); });
+  mountCamera(camera, store, () => pick(null));
+  mountFiducials(camera, store, (side) => pick(side));
   mountCounts(results, store);
   mountGeometry(results, store);
   mountOrientation(results, store);
   mountHistograms(results, store);
-  mountPoint(point, store, (side, index) => { navigator.select({ side, index }); });
-  mountStatistics(matches, store, (side, index) => { navigator.select({ side, index }); });
-  mountSimulate(simulate, store, engine, (name, flight) => { void attempt(() => files.takeFlight(name, flight)); });
+  mountPoint(point, store, (side, index) => navigator.select({ side, index }));
+  mountStatistics(matches, store, (side, index) => navigator.select({ side, index }));
+  mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
   mountAnnouncements(byId('announce'), store);
   mountStatus(store, {
-    cancel: () => { engine.cancel(); },
-    run: () => { store.dispatch({ type: 'resume' }); },
+    cancel: () => engine.cancel(),
+    run: () => store.dispatch({ type: 'resume' }),
   });
   mountHeader({ store, engine, view, files, pick, attempt });
-  store.watch((s) => [s.selection] as const, ([selection]) => {
+  store.watch(['selection'], ([selection]) => {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');
   });

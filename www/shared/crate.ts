@@ -1,13 +1,39 @@
 /** The crate as the page's main thread sees it: its types, its fixed data, and drawing. Everything that computes runs in workers. */
-import {
-  defaults, flight_parameters, flight_preset, flight_presets, paper, parameters, rule_names, version,
-} from '../../pkg/wasm/tiepoint.js';
+import { defaults, flight_parameters, flight_preset, flight_presets, paper, parameters, rule_names, version } from '../../pkg/wasm/tiepoint.js';
 import type { Flight, PairSettings as Settings, Paper, Parameter, Preset } from '../../pkg/wasm/tiepoint.js';
 
 export type {
-  CameraMm, DescribedPoints, DetectedPoints, ErrorEllipse, ExifCamera, Fiducial, FiducialModel, FiducialOrientation,
-  FiveParameters, FocalEstimate, Given, GivenPoints, Interior, MatchCounts, MatchResult, MatchScore, NearestPiece, OffsetField, PairInput, PairInterior,
-  PhotoInfo, PointCounts, ReducedImage, RelativeOrientation, ReportTruth, Rule, SampleImage, SamplePair, Strategy, TwoViewModel, Warning,
+  CameraMm,
+  DescribedPoints,
+  DetectedPoints,
+  ErrorEllipse,
+  ExifCamera,
+  Fiducial,
+  FiducialModel,
+  FiducialOrientation,
+  FiveParameters,
+  FocalEstimate,
+  Given,
+  GivenPoints,
+  Interior,
+  MatchCounts,
+  MatchResult,
+  MatchScore,
+  NearestPiece,
+  OffsetField,
+  PairInput,
+  PairInterior,
+  PhotoInfo,
+  PointCounts,
+  ReducedImage,
+  RelativeOrientation,
+  ReportTruth,
+  Rule,
+  SampleImage,
+  SamplePair,
+  Strategy,
+  TwoViewModel,
+  Warning,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
 export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, message, resolved } from '../../pkg/wasm/tiepoint.js';

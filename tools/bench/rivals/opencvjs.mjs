@@ -10,7 +10,10 @@ import { photoOf } from '../data.mjs';
 async function library() {
   await ensurePackages(fileURLToPath(new URL('.', import.meta.url)));
   const cv = createRequire(import.meta.url)('@techstark/opencv-js');
-  if (!cv.Mat) await new Promise((resolve) => { cv.onRuntimeInitialized = () => resolve(null); });
+  if (!cv.Mat)
+    await new Promise((resolve) => {
+      cv.onRuntimeInitialized = () => resolve(null);
+    });
   return { cv };
 }
 
@@ -68,7 +71,13 @@ function mutual(cv, left, right) {
 /** Those that agree with a homography at 1 px.  @param {any} cv @param {number[][]} matches */
 function onPlane(cv, matches) {
   if (matches.length < 4) return matches;
-  const side = (/** @type {number} */ first) => cv.matFromArray(matches.length, 1, cv.CV_32FC2, matches.flatMap((m) => m.slice(first, first + 2)));
+  const side = (/** @type {number} */ first) =>
+    cv.matFromArray(
+      matches.length,
+      1,
+      cv.CV_32FC2,
+      matches.flatMap((m) => m.slice(first, first + 2)),
+    );
   const [left, right, mask] = [side(0), side(2), new cv.Mat()];
   const homography = cv.findHomography(left, right, cv.USAC_MAGSAC, 1.0, mask, 2000, 0.9999);
   const kept = matches.filter((_, k) => mask.data[k]);

@@ -9,8 +9,18 @@ import { DATA, readJson } from '../../lib/paths.mjs';
 
 /** Folders as the rivals' script names them. */
 const FOLDERS = [
-  'homography_graf', 'pair_full_caliterra', 'semisynth_exact_caliterra', 'simulated-a', 'stereo_rectified_motorcycle', 'truth_terrestrial_fountain',
-  'homography_dogman', 'kite_scale_rotation_boruszyn', 'pair_full_boruszyn', 'semisynth_exact_boruszyn', 'stereo_rectified_aloe', 'truth_terrestrial_herzjesu',
+  'homography_graf',
+  'pair_full_caliterra',
+  'semisynth_exact_caliterra',
+  'simulated-a',
+  'stereo_rectified_motorcycle',
+  'truth_terrestrial_fountain',
+  'homography_dogman',
+  'kite_scale_rotation_boruszyn',
+  'pair_full_boruszyn',
+  'semisynth_exact_boruszyn',
+  'stereo_rectified_aloe',
+  'truth_terrestrial_herzjesu',
 ];
 
 /** The pairs that are there.  @returns {Pair[]} */

@@ -27,13 +27,16 @@ export class Coming {
       this.connections.push(news.connection);
       this.geometries.push(news.geometry);
     }
-    this.timer ??= setTimeout(() => {
-      this.timer = null;
-      const began = performance.now();
-      this.tell();
-      const ended = performance.now();
-      this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
-    }, Math.max(0, this.nextAt - performance.now()));
+    this.timer ??= setTimeout(
+      () => {
+        this.timer = null;
+        const began = performance.now();
+        this.tell();
+        const ended = performance.now();
+        this.nextAt = ended + Math.max(PAUSE_MS, (ended - began) / SHARE);
+      },
+      Math.max(0, this.nextAt - performance.now()),
+    );
   }
 
   /** Shows all that was found. */

@@ -44,7 +44,15 @@ export class BlockEngine {
     const channel = new MessageChannel();
     this.listen(channel.port1, files);
     try {
-      const input = { files, options: runOptions(state.options, settings), masks: state.options.masks, truth, workers: this.pool.size, kept: this.kept, port: channel.port2 };
+      const input = {
+        files,
+        options: runOptions(state.options, settings),
+        masks: state.options.masks,
+        truth,
+        workers: this.pool.size,
+        kept: this.kept,
+        port: channel.port2,
+      };
       const view = await this.block.call('blockRun', input, [channel.port2]);
       this.store.dispatch({ type: 'done', key, view, files, seconds: (performance.now() - started) / 1000 });
     } catch (error) {
@@ -66,7 +74,9 @@ export class BlockEngine {
     port?.postMessage({ kind: 'stop' } satisfies ToRun);
     writing?.postMessage('stop');
     if (port === null && writing === null) return;
-    window.setTimeout(() => { if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel(); }, PATIENCE_MS);
+    window.setTimeout(() => {
+      if (isBusy(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
+    }, PATIENCE_MS);
   }
 
   /** Forgets what was done. */
@@ -97,12 +107,14 @@ export class BlockEngine {
   async photograph(flight: BlockFlight, done: (count: number, of: number) => void): Promise<{ files: Omit<BlockFile, 'id'>[]; truth: BlockModel }> {
     const truth = await this.pool.call('blockPlan', flight);
     let count = 0;
-    const files = await Promise.all(truth.images.map(async ({ name }, index) => {
-      const bytes = await this.pool.call('blockPhoto', { flight, index });
-      count += 1;
-      done(count, truth.images.length);
-      return { name, file: new Blob([bytes], { type: 'image/png' }) };
-    }));
+    const files = await Promise.all(
+      truth.images.map(async ({ name }, index) => {
+        const bytes = await this.pool.call('blockPhoto', { flight, index });
+        count += 1;
+        done(count, truth.images.length);
+        return { name, file: new Blob([bytes], { type: 'image/png' }) };
+      }),
+    );
     return { files, truth };
   }
 
@@ -118,7 +130,7 @@ export class BlockEngine {
   }
 
   private async perform(port: MessagePort, id: number, job: BlockJob): Promise<void> {
-    const say = (message: ToRun, transfer: Transferable[] = []) => { port.postMessage(message, transfer); };
+    const say = (message: ToRun, transfer: Transferable[] = []) => port.postMessage(message, transfer);
     try {
       if (this.port !== port) return;
       const answer = await this.pool.call('blockJob', job, buffersOf(job));
@@ -132,7 +144,8 @@ export class BlockEngine {
 
 function runOptions({ gps, cameras, control, marks }: BlockOptions, settings: BlockSettings): RunInput['options'] {
   return {
-    settings, gps,
+    settings,
+    gps,
     ...(cameras === null ? {} : { cameras }),
     ...(control === null || marks === null ? {} : { control: { points: control.text, marks: marks.text } }),
   };

@@ -7,7 +7,11 @@ import type { Layout, ViewConnection } from '../state/view';
 const MOST_STEPS = 2e8;
 
 /** Poses where any image has one, recorded positions where most have one, else connections. Images without a place stand beside their neighbours. */
-export function layoutOf(centres: readonly (readonly number[] | null)[], recordings: readonly (ExifPosition | null)[], connections: readonly ViewConnection[]): Layout {
+export function layoutOf(
+  centres: readonly (readonly number[] | null)[],
+  recordings: readonly (ExifPosition | null)[],
+  connections: readonly ViewConnection[],
+): Layout {
   const oriented = centres.map((centre) => centre?.slice(0, 2) ?? null);
   if (oriented.some((place) => place !== null)) return { kind: 'oriented', places: completed(oriented, connections) };
   const recorded = recordedPlaces(recordings);
@@ -17,7 +21,9 @@ export function layoutOf(centres: readonly (readonly number[] | null)[], recordi
 
 /** In m, east and north. */
 function recordedPlaces(recordings: readonly (ExifPosition | null)[]): (number[] | null)[] {
-  const geographic = recordings.flatMap((position) => (position === null ? [NaN, NaN, NaN] : [position.longitude_deg, position.latitude_deg, position.height_m ?? 0]));
+  const geographic = recordings.flatMap((position) =>
+    position === null ? [NaN, NaN, NaN] : [position.longitude_deg, position.latitude_deg, position.height_m ?? 0],
+  );
   const local = local_positions(Float64Array.from(geographic));
   return recordings.map((_, i) => {
     const place = [...local.subarray(3 * i, 3 * i + 2)];
@@ -31,9 +37,15 @@ function completed(places: readonly (number[] | null)[], connections: readonly V
   const least = [0, 1].map((axis) => known.reduce((low, place) => Math.min(low, place[axis] ?? 0), Infinity));
   const flat = new Float64Array(2 * places.length);
   const sums = places.map(() => ({ x: 0, y: 0, count: 0 }));
-  for (const { images: [a, b], outcome } of connections) {
+  for (const {
+    images: [a, b],
+    outcome,
+  } of connections) {
     if (outcome.kind !== 'connected') continue;
-    for (const [of, from] of [[a, b], [b, a]] as const) {
+    for (const [of, from] of [
+      [a, b],
+      [b, a],
+    ] as const) {
       const [place, sum] = [places[from], sums[of]];
       if (place == null || sum === undefined) continue;
       sum.x += place[0] ?? 0;
@@ -63,7 +75,11 @@ function arranged(count: number, connections: readonly ViewConnection[]): Float6
   for (let round = 0; round < rounds; round++) {
     moves.fill(0);
     for (let a = 0; a < count; a++) for (let b = a + 1; b < count; b++) push(places, moves, a, b, (d) => 1 / Math.max(d, 1e-3));
-    for (const { images: [a, b], shared, outcome } of edges) {
+    for (const {
+      images: [a, b],
+      shared,
+      outcome,
+    } of edges) {
       const strength = Math.min(1, Math.max(shared, 'matches' in outcome ? outcome.matches : 0) / 200);
       push(places, moves, a, b, (d) => -strength * d * d);
     }

@@ -10,7 +10,7 @@ const TIME = '1980-01-01T00:00:00';
 /** @throws Error with the crate's `code` where the block cannot be written so; the reason of the signal, which is looked at after each file */
 export async function made(block: FinishedBlock, kind: ExportKind, name: string, signal: AbortSignal): Promise<MadeFile> {
   const files = new Map<string, string>();
-  const write: Emit = (path, text) => { files.set(path, text); };
+  const write: Emit = (path, text) => files.set(path, text);
   if (kind === 'project') write(`${name}-project.tiepoint`, block.project());
   else if (kind === 'everything') await inSteps(block.files(export_formats()), write, signal);
   else block.export(kind, write);
@@ -27,7 +27,7 @@ async function inSteps(writing: BlockWriting, write: Emit, signal: AbortSignal):
 
 /** Lets messages in, of which one may end it all. */
 async function pause(signal: AbortSignal): Promise<void> {
-  await new Promise((resolve) => { setTimeout(resolve); });
+  await new Promise((resolve) => setTimeout(resolve));
   signal.throwIfAborted();
 }
 

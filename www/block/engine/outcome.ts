@@ -5,21 +5,68 @@ import { layoutOf } from './layout';
 import type { BlockView, ViewConnection } from '../state/view';
 
 export function viewOf(block: FinishedBlock): BlockView {
-  const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, points } = block.overview();
+  const {
+    images,
+    skipped,
+    unused_masks,
+    unknown_images,
+    remarks,
+    cameras,
+    pairs,
+    groups,
+    found,
+    refinement,
+    by_rays,
+    oriented,
+    rmse_px,
+    sigma0_px,
+    warnings,
+    points,
+  } = block.overview();
   const connections = pairs.map(connectionOf);
   return {
     partial: false,
-    images: images.map(({ name, width_px: width, height_px: height, camera, features, positions: places, observations: rays, rmse_px: rmsePx, is_oriented, exif_orientation: exifOrientation, reason: why }) => (
-      { name, width, height, camera, features, places, rays, rmsePx, oriented: is_oriented, exifOrientation, why })),
+    images: images.map(
+      ({
+        name,
+        width_px: width,
+        height_px: height,
+        camera,
+        features,
+        positions: places,
+        observations: rays,
+        rmse_px: rmsePx,
+        is_oriented,
+        exif_orientation: exifOrientation,
+        reason: why,
+      }) => ({ name, width, height, camera, features, places, rays, rmsePx, oriented: is_oriented, exifOrientation, why }),
+    ),
     leftOut: skipped,
     strayMasks: unused_masks,
     strayMarks: unknown_images,
     remarks,
-    cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({ label, images: count, given, calibrated, focalErrorPx })),
+    cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
+      label,
+      images: count,
+      given,
+      calibrated,
+      focalErrorPx,
+    })),
     connections,
     groups,
-    layout: layoutOf(images.map(({ position }) => position), images.map(({ gnss }) => gnss), connections),
-    points: { count: points.rays.length, rays: points.rays, rmsePx: points.rmse_px, positions: points.positions, errors: points.errors, confidence: points.confidence },
+    layout: layoutOf(
+      images.map(({ position }) => position),
+      images.map(({ gnss }) => gnss),
+      connections,
+    ),
+    points: {
+      count: points.rays.length,
+      rays: points.rays,
+      rmsePx: points.rmse_px,
+      positions: points.positions,
+      errors: points.errors,
+      confidence: points.confidence,
+    },
     found,
     refinement,
     byRays: by_rays.map(({ rays, points: count, rmse_px: rmsePx }) => ({ rays, points: count, rmsePx })),
@@ -38,22 +85,47 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
   const own = read.map(({ camera }) => JSON.stringify(camera));
   const kinds = [...new Set(own)];
   const cameras = kinds.map((kind) => read[own.indexOf(kind)]?.camera).filter((camera) => camera !== undefined);
-  const links: ViewConnection[] = connections.map((connection, i) => (
-    { ...connection, reason: message('connection', connection), geometry: geometryName(geometries[i] ?? null), shared: 0, chosen: 0 }));
+  const links: ViewConnection[] = connections.map((connection, i) => ({
+    ...connection,
+    reason: message('connection', connection),
+    geometry: geometryName(geometries[i] ?? null),
+    shared: 0,
+    chosen: 0,
+  }));
   const none = new Float64Array();
   return {
     partial: true,
-    images: read.map(({ name, width_px: width, height_px: height, features, exif }, i) => (
-      { name, width, height, camera: kinds.indexOf(own[i] ?? ''), features, places: null, rays: 0, rmsePx: null, oriented: false, exifOrientation: exif.orientation, why: 'not oriented yet' })),
+    images: read.map(({ name, width_px: width, height_px: height, features, exif }, i) => ({
+      name,
+      width,
+      height,
+      camera: kinds.indexOf(own[i] ?? ''),
+      features,
+      places: null,
+      rays: 0,
+      rmsePx: null,
+      oriented: false,
+      exifOrientation: exif.orientation,
+      why: 'not oriented yet',
+    })),
     leftOut: [],
     strayMasks: [],
     strayMarks: [],
     remarks: [],
-    cameras: cameras.map(({ label, fixed: _, focal_px, ...camera }, i) => (
-      { label, images: own.filter((kind) => kind === kinds[i]).length, given: focal_px === null ? null : { ...camera, focal_px }, calibrated: null, focalErrorPx: null })),
+    cameras: cameras.map(({ label, fixed: _, focal_px, ...camera }, i) => ({
+      label,
+      images: own.filter((kind) => kind === kinds[i]).length,
+      given: focal_px === null ? null : { ...camera, focal_px },
+      calibrated: null,
+      focalErrorPx: null,
+    })),
     connections: links,
     groups: connected_groups(read.length, [...connections]),
-    layout: layoutOf(read.map(() => null), read.map(({ exif }) => exif.position), links),
+    layout: layoutOf(
+      read.map(() => null),
+      read.map(({ exif }) => exif.position),
+      links,
+    ),
     points: { count: 0, rays: new Uint16Array(), rmsePx: none, positions: none, errors: none, confidence: none },
     found: null,
     refinement: null,
@@ -73,7 +145,11 @@ function connectionOf({ images, rule, outcome, reason, geometry, common_points: 
 
 function geometryName(geometry: TwoView | null): string {
   if (geometry === null) return '';
-  const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
+  const {
+    model: { kind },
+    sigma_px: sigma,
+    degenerate,
+  } = geometry;
   const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;
   return `${message('two_view_model', { kind }, 'short')}${weak}, ± ${sigma.toFixed(2)} px`;
 }

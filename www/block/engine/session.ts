@@ -19,15 +19,19 @@ export function heldBlock(): FinishedBlock {
 
 export async function blockRun({ files, options, masks, truth, workers, kept, port }: RunInput): Promise<BlockView> {
   const link = new Link(port);
-  const coming = new Coming((view) => { link.send({ kind: 'part', view }); });
+  const coming = new Coming((view) => link.send({ kind: 'part', view }));
   try {
-    const finished = await runBlock(files.map(sourceOf), { ...options, masks: masks.map(sourceOf) }, {
-      pool: link.pool(workers),
-      store: storeOf(kept, link),
-      progress: (step) => { link.send({ kind: 'step', step }); },
-      news: (news) => { coming.take(news); },
-      signal: link.stopped.signal,
-    });
+    const finished = await runBlock(
+      files.map(sourceOf),
+      { ...options, masks: masks.map(sourceOf) },
+      {
+        pool: link.pool(workers),
+        store: storeOf(kept, link),
+        progress: (step) => link.send({ kind: 'step', step }),
+        news: (news) => coming.take(news),
+        signal: link.stopped.signal,
+      },
+    );
     return { ...hold(finished), score: truth === null ? null : finished.score(truth) };
   } catch (error) {
     coming.tell();
@@ -50,7 +54,7 @@ function hold(block: FinishedBlock): BlockView {
 
 export async function blockExport({ kind, name, stop }: { kind: ExportKind; name: string; stop: MessagePort }): Promise<MadeFile> {
   const stopped = new AbortController();
-  stop.onmessage = () => { stopped.abort(); };
+  stop.onmessage = () => stopped.abort();
   try {
     return await made(heldBlock(), kind, name, stopped.signal);
   } finally {
@@ -91,7 +95,7 @@ class Link {
   private nextId = 1;
 
   constructor(private readonly port: MessagePort) {
-    port.onmessage = (event: MessageEvent<ToRun>) => { this.receive(event.data); };
+    port.onmessage = (event: MessageEvent<ToRun>) => this.receive(event.data);
   }
 
   send(message: FromRun, transfer: Transferable[] = []): void {

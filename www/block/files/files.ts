@@ -16,13 +16,16 @@ let nextId = 1;
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Ground control points', marks: 'Image measurements' };
 
 export class BlockFiles {
-  constructor(private readonly store: BlockStore, private readonly engine: BlockEngine) {}
+  constructor(
+    private readonly store: BlockStore,
+    private readonly engine: BlockEngine,
+  ) {}
 
   /** Takes what is dropped on the page while the block is shown. */
   readonly taker: Taker = {
     isActive: () => this.store.state.mode === 'block',
     markAt: () => 'block',
-    take: (found) => { void this.take(found); },
+    take: (found) => void this.take(found),
   };
 
   /** Adds images to the block; what a folder holds besides images is left aside. */
@@ -43,7 +46,9 @@ export class BlockFiles {
     if (flight === null) return;
     this.say('busy', 'Building the synthetic scene …');
     try {
-      const { files, truth } = await this.engine.photograph(flight, (count, of) => { this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`); });
+      const { files, truth } = await this.engine.photograph(flight, (count, of) =>
+        this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`),
+      );
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
       this.say('info', `${String(files.length)} photos of a simulated block. Press Run.`);
     } catch (error) {

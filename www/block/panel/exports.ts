@@ -8,21 +8,33 @@ import { isBusy } from '../state/state';
 import { messageOf } from '../../shared/text/format';
 
 const NAMES: Readonly<Record<ExportKind, string>> = {
-  project: 'Project file', everything: 'Everything (.zip)', colmap: 'COLMAP', micmac: 'MicMac', bundler: 'Bundler', nvm: 'NVM (VisualSFM)',
-  opensfm: 'OpenSfM', bingo: 'BINGO', isat: 'ISAT', agisoft: 'Agisoft', patb: 'PAT-B', csv: 'CSV tables', json: 'JSON', geojson: 'GeoJSON',
+  project: 'Project file',
+  everything: 'Everything (.zip)',
+  colmap: 'COLMAP',
+  micmac: 'MicMac',
+  bundler: 'Bundler',
+  nvm: 'NVM (VisualSFM)',
+  opensfm: 'OpenSfM',
+  bingo: 'BINGO',
+  isat: 'ISAT',
+  agisoft: 'Agisoft',
+  patb: 'PAT-B',
+  csv: 'CSV tables',
+  json: 'JSON',
+  geojson: 'GeoJSON',
 };
 
 export function mountExports(host: HTMLElement, store: BlockStore, engine: BlockEngine): void {
   const select = h('select', { id: 'block-export-kind', testid: 'block-export-kind', aria: { label: 'Format' } });
-  const press = button('Save', 'block-export', () => { void saveAs(store, engine, select.value as ExportKind); });
+  const press = button('Save', 'block-export', () => void saveAs(store, engine, select.value as ExportKind));
   host.append(h('span', { class: 'group-label' }, 'Export'), select, press);
-  store.watch((s) => [s.shown, s.running, s.notice] as const, ([shown]) => {
+  store.watch(['shown', 'running', 'notice'], ([shown]) => {
     // A part of a block has no points yet.
     const whole = shown !== null && !shown.view.partial;
     press.disabled = !whole || isBusy(store.state);
     select.disabled = !whole;
   });
-  store.watch((s) => [s.shown] as const, ([shown]) => {
+  store.watch(['shown'], ([shown]) => {
     const formats = shown?.view.formats ?? [];
     const kinds: ExportKind[] = ['project', 'everything', ...formats];
     const { value } = select;

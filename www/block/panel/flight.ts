@@ -7,7 +7,7 @@ import type { BlockFiles } from '../files/files';
 import { isBusy } from '../state/state';
 
 export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
-  store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+  store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
     const sections = makeSections(catalogue.flightParameters, {
       change: (key, value) => {
@@ -16,13 +16,19 @@ export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFi
       },
       defaults: () => catalogue.flight,
     });
-    const take = button('Photograph this block', 'block-photograph', () => { void files.simulate(); });
+    const take = button('Photograph this block', 'block-photograph', () => void files.simulate());
     take.className = 'primary';
-    fill(host, h('p', { class: 'note' }, 'A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.'), h('div', { class: 'buttons' }, take),
-      ...sections.elements);
-    store.watch((s) => [s.flight] as const, ([flight]) => {
+    fill(
+      host,
+      h('p', { class: 'note' }, 'A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each.'),
+      h('div', { class: 'buttons' }, take),
+      ...sections.elements,
+    );
+    store.watch(['flight'], ([flight]) => {
       if (flight !== null) sections.show(flight);
     });
-    store.watch((s) => [s.running, s.notice] as const, () => { take.disabled = isBusy(store.state); });
+    store.watch(['running', 'notice'], () => {
+      take.disabled = isBusy(store.state);
+    });
   });
 }

@@ -4,12 +4,15 @@ import type { BlockStore } from '../engine/engine';
 import type { Mode } from '../state/state';
 import { describe } from '../state/words';
 
-const MODES: readonly (readonly [Mode, string])[] = [['pair', 'Pair'], ['block', 'Block']];
+const MODES: readonly (readonly [Mode, string])[] = [
+  ['pair', 'Pair'],
+  ['block', 'Block'],
+];
 
 /** `parts`: what is shown in each mode alone. */
 export function mountMode(store: BlockStore, parts: Readonly<Record<Mode, readonly HTMLElement[]>>): HTMLElement {
-  const buttons = MODES.map(([mode, text]) => ({ mode, press: button(text, `mode-${mode}`, () => { store.dispatch({ type: 'mode', mode }); }) }));
-  store.watch((s) => [s.mode] as const, ([mode]) => {
+  const buttons = MODES.map(([mode, text]) => ({ mode, press: button(text, `mode-${mode}`, () => store.dispatch({ type: 'mode', mode })) }));
+  store.watch(['mode'], ([mode]) => {
     for (const { mode: own, press } of buttons) press.setAttribute('aria-pressed', String(own === mode));
     for (const [own] of MODES) for (const part of parts[own]) part.hidden = own !== mode;
     document.querySelector('.skip')?.setAttribute('href', mode === 'pair' ? '#view' : '#block-view');
@@ -26,7 +29,7 @@ export function mountBack(store: BlockStore): HTMLElement {
     document.getElementById('block-view')?.focus();
   });
   const line = h('div', { class: 'of-block' }, back, text);
-  store.watch((s) => [s.opened, s.shown] as const, ([opened, shown]) => {
+  store.watch(['opened', 'shown'], ([opened, shown]) => {
     line.hidden = opened === null || shown === null;
     fill(text, opened === null || shown === null ? '' : describe(shown.view, { kind: 'pair', images: opened }));
   });

@@ -6,7 +6,14 @@ import type { BlockStore } from '../engine/engine';
 import type { Steps } from '../state/state';
 
 const STAGES: Readonly<Record<StageName, string>> = {
-  photos: 'Photos', images: 'Images: features', likeness: 'Similarity of images', pairs: 'Pairs: matches', points: 'Tie points', windows: 'Windows of observations', refinement: 'Refinement', orientation: 'Orientation',
+  photos: 'Photos',
+  images: 'Images: features',
+  likeness: 'Similarity of images',
+  pairs: 'Pairs: matches',
+  points: 'Tie points',
+  windows: 'Windows of observations',
+  refinement: 'Refinement',
+  orientation: 'Orientation',
 };
 
 /** Stages whose steps are parts of one computation, none that the user counts. */
@@ -19,7 +26,7 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
   const body = h('div', { class: 'stages' });
   const whole = section('Run', 'block-progress', body);
   host.append(whole);
-  store.watch((s) => [s.running, s.shown] as const, ([running, shown]) => {
+  store.watch(['running', 'shown'], ([running, shown]) => {
     const steps = running.kind === 'no' ? (shown?.steps ?? {}) : running.steps;
     const begun = NAMES.flatMap((name) => (steps[name] === undefined ? [] : [stage(name, steps[name])]));
     whole.hidden = begun.length === 0;
@@ -28,7 +35,8 @@ export function mountProgress(host: HTMLElement, store: BlockStore): void {
 }
 
 function stage(name: StageName, step: Step): HTMLElement {
-  const line = (...parts: HTMLElement[]) => h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(name, step)));
+  const line = (...parts: HTMLElement[]) =>
+    h('div', { class: 'stage-line', testid: `stage-${name}` }, h('span', {}, STAGES[name]), ...parts, h('span', { class: 'note' }, stepText(name, step)));
   if (step.done === step.total) return line();
   const bar = h('progress', { aria: { label: STAGES[name] } });
   bar.max = Math.max(1, step.total);

@@ -15,7 +15,7 @@ const LISTED = 50;
 export function mountResults(host: HTMLElement, store: BlockStore): void {
   const body = h('div', { testid: 'block-results' });
   host.append(body);
-  store.watch((s) => [s.shown, s.files, s.options] as const, ([shown]) => {
+  store.watch(['shown', 'files', 'options'], ([shown]) => {
     body.classList.toggle('is-stale', isOutdated(store.state));
     if (shown === null) fill(body, h('p', { class: 'note' }, 'No block yet. Drop images or a folder, or simulate a block, then press Run.'));
     else fill(body, ...sectionsOf(shown.view));
@@ -43,8 +43,18 @@ function partialFacts(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
   return [
     { name: 'Images read', testid: 'block-read', value: count(view.images.length), help: 'Images whose features are detected.' },
-    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry.' },
-    { name: 'Matches', testid: 'block-matches', value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)), help: 'Verified matches of all connected pairs.' },
+    {
+      name: 'Connected pairs',
+      testid: 'block-connected',
+      value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
+      help: 'Pairs with enough matches that agree with one geometry.',
+    },
+    {
+      name: 'Matches',
+      testid: 'block-matches',
+      value: count(connected.reduce((sum, connection) => sum + matchesOf(connection), 0)),
+      help: 'Verified matches of all connected pairs.',
+    },
   ];
 }
 
@@ -62,21 +72,60 @@ function factsOf(view: BlockView): Fact[] {
   const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
   const rays = view.images.reduce((sum, image) => sum + image.rays, 0);
   return [
-    { name: 'Images oriented', testid: 'block-oriented', value: `${count(view.oriented)} of ${count(view.images.length)}`, help: 'Images with an exterior orientation: position and attitude in object space.' },
-    { name: 'Connected pairs', testid: 'block-connected', value: `${count(connected.length)} of ${count(view.connections.length)} tried`, help: 'Pairs with enough matches that agree with one geometry. The matrix states for each pair why it is connected or not.' },
-    { name: 'Groups', testid: 'block-groups', value: groupText(view), help: 'Images that are connected directly or through others. Images are oriented to each other only within a group.' },
+    {
+      name: 'Images oriented',
+      testid: 'block-oriented',
+      value: `${count(view.oriented)} of ${count(view.images.length)}`,
+      help: 'Images with an exterior orientation: position and attitude in object space.',
+    },
+    {
+      name: 'Connected pairs',
+      testid: 'block-connected',
+      value: `${count(connected.length)} of ${count(view.connections.length)} tried`,
+      help: 'Pairs with enough matches that agree with one geometry. The matrix states for each pair why it is connected or not.',
+    },
+    {
+      name: 'Groups',
+      testid: 'block-groups',
+      value: groupText(view),
+      help: 'Images that are connected directly or through others. Images are oriented to each other only within a group.',
+    },
     { name: 'Matches', testid: 'block-matches', value: count(matches), help: 'Verified matches of all connected pairs.' },
-    ...(view.found === null ? [] : [{ name: 'Tie points', testid: 'block-found', value: `${count(view.found.points)}, ${count(view.found.rays)} observations`, help: 'Points seen in two or more images. A well distributed selection of them is adjusted.' }]),
+    ...(view.found === null
+      ? []
+      : [
+          {
+            name: 'Tie points',
+            testid: 'block-found',
+            value: `${count(view.found.points)}, ${count(view.found.rays)} observations`,
+            help: 'Points seen in two or more images. A well distributed selection of them is adjusted.',
+          },
+        ]),
     ...(view.refinement === null ? [] : [refinementFact(view.refinement)]),
-    { name: 'Selected tie points', testid: 'block-points-count', value: `${count(view.points.count)}, ${count(rays)} observations`, help: 'The tie points of the block and their image observations.' },
-    { name: 'RMSE', testid: 'block-rmse', value: `${fixed(view.rmsePx, 3)} px`, help: 'Root mean square length of the residuals of all accepted observations after the adjustment.' },
+    {
+      name: 'Selected tie points',
+      testid: 'block-points-count',
+      value: `${count(view.points.count)}, ${count(rays)} observations`,
+      help: 'The tie points of the block and their image observations.',
+    },
+    {
+      name: 'RMSE',
+      testid: 'block-rmse',
+      value: `${fixed(view.rmsePx, 3)} px`,
+      help: 'Root mean square length of the residuals of all accepted observations after the adjustment.',
+    },
     { name: 'σ₀', testid: 'block-sigma0', value: `${fixed(view.sigma0Px, 3)} px`, help: 'Standard error of one image coordinate, from the adjustment.' },
   ];
 }
 
 /** Why observations keep their positions. */
 const KEPT: Readonly<Record<Exclude<RefinementOutcome, 'reference' | 'refined'>, string>> = {
-  not_converged: 'did not converge', left_image: 'at the border', moved_too_far: 'moved too far', low_correlation: 'low correlation', no_texture: 'no texture', inconsistent: 'inconsistent',
+  not_converged: 'did not converge',
+  left_image: 'at the border',
+  moved_too_far: 'moved too far',
+  low_correlation: 'low correlation',
+  no_texture: 'no texture',
+  inconsistent: 'inconsistent',
 };
 
 function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
@@ -87,7 +136,9 @@ function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
     return number === 0 ? [] : [`${count(number)} ${words}`];
   });
   return {
-    name: 'Refined observations', testid: 'block-refined', value: `${count(refined)} of ${count(refined + others)}`,
+    name: 'Refined observations',
+    testid: 'block-refined',
+    value: `${count(refined)} of ${count(refined + others)}`,
     help: `Observations moved by least squares matching to the reference observations of ${count(reference)} points. The others keep their positions${reasons.length > 0 ? `: ${reasons.join(', ')}` : ''}.`,
   };
 }
@@ -95,10 +146,30 @@ function refinementFact(counts: NonNullable<BlockView['refinement']>): Fact {
 function scoreFacts(score: BlockScore): Fact[] {
   const positions = score.position_rmse_m?.map((error) => fixed(error, 3)).join(', ');
   return [
-    { name: 'Right points', testid: 'score-points', value: `${count(score.right_points)} of ${count(score.points)}`, help: 'Points whose observations all agree within 1.5 px in each image, by the true orientations.' },
-    { name: 'Their observations', testid: 'score-rays', value: `${fixed(score.right_rmse_px, 3)} px`, help: 'Root mean square distance of the observations of right points from their intersection.' },
-    { name: 'Positions', testid: 'score-positions', value: positions === undefined ? '–' : `${positions} m`, help: 'Root mean square errors of x, y, z of the projection centres after the best similarity transformation to the truth.' },
-    { name: 'Angles', testid: 'score-angles', value: `${fixed(score.angle_rmse_deg, 4)}°`, help: 'Root mean square angle between the oriented and the true attitudes after the same transformation.' },
+    {
+      name: 'Right points',
+      testid: 'score-points',
+      value: `${count(score.right_points)} of ${count(score.points)}`,
+      help: 'Points whose observations all agree within 1.5 px in each image, by the true orientations.',
+    },
+    {
+      name: 'Their observations',
+      testid: 'score-rays',
+      value: `${fixed(score.right_rmse_px, 3)} px`,
+      help: 'Root mean square distance of the observations of right points from their intersection.',
+    },
+    {
+      name: 'Positions',
+      testid: 'score-positions',
+      value: positions === undefined ? '–' : `${positions} m`,
+      help: 'Root mean square errors of x, y, z of the projection centres after the best similarity transformation to the truth.',
+    },
+    {
+      name: 'Angles',
+      testid: 'score-angles',
+      value: `${fixed(score.angle_rmse_deg, 4)}°`,
+      help: 'Root mean square angle between the oriented and the true attitudes after the same transformation.',
+    },
   ];
 }
 
@@ -124,14 +195,23 @@ function notOriented(view: BlockView): HTMLElement | null {
 
 function reasons(list: readonly { name: string; reason: string }[]): HTMLElement {
   const rest = list.length - LISTED;
-  return h('ul', { class: 'reasons' }, ...list.slice(0, LISTED).map(({ name, reason }) => h('li', {}, h('b', {}, name), `: ${reason}`)),
-    rest > 0 ? h('li', {}, `and ${count(rest)} more in the table of images`) : null);
+  return h(
+    'ul',
+    { class: 'reasons' },
+    ...list.slice(0, LISTED).map(({ name, reason }) => h('li', {}, h('b', {}, name), `: ${reason}`)),
+    rest > 0 ? h('li', {}, `and ${count(rest)} more in the table of images`) : null,
+  );
 }
 
 function rayTable({ byRays }: BlockView): HTMLElement {
   const head = h('thead', {}, h('tr', {}, ...['Rays', 'Points', 'RMSE px'].map((text) => h('th', { scope: 'col' }, text))));
   const number = (text: string) => h('td', { class: 'number' }, text);
-  return h('table', { testid: 'by-rays' }, head, h('tbody', {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))));
+  return h(
+    'table',
+    { testid: 'by-rays' },
+    head,
+    h('tbody', {}, ...byRays.map(({ rays, points, rmsePx }) => row(count(rays), number(count(points)), number(fixed(rmsePx, 3))))),
+  );
 }
 
 function cameraTable({ cameras, found }: BlockView): HTMLElement {
@@ -139,10 +219,29 @@ function cameraTable({ cameras, found }: BlockView): HTMLElement {
   const given = ({ given: known }: ViewCamera) => (known === null ? (found === null ? '–' : 'unknown') : fixed(known.focal_px, 1));
   const head = h('thead', {}, h('tr', {}, ...['Camera', 'Images', 'Given f px', 'Calibrated f px'].map((text) => h('th', { scope: 'col' }, text))));
   const number = (text: string) => h('td', { class: 'number' }, text);
-  return h('div', { class: 'scroll' }, h('table', { class: 'tight', testid: 'cameras' }, head, h('tbody', {}, ...cameras.map((camera, i) => row(
-    `${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, '$1 × ')}`,
-    number(count(camera.images)),
-    number(given(camera)),
-    number(camera.calibrated === null ? '–' : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`),
-  )))));
+  return h(
+    'div',
+    { class: 'scroll' },
+    h(
+      'table',
+      { class: 'tight', testid: 'cameras' },
+      head,
+      h(
+        'tbody',
+        {},
+        ...cameras.map((camera, i) =>
+          row(
+            `${String(i + 1)}: ${camera.label.replace(/(\d) x (?=\d)/gu, '$1 × ')}`,
+            number(count(camera.images)),
+            number(given(camera)),
+            number(
+              camera.calibrated === null
+                ? '–'
+                : `${fixed(camera.calibrated.focal_px, 1)}${camera.focalErrorPx === null ? '' : ` ± ${fixed(camera.focalErrorPx, 1)}`}`,
+            ),
+          ),
+        ),
+      ),
+    ),
+  );
 }

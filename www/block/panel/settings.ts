@@ -11,7 +11,7 @@ import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
 
 export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
-  store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+  store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
     const { defaults } = catalogue;
     const sections = makeSections(catalogue.parameters, {
@@ -20,34 +20,52 @@ export function mountSettings(host: HTMLElement, store: BlockStore, files: Block
         if (settings !== null) store.dispatch({ type: 'options', options: { settings: withSetting(settings, key, value) } });
       },
       defaults: () => defaults,
-      refused: (label) => { store.dispatch({ type: 'refused', label }); },
+      refused: (label) => store.dispatch({ type: 'refused', label }),
     });
     fill(host, positions(store), ...sections.elements, besides(store, files));
-    store.watch((s) => [s.options.settings] as const, ([settings]) => {
-      if (settings !== null) sections.show(settings, acting_block_parameters(settings));
-    });
+    store.watch(
+      (s) => [s.options.settings] as const,
+      ([settings]) => {
+        if (settings !== null) sections.show(settings, acting_block_parameters(settings));
+      },
+    );
   });
 }
 
 /** Whether recorded positions are used. */
 function positions(store: BlockStore): HTMLElement {
   const input = h('input', { id: 'block-gps', type: 'checkbox', testid: 'block-gps' });
-  input.addEventListener('change', () => { store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }); });
-  store.watch((s) => [s.options.gps] as const, ([gps]) => { input.checked = gps === 'use'; });
-  return h('div', { class: 'control' }, h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
-    h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'));
+  input.addEventListener('change', () => store.dispatch({ type: 'options', options: { gps: input.checked ? 'use' : 'ignore' } }));
+  store.watch(
+    (s) => [s.options.gps] as const,
+    ([gps]) => {
+      input.checked = gps === 'use';
+    },
+  );
+  return h(
+    'div',
+    { class: 'control' },
+    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
+    h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'),
+  );
 }
 
-const CAMERAS = 'From EXIF. A JSON file overrides it: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
-const CONTROL = 'None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.';
+const CAMERAS =
+  'From EXIF. A JSON file overrides it: {"cameras": [{"images": "DJI_*.JPG", "focal_px": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.';
+const CONTROL =
+  'None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.';
 
 /** Files that say more of the block than its images do. */
 function besides(store: BlockStore, files: BlockFiles): HTMLElement {
-  return h('fieldset', { class: 'group' }, h('legend', {}, 'Files'),
+  return h(
+    'fieldset',
+    { class: 'group' },
+    h('legend', {}, 'Files'),
     textFile(store, files, 'cameras', 'Cameras', CAMERAS, '.json,application/json'),
     textFile(store, files, 'control', 'Ground control points', CONTROL, '.txt,.csv,text/*'),
     textFile(store, files, 'marks', 'Image measurements', '', '.txt,.csv,text/*'),
-    masks(store, files));
+    masks(store, files),
+  );
 }
 
 const MASKS = 'None. Images of the same size, black where no features are detected; IMG_1.png, IMG_1_mask.png or IMG_1.jpg.png is the mask of IMG_1.jpg.';
@@ -55,7 +73,7 @@ const MASKS = 'None. Images of the same size, black where no features are detect
 /** What is wrong with what was given, beside where it is given. */
 function problemOf(store: BlockStore, given: Given): HTMLElement {
   const line = h('p', { class: 'field-problem', testid: `block-${given}-problem` });
-  store.watch((s) => [s.files, s.options] as const, () => {
+  store.watch(['files', 'options'], () => {
     const text = problemsOf(store.state)[given] ?? '';
     if (line.textContent !== text) line.textContent = text;
   });
@@ -63,25 +81,53 @@ function problemOf(store: BlockStore, given: Given): HTMLElement {
 }
 
 function masks(store: BlockStore, files: BlockFiles): HTMLElement {
-  const part = besideField(store, 'masks', 'Masks', { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
-    (given) => { files.takeMasks(given); }, () => { store.dispatch({ type: 'options', options: { masks: [] } }); });
-  store.watch((s) => [s.options.masks] as const, ([given]) => {
-    const names = given.slice(0, 3).map(({ name }) => name).join(', ');
-    part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? ' …' : ''}`, MASKS);
-  });
+  const part = besideField(
+    store,
+    'masks',
+    'Masks',
+    { multiple: true, accept: 'image/*,.tif,.tiff,.pgm,.pnm' },
+    (given) => files.takeMasks(given),
+    () => store.dispatch({ type: 'options', options: { masks: [] } }),
+  );
+  store.watch(
+    (s) => [s.options.masks] as const,
+    ([given]) => {
+      const names = given
+        .slice(0, 3)
+        .map(({ name }) => name)
+        .join(', ');
+      part.show(given.length === 0 ? null : given.length === 1 ? names : `${String(given.length)} masks: ${names}${given.length > 3 ? ' …' : ''}`, MASKS);
+    },
+  );
   return part.element;
 }
 
 function textFile(store: BlockStore, files: BlockFiles, option: GivenText, title: string, none: string, accept: string): HTMLElement {
-  const part = besideField(store, option, title, { accept },
-    ([file]) => { if (file !== undefined) void files.takeText(option, file); }, () => { store.dispatch({ type: 'options', options: { [option]: null } }); });
-  store.watch((s) => [s.options[option]] as const, ([given]) => { part.show(given?.name ?? null, none); });
+  const part = besideField(
+    store,
+    option,
+    title,
+    { accept },
+    ([file]) => {
+      if (file !== undefined) void files.takeText(option, file);
+    },
+    () => store.dispatch({ type: 'options', options: { [option]: null } }),
+  );
+  store.watch(
+    (s) => [s.options[option]] as const,
+    ([given]) => part.show(given?.name ?? null, none),
+  );
   return part.element;
 }
 
 /** A file or files beside the images: a button that asks for them, their names, what is wrong with them, and a button that takes them away. */
 function besideField(
-  store: BlockStore, given: Given, title: string, how: Pick<Picked, 'accept' | 'multiple'>, take: (files: File[]) => void, clear: () => void,
+  store: BlockStore,
+  given: Given,
+  title: string,
+  how: Pick<Picked, 'accept' | 'multiple'>,
+  take: (files: File[]) => void,
+  clear: () => void,
 ): { element: HTMLElement; show: (name: string | null, none: string) => void } {
   const [press, input] = fileButton(`${title} …`, { testid: `block-${given}`, label: `File: ${title}`, ...how }, take);
   const remove = button('Remove', `block-${given}-remove`, clear);

@@ -19,10 +19,26 @@ const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
 };
 
 export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, files: BlockFiles): void {
-  const pictureHost = h('div', { class: 'view block-view', id: 'block-view', testid: 'block-picture', tabindex: 0, role: 'group',
-    aria: { roledescription: 'plan of the block', label: 'Images of the block, joined by lines whose width grows with their common points', describedby: 'block-keys' } });
-  const matrixHost = h('div', { class: 'view block-matrix', testid: 'block-matrix', tabindex: 0, hidden: true, role: 'group',
-    aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' } });
+  const pictureHost = h('div', {
+    class: 'view block-view',
+    id: 'block-view',
+    testid: 'block-picture',
+    tabindex: 0,
+    role: 'group',
+    aria: {
+      roledescription: 'plan of the block',
+      label: 'Images of the block, joined by lines whose width grows with their common points',
+      describedby: 'block-keys',
+    },
+  });
+  const matrixHost = h('div', {
+    class: 'view block-matrix',
+    testid: 'block-matrix',
+    tabindex: 0,
+    hidden: true,
+    role: 'group',
+    aria: { roledescription: 'matrix of matches', label: 'Images by images; arrow keys choose a pair', describedby: 'block-keys' },
+  });
   const pointed = h('p', { class: 'pointed', testid: 'block-pointed' });
   const chosen = h('p', { class: 'chosen', testid: 'block-chosen', role: 'status', aria: { live: 'polite' } });
   const open = button('Open this pair', 'block-open-pair', () => {
@@ -36,23 +52,39 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
     // What is chosen is said already.
     if (pointed.textContent === chosen.textContent) pointed.textContent = '';
   };
-  const looks = { ...looking, point: (choice: Choice | null) => {
-    pointedAt = choice;
-    showPointed();
-  } };
+  const looks = {
+    ...looking,
+    point: (choice: Choice | null) => {
+      pointedAt = choice;
+      showPointed();
+    },
+  };
   const picture = new Picture(pictureHost, store, looks);
   const matrix = new Matrix(matrixHost, store, looks);
   const layout = h('span', { class: 'note', testid: 'block-layout' });
   const cells = h('span', { class: 'note', testid: 'block-cells', hidden: true });
-  const switched = switcher([['Picture', pictureHost, layout], ['Matrix', matrixHost, cells]]);
+  const switched = switcher([
+    ['Picture', pictureHost, layout],
+    ['Matrix', matrixHost, cells],
+  ]);
   const tools = h('div', { class: 'actions' }, ...zoomButtons('block-', 'Whole block', () => (matrixHost.hidden ? picture : matrix)));
-  host.append(h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
-    welcomed(pictureHost, store, files), matrixHost, h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
-    h('p', { class: 'keys', id: 'block-keys' }, 'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose.'));
+  host.append(
+    h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
+    welcomed(pictureHost, store, files),
+    matrixHost,
+    h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
+    h(
+      'p',
+      { class: 'keys', id: 'block-keys' },
+      'Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose.',
+    ),
+  );
   looks.point(null);
   // The invitation lies over the picture.
-  store.watch((s) => [s.shown] as const, ([shown]) => { if (shown === null) switched.show(0); });
-  store.watch((s) => [s.choice, s.shown, s.running, s.notice] as const, ([choice, shown]) => {
+  store.watch(['shown'], ([shown]) => {
+    if (shown === null) switched.show(0);
+  });
+  store.watch(['choice', 'shown', 'running', 'notice'], ([choice, shown]) => {
     say(chosen, store, choice, '');
     showPointed();
     open.hidden = choice?.kind !== 'pair' || shown === null;
@@ -87,7 +119,7 @@ function say(element: HTMLElement, store: BlockStore, choice: Choice | null, oth
 
 /** Buttons of which one is pressed: its part is shown, with the tools that belong to it. */
 function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[]): { element: HTMLElement; show: (part: number) => void } {
-  const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => { show(i); }));
+  const buttons = parts.map(([name], i) => button(name, `block-show-${name.toLowerCase()}`, () => show(i)));
   const show = (shown: number) => {
     parts.forEach(([, part, tools], i) => {
       part.hidden = i !== shown;
@@ -100,15 +132,23 @@ function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[
 
 /** The picture with the invitation over it while there is no block. */
 function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTMLElement {
-  const simulate = button('Simulate a block', 'block-simulate-first', () => { void files.simulate(); });
+  const simulate = button('Simulate a block', 'block-simulate-first', () => void files.simulate());
   const list = h('p', { class: 'note', testid: 'block-given' });
-  const welcome = h('div', { class: 'welcome', testid: 'block-welcome' },
+  const welcome = h(
+    'div',
+    { class: 'welcome', testid: 'block-welcome' },
     h('h2', {}, 'Match a block of photographs'),
-    h('p', {}, 'Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block.'),
-    h('p', { class: 'buttons' }, simulate), list,
-    h('p', { class: 'note' }, 'Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer.'));
+    h(
+      'p',
+      {},
+      'Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block.',
+    ),
+    h('p', { class: 'buttons' }, simulate),
+    list,
+    h('p', { class: 'note' }, 'Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer.'),
+  );
   host.append(welcome);
-  store.watch((s) => [s.shown, s.files, s.running, s.notice, s.catalogue] as const, ([shown, given, , , catalogue]) => {
+  store.watch(['shown', 'files', 'running', 'notice', 'catalogue'], ([shown, given, , , catalogue]) => {
     welcome.hidden = shown !== null;
     simulate.disabled = catalogue === null || isBusy(store.state);
     const names = given.map(({ name }) => name);

@@ -8,14 +8,14 @@ import type { Column } from '../../shared/state/rows';
 import type { BlockView } from '../state/view';
 
 export function mountImages(host: HTMLElement, store: BlockStore, looking: Looking): void {
-  const table = captioned(host, 'block-images', 'Images', (image) => { looking.choose({ kind: 'image', image }); });
-  store.watch((s) => [s.shown] as const, ([shown]) => { table.show(shown === null ? NONE : imageRows(shown.view)); });
-  store.watch((s) => [s.choice] as const, ([choice]) => { table.mark(choice?.kind === 'image' ? choice.image : -1); });
+  const table = captioned(host, 'block-images', 'Images', (image) => looking.choose({ kind: 'image', image }));
+  store.watch(['shown'], ([shown]) => table.show(shown === null ? NONE : imageRows(shown.view)));
+  store.watch(['choice'], ([choice]) => table.mark(choice?.kind === 'image' ? choice.image : -1));
 }
 
 export function mountPoints(host: HTMLElement, store: BlockStore): void {
   const table = captioned(host, 'block-points', 'Points');
-  store.watch((s) => [s.shown] as const, ([shown]) => { table.show(shown === null ? NONE : pointRows(shown.view)); });
+  store.watch(['shown'], ([shown]) => table.show(shown === null ? NONE : pointRows(shown.view)));
 }
 
 interface Rows {
@@ -26,13 +26,18 @@ interface Rows {
 const NONE: Rows = { count: 0, columns: [] };
 
 /** A table under a line that counts its rows. */
-function captioned(host: HTMLElement, testid: string, words: string, choose?: (row: number) => void): { show: (rows: Rows) => void; mark: (row: number) => void } {
+function captioned(
+  host: HTMLElement,
+  testid: string,
+  words: string,
+  choose?: (row: number) => void,
+): { show: (rows: Rows) => void; mark: (row: number) => void } {
   const caption = h('p', { class: 'note' });
   host.append(caption);
   const table = new Table(host, { testid, words: { table: words, region: `Table: ${words}` }, ...(choose === undefined ? {} : { choose }) });
   return {
-    show: (rows) => { fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`); },
-    mark: (row) => { table.mark(row); },
+    show: (rows) => fill(caption, `${words}: ${count(table.show(rows.count, rows.columns))}`),
+    mark: (row) => table.mark(row),
   };
 }
 
@@ -56,7 +61,18 @@ function imageRows({ images, leftOut, cameras }: BlockView): Rows {
       numbers('rays', 'Obs.', '', 0, (i) => known(images[i]?.rays), 'Observations of selected tie points, without rejected ones.'),
       numbers('places', 'Cov.', '', 0, (i) => known(images[i]?.places), 'Coverage: how many of the nine von Gruber positions hold a selected tie point.'),
       numbers('rmse', 'RMSE', 'px', 2, (i) => known(images[i]?.rmsePx), 'Root mean square length of the residuals of its observations.'),
-      ...(cameras.length > 1 ? [numbers('camera', 'Camera', '', 0, (i) => known(images[i]?.camera) + 1, `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`)] : []),
+      ...(cameras.length > 1
+        ? [
+            numbers(
+              'camera',
+              'Camera',
+              '',
+              0,
+              (i) => known(images[i]?.camera) + 1,
+              `Images of one camera are calibrated together: ${cameras.map(({ label }, c) => `${String(c + 1)} ${label}`).join('; ')}.`,
+            ),
+          ]
+        : []),
       words('state', 'State', (i) => stateOf(images[i]?.why ?? leftOut[i - images.length]?.reason ?? ''), 'Whether the image is oriented, and if not, why.'),
     ],
   };
@@ -77,8 +93,17 @@ function pointRows({ points }: BlockView): Rows {
       numbers('point', 'Point', '', 0, (i) => i + 1, 'Number of the point.'),
       numbers('point-rays', 'Rays', '', 0, (i) => points.rays[i] ?? NaN, 'Number of images that see the point.'),
       numbers('point-rmse', 'RMSE', 'px', 2, (i) => points.rmsePx[i] ?? NaN, 'Root mean square length of the residuals of its observations.'),
-      ...axis('x', 'X', 0), ...axis('y', 'Y', 1), ...axis('z', 'Z', 2),
-      numbers('confidence', 'Probability', '', 3, (i) => points.confidence[i] ?? NaN, 'Probability that all its observations show one point, from the matches alone.'),
+      ...axis('x', 'X', 0),
+      ...axis('y', 'Y', 1),
+      ...axis('z', 'Z', 2),
+      numbers(
+        'confidence',
+        'Probability',
+        '',
+        3,
+        (i) => points.confidence[i] ?? NaN,
+        'Probability that all its observations show one point, from the matches alone.',
+      ),
     ],
   };
 }

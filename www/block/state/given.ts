@@ -28,28 +28,40 @@ export function firstProblem(state: Pick<BlockState, 'files' | 'options'>): stri
   return Object.values(problemsOf(state))[0] ?? null;
 }
 
-const problems = remember((
-  files: BlockState['files'], placing: GeoreferencingOptions | null, cameras: BlockOptions['cameras'], control: BlockOptions['control'], marks: BlockOptions['marks'], masks: BlockOptions['masks'],
-): Problems => {
-  // Nothing is given before the crate is there to read it.
-  if (placing === null) return {};
-  const names = files.map(({ name }) => name);
-  const found: Partial<Record<Given, string>> = {};
-  const look = (given: Given, name: string, read: () => unknown): boolean => {
-    try {
-      read();
-      return true;
-    } catch (error) {
-      found[given] = `${name === '' ? '' : `${name}: `}${messageOf(error)}`;
-      return false;
-    }
-  };
-  if (cameras !== null) look('cameras', cameras.name, () => { check_cameras(cameras.text, names); });
-  const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
-  const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
-  if (pointsRead && marksRead) look('marks', marks.name, () => { check_control(control.text, marks.text, names, placing); });
-  if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
-  if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
-  look('masks', '', () => { check_masks(names, masks.map(({ name }) => name)); });
-  return found;
-});
+const problems = remember(
+  (
+    files: BlockState['files'],
+    placing: GeoreferencingOptions | null,
+    cameras: BlockOptions['cameras'],
+    control: BlockOptions['control'],
+    marks: BlockOptions['marks'],
+    masks: BlockOptions['masks'],
+  ): Problems => {
+    // Nothing is given before the crate is there to read it.
+    if (placing === null) return {};
+    const names = files.map(({ name }) => name);
+    const found: Partial<Record<Given, string>> = {};
+    const look = (given: Given, name: string, read: () => unknown): boolean => {
+      try {
+        read();
+        return true;
+      } catch (error) {
+        found[given] = `${name === '' ? '' : `${name}: `}${messageOf(error)}`;
+        return false;
+      }
+    };
+    if (cameras !== null) look('cameras', cameras.name, () => check_cameras(cameras.text, names));
+    const pointsRead = control !== null && look('control', control.name, () => parse_ground_control_points(control.text));
+    const marksRead = marks !== null && look('marks', marks.name, () => parse_image_measurements(marks.text));
+    if (pointsRead && marksRead) look('marks', marks.name, () => check_control(control.text, marks.text, names, placing));
+    if (control !== null && marks === null) found.control ??= PARTNER_MISSING.control ?? '';
+    if (marks !== null && control === null) found.marks ??= PARTNER_MISSING.marks ?? '';
+    look('masks', '', () =>
+      check_masks(
+        names,
+        masks.map(({ name }) => name),
+      ),
+    );
+    return found;
+  },
+);

@@ -36,7 +36,13 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
     case 'files':
       return { ...state, files: action.files, truth: action.truth, running: onOtherInput(state.running) };
     case 'options':
-      return { ...state, options: { ...state.options, ...action.options }, running: onOtherInput(state.running), notice: null, refused: action.options.settings === undefined ? state.refused : null };
+      return {
+        ...state,
+        options: { ...state.options, ...action.options },
+        running: onOtherInput(state.running),
+        notice: null,
+        refused: action.options.settings === undefined ? state.refused : null,
+      };
     case 'refused':
       return { ...state, refused: action.label, notice: state.notice?.kind === 'busy' ? state.notice : null };
     case 'flight':
@@ -93,7 +99,13 @@ function withRun(state: BlockState, action: RunAction): BlockState {
     }
     case 'done': {
       const { key, view, files, seconds } = action;
-      return { ...state, ...blank(state), choice: sameChoice(state, view), running: { kind: 'no' }, shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} } };
+      return {
+        ...state,
+        ...blank(state),
+        choice: sameChoice(state, view),
+        running: { kind: 'no' },
+        shown: { key, view, files, seconds, steps: running.kind === 'yes' ? running.steps : {} },
+      };
     }
     case 'ended':
       return running.kind === 'yes' ? { ...state, running: { kind: 'ended', steps: running.steps, failure: action.failure } } : state;

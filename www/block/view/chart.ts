@@ -19,24 +19,31 @@ export abstract class Chart implements Zoomable {
   /** What the pointer is over. */
   protected hovered: Choice | null = null;
 
-  constructor(host: HTMLElement, name: string, protected readonly store: BlockStore, protected readonly looking: Looking) {
+  constructor(
+    host: HTMLElement,
+    name: string,
+    protected readonly store: BlockStore,
+    protected readonly looking: Looking,
+  ) {
     this.layers = new Layers(host, [name], (_, context) => {
       const view = this.view();
       if (view !== null && view.images.length > 0) this.paint(context, themeColours(), view, this.current(view));
     });
-    onRecolour(() => { this.layers.redraw(); });
+    onRecolour(() => this.layers.redraw());
     listen<BlockView>(host, {
       at: () => this.view(),
       focused: () => this.view(),
-      pan: (view, dx, dy) => { this.move(view, panned(this.current(view), dx, dy)); },
-      zoom: (view, factor, x, y) => { this.zoom(view, factor, x, y); },
-      zoomMiddle: (factor) => { this.zoomMiddle(factor); },
-      fit: () => { this.fit(); },
-      pressed: (x, y) => { press(store, looking, this.choiceAt(x, y)); },
-      pointed: (at, dragging) => { if (!dragging) this.hover(at === null ? null : this.choiceAt(...at)); },
+      pan: (view, dx, dy) => this.move(view, panned(this.current(view), dx, dy)),
+      zoom: (view, factor, x, y) => this.zoom(view, factor, x, y),
+      zoomMiddle: (factor) => this.zoomMiddle(factor),
+      fit: () => this.fit(),
+      pressed: (x, y) => press(store, looking, this.choiceAt(x, y)),
+      pointed: (at, dragging) => {
+        if (!dragging) this.hover(at === null ? null : this.choiceAt(...at));
+      },
       command: (key) => this.command(key) || this.commandOfChoice(key),
     });
-    store.watch((s) => [s.shown, s.choice] as const, ([shown]) => {
+    store.watch(['shown', 'choice'], ([shown]) => {
       // What the user looks at stays while more of the same comes in.
       const same = shown?.view.partial === true && this.of?.partial === true && shown.view.layout.kind === this.of.layout.kind;
       if (shown?.view !== this.of && !same) this.moved = null;

@@ -86,7 +86,10 @@ export class Matrix extends Chart {
       const matches = matchesOf(connection);
       const tried = connection.outcome.kind === 'connected';
       const alpha = tried ? 0.15 + 0.85 * Math.sqrt(matches / most) : 0.6;
-      for (const [row, column] of [[a, b], [b, a]] as const) {
+      for (const [row, column] of [
+        [a, b],
+        [b, a],
+      ] as const) {
         const [x, y] = toCanvas(t, column, row);
         if (x > this.layers.width || y > this.layers.height || x + side < HEAD || y + side < HEAD) continue;
         context.globalAlpha = alpha;

@@ -34,10 +34,20 @@ export class Picture extends Chart {
 
   protected override command(key: string): boolean {
     switch (key) {
-      case 'n': case 'N': this.step(1); return true;
-      case 'p': case 'P': this.step(-1); return true;
-      case 'c': case 'C': this.stepPair(); return true;
-      default: return false;
+      case 'n':
+      case 'N':
+        this.step(1);
+        return true;
+      case 'p':
+      case 'P':
+        this.step(-1);
+        return true;
+      case 'c':
+      case 'C':
+        this.stepPair();
+        return true;
+      default:
+        return false;
     }
   }
 
@@ -55,7 +65,10 @@ export class Picture extends Chart {
     const { choice } = this.store.state;
     if (view === null || choice === null) return;
     const image = choice.kind === 'image' ? choice.image : choice.images[0];
-    const own = view.connections.map(({ images }) => images).filter((images) => images.includes(image)).map(([a, b]): [number, number] => (a === image ? [a, b] : [b, a]));
+    const own = view.connections
+      .map(({ images }) => images)
+      .filter((images) => images.includes(image))
+      .map(([a, b]): [number, number] => (a === image ? [a, b] : [b, a]));
     const at = choice.kind === 'pair' ? own.findIndex(([, b]) => b === choice.images[1]) : -1;
     const next = own[(at + 1) % Math.max(1, own.length)];
     if (next !== undefined) this.looking.choose({ kind: 'pair', images: next });

@@ -1,9 +1,29 @@
 /** Every call that a worker answers for a pair: name to input and output. Both ends are typed by this one table. */
 import type { WorkerClient } from '../../shared/engine/client';
 import type {
-  CameraMm, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, Flight, GivenPoints, MatchScore,
-  NearestPiece, OffsetField, Given, PairInput, PairInterior, PhotoInfo, ReducedImage, RelativeOrientation, ReportTruth, SamplePair, SampleImage, Settings,
-  Strategy, TwoViewModel, WindowReport,
+  CameraMm,
+  DescribedPoints,
+  DetectedPoints,
+  Fiducial,
+  FiducialModel,
+  Flight,
+  GivenPoints,
+  MatchScore,
+  NearestPiece,
+  OffsetField,
+  Given,
+  PairInput,
+  PairInterior,
+  PhotoInfo,
+  ReducedImage,
+  RelativeOrientation,
+  ReportTruth,
+  SamplePair,
+  SampleImage,
+  Settings,
+  Strategy,
+  TwoViewModel,
+  WindowReport,
 } from '../../shared/crate';
 import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from '../state/data';
 

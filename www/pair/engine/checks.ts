@@ -29,7 +29,11 @@ export function allowedOfOffset(dx: number, dy: number): string | null {
 }
 
 /** Three marks that any camera can be oriented by. */
-const MARKS = [[0, 0], [1, 0], [0, 1]].map(([col = 0, row = 0]) => ({ col, row, x_mm: col, y_mm: -row }));
+const MARKS = [
+  [0, 0],
+  [1, 0],
+  [0, 1],
+].map(([col = 0, row = 0]) => ({ col, row, x_mm: col, y_mm: -row }));
 
 export function allowedOfOrigin(col: number, row: number): string | null {
   return allowedInstead(() => interior({ focal_mm: 1 }, { width: 1, height: 1, fiducials: MARKS, origin: [col, row] }));
@@ -37,5 +41,5 @@ export function allowedOfOrigin(col: number, row: number): string | null {
 
 /** Why a flight cannot be flown; null where it can. */
 export function problemOfFlight(flight: Flight): string | null {
-  return refusalOf(() => { check_flight(flight); });
+  return refusalOf(() => check_flight(flight));
 }

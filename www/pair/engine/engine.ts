@@ -35,8 +35,8 @@ export class Engine implements Workers {
   private timer: number | undefined;
 
   constructor(private readonly store: Store) {
-    store.watch((s) => [s.settings, s.camera, s.photos, s.masks, s.offset, s.fiducialModel] as const, () => { this.later(); });
-    store.watch((s) => [s.images, s.selection, s.paused, s.failures] as const, () => { this.update(); });
+    store.watch(['settings', 'camera', 'photos', 'masks', 'offset', 'fiducialModel'], () => this.later());
+    store.watch(['images', 'selection', 'paused', 'failures'], () => this.update());
   }
 
   client(name: WorkerName): PairClient {
@@ -51,7 +51,9 @@ export class Engine implements Workers {
     if (held?.tag === tag) return held.answer;
     const answer = client.call('open', { source: image.source, overviewSide: OVERVIEW_SIDE });
     this.opened.set(client, { tag, answer });
-    answer.catch(() => { if (this.opened.get(client)?.answer === answer) this.opened.delete(client); });
+    answer.catch(() => {
+      if (this.opened.get(client)?.answer === answer) this.opened.delete(client);
+    });
     return answer;
   }
 
@@ -69,7 +71,9 @@ export class Engine implements Workers {
     const tag = lifeTag(client, `${String(state.images.left?.id)}:${String(state.images.right?.id)}`);
     if (this.held?.tag !== tag) this.held = { tag, answer: this.holdPair(client, state) };
     const { held } = this;
-    held.answer.catch(() => { if (this.held === held) this.held = null; });
+    held.answer.catch(() => {
+      if (this.held === held) this.held = null;
+    });
     await held.answer;
     return client;
   }
@@ -110,7 +114,7 @@ export class Engine implements Workers {
 
   private later(): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => { this.update(); }, DEBOUNCE_MS);
+    this.timer = window.setTimeout(() => this.update(), DEBOUNCE_MS);
   }
 
   private stopWorkers(): void {
@@ -152,5 +156,8 @@ function isReady(state: State, stage: StageName): boolean {
   const keys = wantedKeys(state);
   const current = (input: StageName) => state.results[input]?.key === keys[input];
   // A stage with a key has all that it needs: what has no key is not part of this run.
-  return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
+  return (
+    needs.every((input) => keys[input] === null || current(input)) &&
+    uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input])
+  );
 }

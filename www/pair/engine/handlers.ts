@@ -1,7 +1,24 @@
 /** What a worker does for a pair: unpacks a call, asks the crate, packs the answer. It holds the image opened last, the grey values of a pair, or a report in the making. */
 import {
-  Photo, Report, candidates, constant_offset, epipolar_line, estimate_offset, estimated_interior, gradient_candidates,
-  interior, match_photos, matches_csv, nearest_piece, orient_fiducials, orient_matches, parse_camera, parse_fiducials, scaled_interior, score_matches, simulate,
+  Photo,
+  Report,
+  candidates,
+  constant_offset,
+  epipolar_line,
+  estimate_offset,
+  estimated_interior,
+  gradient_candidates,
+  interior,
+  match_photos,
+  matches_csv,
+  nearest_piece,
+  orient_fiducials,
+  orient_matches,
+  parse_camera,
+  parse_fiducials,
+  scaled_interior,
+  score_matches,
+  simulate,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
@@ -24,9 +41,7 @@ function photo(): OpenPhoto {
 }
 
 async function decode(source: ImageSource): Promise<Photo> {
-  return source.kind === 'file'
-    ? Photo.decode(new Uint8Array(await source.file.arrayBuffer()))
-    : Photo.from_grey(source.width, source.height, source.grey);
+  return source.kind === 'file' ? Photo.decode(new Uint8Array(await source.file.arrayBuffer())) : Photo.from_grey(source.width, source.height, source.grey);
 }
 
 async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'open'>> {

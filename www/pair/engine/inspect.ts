@@ -56,8 +56,7 @@ async function featureAt(workers: Workers, state: State, side: Side, index: numb
   const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
   const reach = CELLS * settingsOf(state).gradient.cell * scale;
   const worker = await workers.withImage(side, state);
-  const patch = (factor: number, turn: number) =>
-    worker.call('patch', { x: at[0], y: at[1], direction: turn, reach: factor * reach, side: PATCH_SIDE });
+  const patch = (factor: number, turn: number) => worker.call('patch', { x: at[0], y: at[1], direction: turn, reach: factor * reach, side: PATCH_SIDE });
   const [turned, upright] = await Promise.all([patch(1, direction), patch(SURROUNDINGS, 0)]);
   return { descriptor: gradients.slice(DESCRIPTOR_BYTES * index, DESCRIPTOR_BYTES * (index + 1)), scale, direction, reach, turned, upright };
 }
@@ -71,7 +70,13 @@ async function lineOf(workers: Workers, state: State): Promise<SeenAt | null> {
   const side = otherSide(selection.side);
   const { width, height } = needed(state, side === 'left' ? 'openLeft' : 'openRight').info;
   const positions = await workers.client('pair').call('epipolarLine', {
-    from: selection.side, x: at[0], y: at[1], model: geometry.model, interior: knownInterior(state), width, height,
+    from: selection.side,
+    x: at[0],
+    y: at[1],
+    model: geometry.model,
+    interior: knownInterior(state),
+    width,
+    height,
   });
   return { side, positions };
 }
@@ -95,9 +100,7 @@ async function comparedOf(workers: Workers, state: State, left: number): Promise
     return { left: null, right: null, features: { left: ofLeft, right: ofRight } };
   }
   const rightAt = selection?.side === 'right' ? pointAt(state, 'right', selection.index) : placeOf(places, left);
-  const [ofLeft, ofRight] = await Promise.all([
-    windowAt(workers, state, 'left', pointAt(state, 'left', left)), windowAt(workers, state, 'right', rightAt),
-  ]);
+  const [ofLeft, ofRight] = await Promise.all([windowAt(workers, state, 'left', pointAt(state, 'left', left)), windowAt(workers, state, 'right', rightAt)]);
   return { left: ofLeft, right: ofRight, features: null };
 }
 

@@ -27,7 +27,7 @@ function points(side: Side): Run<StageValues['pointsLeft']> {
     const input = { settings, mask: state.masks[side]?.grey ?? null };
     const worker = await workers.withImage(side, state);
     if (comparesGradients(settings)) return worker.call('features', input);
-    return { ...await worker.call('detect', input), gradients: NONE.gradients };
+    return { ...(await worker.call('detect', input)), gradients: NONE.gradients };
   };
 }
 
@@ -71,7 +71,13 @@ function interior(side: Side): Run<StageValues['interiorLeft']> {
     if ('missing' in cameras) throw new Error(cameras.missing);
     const { fiducials, origin } = state.photos[side];
     return workers.client('pair').call('interior', {
-      width: info.width, height: info.height, camera: cameras[side], pairFocalMm: cameras.left.focal_mm, fiducials, model: state.fiducialModel, origin,
+      width: info.width,
+      height: info.height,
+      camera: cameras[side],
+      pairFocalMm: cameras.left.focal_mm,
+      fiducials,
+      model: state.fiducialModel,
+      origin,
     });
   };
 }

@@ -13,9 +13,7 @@ export function bitmapOf(grey: Uint8Array, width: number, height: number): Promi
  * The tile of `side` px at `column`, `row` (counted in tiles) of the image reduced by 2^level: each pixel is the mean of a block.
  * Tiles at the right and lower edge are smaller.
  */
-export function tileOf(
-  grey: Uint8Array, width: number, height: number, level: number, column: number, row: number, side: number,
-): Promise<ImageBitmap> {
+export function tileOf(grey: Uint8Array, width: number, height: number, level: number, column: number, row: number, side: number): Promise<ImageBitmap> {
   const step = 2 ** level;
   const left = column * side * step;
   const top = row * side * step;

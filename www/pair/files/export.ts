@@ -132,7 +132,7 @@ export function exportEverything(state: State): void {
 
 export async function exportPicture(state: State, view: View): Promise<void> {
   const canvas = view.snapshot();
-  const blob = await new Promise<Blob | null>((resolve) => { canvas.toBlob(resolve, 'image/png'); });
+  const blob = await new Promise<Blob | null>((resolve) => canvas.toBlob(resolve, 'image/png'));
   if (blob === null) throw new Error('the picture is too large for this browser to encode; make the window smaller');
   save(blob, `${baseName(state)}.png`);
 }

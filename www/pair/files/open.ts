@@ -34,7 +34,10 @@ const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
 
 export class Files {
-  constructor(private readonly store: Store, private readonly engine: Engine) {}
+  constructor(
+    private readonly store: Store,
+    private readonly engine: Engine,
+  ) {}
 
   /** Takes files of any kind; `side` says where a single one belongs. */
   async take(files: readonly File[], side: Side | null): Promise<void> {
@@ -49,7 +52,7 @@ export class Files {
     const camera = cameras[0];
     if (camera !== undefined) told.push(await this.takeCamera(camera));
     for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
-    if (images.length > 0) told.push(...await this.takeImages(images, side));
+    if (images.length > 0) told.push(...(await this.takeImages(images, side)));
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
     this.tell(told);
   }
@@ -66,7 +69,9 @@ export class Files {
       const { info: photo } = await this.engine.open(side, opened);
       const mask = await this.engine.client('pair').call('mask', { file, overlaySide: MASK_SIDE });
       if (mask.width !== photo.width || mask.height !== photo.height) {
-        return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
+        return problem(
+          `${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`,
+        );
       }
       this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
       return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
@@ -154,7 +159,9 @@ export class Files {
   private async check(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-    const told = outcomes.flatMap((outcome, i) => (outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : []));
+    const told = outcomes.flatMap((outcome, i) =>
+      outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : [],
+    );
     if (told.length === 0) this.store.dispatch({ type: 'images', images });
     return told;
   }
@@ -183,6 +190,10 @@ export function takerOf(view: View, files: Files): Taker {
   return {
     isActive: () => true,
     markAt: (event) => sideAt(event) ?? 'page',
-    take: (found, at) => { void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null); },
+    take: (found, at) =>
+      void files.take(
+        found.map(({ file }) => file),
+        SIDES.find((side) => side === at) ?? null,
+      ),
   };
 }

@@ -28,7 +28,7 @@ function inputOf(state: State): ReportInput | null {
 export async function exportReport(store: Store, engine: Engine): Promise<void> {
   const input = inputOf(store.state);
   if (input === null) return;
-  const say = (text: string) => { store.dispatch({ type: 'notice', notice: { kind: 'busy', text } }); };
+  const say = (text: string) => store.dispatch({ type: 'notice', notice: { kind: 'busy', text } });
   const client = engine.client('report');
   try {
     say('Report: reading the images …');

@@ -6,7 +6,7 @@ import type { Store } from '../state/store';
 import { count, fixed } from '../../shared/text/format';
 
 export function mountAnnouncements(host: HTMLElement, store: Store): void {
-  store.watch((s) => [s.selection] as const, ([selection]) => {
+  store.watch(['selection'], ([selection]) => {
     if (selection === null) {
       host.textContent = '';
       return;

@@ -39,26 +39,44 @@ function cameraOf([focal, pixel, x0 = 0, y0 = 0, k1 = 0, k2 = 0, k3 = 0, p1 = 0,
 export function mountCamera(host: HTMLElement, store: Store, loadFile: () => void): void {
   const change = () => {
     const last = store.state.camera;
-    const camera = cameraOf(fields.map((field, i) => {
-      const number = NUMBERS[i];
-      return number === undefined ? undefined : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? undefined);
-    }));
+    const camera = cameraOf(
+      fields.map((field, i) => {
+        const number = NUMBERS[i];
+        return number === undefined
+          ? undefined
+          : readNumber(field, (value) => allowedOfCamera(number.alone(value)), (last === null ? null : number.of(last)) ?? undefined);
+      }),
+    );
     // A field whose value is not taken goes on showing it.
-    const same = NUMBERS.every(({ of }) => (camera === null ? null : of(camera) ?? null) === (last === null ? null : of(last) ?? null));
+    const same = NUMBERS.every(({ of }) => (camera === null ? null : (of(camera) ?? null)) === (last === null ? null : (of(last) ?? null)));
     if (!same) store.dispatch({ type: 'camera', camera });
     store.dispatch({ type: 'refused', part: 'camera', label: firstRefused(fields.map(({ input }, i) => [NUMBERS[i]?.label ?? '', input])) });
   };
   const fields = NUMBERS.map(({ label, unit, testid }) => numberField(label, unit, testid, change));
   const source = h('p', { class: 'note', testid: 'camera-source' });
   const load = button('Load camera.json …', 'load-camera', loadFile);
-  const clear = button('Clear', 'clear-camera', () => { store.dispatch({ type: 'camera', camera: null }); });
-  host.append(h('fieldset', { class: 'group' }, h('legend', {}, 'Camera'), source,
-    h('div', { class: 'pairs' }, ...fields.map(({ element }) => element)), h('div', { class: 'buttons' }, load, clear)), offsetGroup(store));
-  store.watch((s) => [s.camera] as const, ([camera]) => {
-    fields.forEach((field, i) => { showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera)); });
+  const clear = button('Clear', 'clear-camera', () => store.dispatch({ type: 'camera', camera: null }));
+  host.append(
+    h(
+      'fieldset',
+      { class: 'group' },
+      h('legend', {}, 'Camera'),
+      source,
+      h('div', { class: 'pairs' }, ...fields.map(({ element }) => element)),
+      h('div', { class: 'buttons' }, load, clear),
+    ),
+    offsetGroup(store),
+  );
+  store.watch(['camera'], ([camera]) => {
+    fields.forEach((field, i) => {
+      showNumber(field, camera === null ? null : NUMBERS[i]?.of(camera));
+    });
     clear.disabled = camera === null;
   });
-  store.watch((s) => [s.camera, s.results.openLeft, s.results.openRight, s.results.match, s.photos, s.truth] as const, () => { fill(source, sourceText(store.state)); });
+  store.watch(
+    (s) => [s.camera, s.results.openLeft, s.results.openRight, s.results.match, s.photos, s.truth] as const,
+    () => fill(source, sourceText(store.state)),
+  );
 }
 
 function exifText(name: string, exif: ExifCamera): string {
@@ -70,7 +88,12 @@ function exifText(name: string, exif: ExifCamera): string {
 }
 
 function sourceText(state: State): string {
-  const exif = ([['left', state.results.openLeft], ['right', state.results.openRight]] as const)
+  const exif = (
+    [
+      ['left', state.results.openLeft],
+      ['right', state.results.openRight],
+    ] as const
+  )
     .map(([name, opened]) => (opened?.value.info.camera == null ? '' : exifText(name, opened.value.info.camera)))
     .filter((text) => text !== '')
     .join(' ');
@@ -89,28 +112,44 @@ function offsetGroup(store: Store): HTMLElement {
   const change = () => {
     const offset = readPair([dx.input, dy.input], problem, allowedOfOffset);
     if (offset !== undefined) store.dispatch({ type: 'offset', offset });
-    store.dispatch({ type: 'refused', part: 'offset', label: firstRefused([['Offset dx', dx.input], ['Offset dy', dy.input]]) });
+    store.dispatch({
+      type: 'refused',
+      part: 'offset',
+      label: firstRefused([
+        ['Offset dx', dx.input],
+        ['Offset dy', dy.input],
+      ]),
+    });
   };
   const problem = problemLine('offset');
   const dx = numberField('dx', 'px', 'offset-dx', change, problem);
   const dy = numberField('dy', 'px', 'offset-dy', change, problem);
   const found = h('p', { class: 'note', testid: 'offset-found' });
-  store.watch((s) => [s.offset] as const, ([offset]) => {
+  store.watch(['offset'], ([offset]) => {
     showNumber(dx, offset?.[0]);
     showNumber(dy, offset?.[1]);
   });
-  store.watch((s) => [s.results.offset, s.offset, s.settings] as const, ([result, given, settings]) => {
-    if (settings !== null && comparesGradients(settings)) {
-      fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
-      return;
-    }
-    if (given !== null || result === undefined) {
-      fill(found, given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.');
-      return;
-    }
-    const [mx, my] = result.value.median_px;
-    const correlation = result.value.correlation;
-    fill(found, `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`);
-  });
+  store.watch(
+    (s) => [s.results.offset, s.offset, s.settings] as const,
+    ([result, given, settings]) => {
+      if (settings !== null && comparesGradients(settings)) {
+        fill(found, 'Matching by gradients searches the whole right image: it needs no offset.');
+        return;
+      }
+      if (given !== null || result === undefined) {
+        fill(
+          found,
+          given !== null ? 'Given. Clear both fields to estimate it.' : 'Right minus left position. Empty: estimated by correlation, coarse to fine.',
+        );
+        return;
+      }
+      const [mx, my] = result.value.median_px;
+      const correlation = result.value.correlation;
+      fill(
+        found,
+        `Estimated: median ${significant(mx)}, ${significant(my)} px${correlation == null ? '' : `, correlation ${correlation.toFixed(2)}`}${correlation != null && correlation < 0.5 ? ': low. Do the images overlap? A given offset may help' : ''}.`,
+      );
+    },
+  );
   return h('fieldset', { class: 'group' }, h('legend', {}, 'Offset of the right image'), found, h('div', { class: 'pairs' }, dx.element, dy.element), problem);
 }

@@ -9,17 +9,21 @@ import { withSetting } from '../../shared/panel/settings';
 
 /** Fills the settings panel once the crate's catalogue is there. */
 export function mountControls(host: HTMLElement, store: Store): void {
-  store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+  store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
     let acts: Settings = resolved(catalogue.defaults);
     const { elements, show } = makeSections(catalogue.parameters, {
-      change: (key, value) => { change(store, key, value); },
+      change: (key, value) => change(store, key, value),
       defaults: () => catalogue.defaults,
       resolved: () => acts,
-      refused: (label) => { store.dispatch({ type: 'refused', part: 'settings', label }); },
+      refused: (label) => store.dispatch({ type: 'refused', part: 'settings', label }),
     });
-    fill(host, ...elements, button("Reset to the paper's values", 'reset-settings', () => { resetAll(store, catalogue); }));
-    store.watch((s) => [s.settings] as const, ([settings]) => {
+    fill(
+      host,
+      ...elements,
+      button("Reset to the paper's values", 'reset-settings', () => resetAll(store, catalogue)),
+    );
+    store.watch(['settings'], ([settings]) => {
       if (settings === null) return;
       acts = resolved(settings);
       show(settings, acting_parameters(settings));

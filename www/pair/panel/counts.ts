@@ -35,13 +35,16 @@ export function mountCounts(host: HTMLElement, store: Store): void {
   const points = section('Points', 'counts-section', phases);
   const matches = section('Matches', 'matches-section', rules);
   host.append(points, matches);
-  store.watch((s) => [s.results, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
-    const { state } = store;
-    points.classList.toggle('is-stale', pointsAreStale(state));
-    matches.classList.toggle('is-stale', isStale(state, 'match'));
-    fill(phases, phaseTable(state));
-    fill(rules, ruleTable(state, store), scoreLines(state));
-  });
+  store.watch(
+    (s) => [s.results, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
+    () => {
+      const { state } = store;
+      points.classList.toggle('is-stale', pointsAreStale(state));
+      matches.classList.toggle('is-stale', isStale(state, 'match'));
+      fill(phases, phaseTable(state));
+      fill(rules, ruleTable(state, store), scoreLines(state));
+    },
+  );
 }
 
 function pointsAreStale(state: State): boolean {
@@ -59,19 +62,41 @@ function phaseTable(state: State): HTMLElement {
   const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : undefined;
   const paper = (text: (of: Paper) => string) => (printed === undefined ? [] : [h('td', { class: 'number paper' }, text(printed))]);
   const counted = (place: 0 | 1 | 2 | null) => paper(({ points }) => (place === null ? '–' : points[place].map(count).join(' / ')));
-  const body = PHASES.map(([field, label]) => row(
-    label,
-    cell(`count-left-${field}`, count(left?.counts[field])),
-    cell(`count-right-${field}`, count(right?.counts[field])),
-    ...counted(PAPER[field]),
-  ));
+  const body = PHASES.map(([field, label]) =>
+    row(label, cell(`count-left-${field}`, count(left?.counts[field])), cell(`count-right-${field}`, count(right?.counts[field])), ...counted(PAPER[field])),
+  );
   const threshold = (value: number | undefined) => (value === undefined ? '–' : significant(value));
-  return h('table', { aria: { label: 'Points after each phase' } },
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Phase'), h('th', { scope: 'col' }, 'Left'), h('th', { scope: 'col' }, 'Right'),
-      printed !== undefined ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null)),
-    h('tbody', {}, ...body,
-      markStale(row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...counted(PAPER_MATCHES)), isStale(state, 'match') && !pointsAreStale(state)),
-      row('Threshold', cell('threshold-left', threshold(left?.threshold)), cell('threshold-right', threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(' / ')))));
+  return h(
+    'table',
+    { aria: { label: 'Points after each phase' } },
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'col' }, 'Phase'),
+        h('th', { scope: 'col' }, 'Left'),
+        h('th', { scope: 'col' }, 'Right'),
+        printed !== undefined ? h('th', { scope: 'col', class: 'paper', title: "The paper's Table 1, for its own pair" }, 'Paper, l / r') : null,
+      ),
+    ),
+    h(
+      'tbody',
+      {},
+      ...body,
+      markStale(
+        row('Matching', cell('count-left-matches', count(matches)), cell('count-right-matches', count(matches)), ...counted(PAPER_MATCHES)),
+        isStale(state, 'match') && !pointsAreStale(state),
+      ),
+      row(
+        'Threshold',
+        cell('threshold-left', threshold(left?.threshold)),
+        cell('threshold-right', threshold(right?.threshold)),
+        ...paper((of) => [of.threshold, of.threshold].map(count).join(' / ')),
+      ),
+    ),
+  );
 }
 
 function ruleTable(state: State, store: Store): HTMLElement {
@@ -83,16 +108,43 @@ function ruleTable(state: State, store: Store): HTMLElement {
   const refused = applied.map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
   const shown = shownPair(state);
   const gross = shown.orientation?.rejected.length;
-  return h('table', { aria: { label: 'What became of the left points' } },
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Left points'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'), h('th', { scope: 'col' }, 'Show'))),
-    h('tbody', {}, ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
-      markStale(ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
-        gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match')),
-      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Rejected by')), ...refused));
+  return h(
+    'table',
+    { aria: { label: 'What became of the left points' } },
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', { scope: 'col' }, 'Left points'),
+        h('th', { scope: 'col' }, 'Number'),
+        h('th', { scope: 'col' }, 'Share'),
+        h('th', { scope: 'col' }, 'Show'),
+      ),
+    ),
+    h(
+      'tbody',
+      {},
+      ruleRow(MATCHED, 'count-matches', result?.counts.matches, share, state, store),
+      markStale(
+        ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
+        gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match'),
+      ),
+      h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Rejected by')),
+      ...refused,
+    ),
+  );
 }
 
 function ruleRow(
-  code: number, testid: string, value: number | undefined, share: (n: number | undefined) => string, state: State, store: Store, label?: string,
+  code: number,
+  testid: string,
+  value: number | undefined,
+  share: (n: number | undefined) => string,
+  state: State,
+  store: Store,
+  label?: string,
 ): HTMLTableRowElement {
   const verdict = CODES[code] ?? 'undecided';
   const own = message('verdict', verdict, 'label');
@@ -104,7 +156,12 @@ function ruleRow(
     document.querySelector<HTMLInputElement>(`[data-testid="show-${String(code)}"]`)?.focus();
   });
   const name = h('span', { title: message('verdict', verdict) }, label ?? own);
-  return row(h('span', { class: 'legend' }, swatch(code), name), cell(testid, count(value)), h('td', { class: 'number' }, share(value)), h('td', { class: 'centre' }, toggle));
+  return row(
+    h('span', { class: 'legend' }, swatch(code), name),
+    cell(testid, count(value)),
+    h('td', { class: 'number' }, share(value)),
+    h('td', { class: 'centre' }, toggle),
+  );
 }
 
 /** How many matches are right, where the truth is known. */
@@ -115,12 +172,24 @@ function scoreLines(state: State): HTMLElement | null {
   const line = (name: string, testid: string, value: number, of: string, title: string) =>
     h('tr', { title }, h('th', { scope: 'row' }, name), cell(testid, count(value)), h('td', { class: 'number' }, of));
   const share = (value: number) => percent(value / score.matches);
-  return h('table', { testid: 'score', aria: { label: 'Matches against the truth' } },
+  return h(
+    'table',
+    { testid: 'score', aria: { label: 'Matches against the truth' } },
     h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Against the truth'), h('th', { scope: 'col' }, 'Number'), h('th', { scope: 'col' }, 'Share'))),
-    h('tbody', {},
-      line('Right', 'score-right', score.right, share(score.right), 'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.'),
+    h(
+      'tbody',
+      {},
+      line(
+        'Right',
+        'score-right',
+        score.right,
+        share(score.right),
+        'Within 1.5 px of where the surface at the left pixel, or at one of its 8 neighbours, is seen: points lie on edges, where the surface may jump between two pixels.',
+      ),
       line('Strictly right', 'score-strict', score.strict, share(score.strict), 'Within 1.5 px of where the surface at the left pixel itself is seen.'),
-      line('Missed', 'score-missed', score.missed, '', 'Left points that are visible in the right image and have no right match.')));
+      line('Missed', 'score-missed', score.missed, '', 'Left points that are visible in the right image and have no right match.'),
+    ),
+  );
 }
 
 /** What became of the points, in one sentence for the status line. */

@@ -26,8 +26,12 @@ export function featurePictures({ features }: Inspection): HTMLElement[] {
   };
   return [
     ...both('Turned and scaled to the point, contrast stretched', 'point-patches', turnedPicture, () => ''),
-    ...both('Descriptor, as it lies in the image', 'point-descriptors', uprightPicture,
-      ({ scale, direction, reach }) => ` · scale ${fixed(scale, 1)} px, direction ${fixed((direction * 180) / Math.PI, 0)}°, ${fixed(reach, 0)} px wide`),
+    ...both(
+      'Descriptor, as it lies in the image',
+      'point-descriptors',
+      uprightPicture,
+      ({ scale, direction, reach }) => ` · scale ${fixed(scale, 1)} px, direction ${fixed((direction * 180) / Math.PI, 0)}°, ${fixed(reach, 0)} px wide`,
+    ),
   ];
 }
 

@@ -16,35 +16,47 @@ export function mountFiducials(host: HTMLElement, store: Store, loadFile: (side:
   model.addEventListener('change', () => {
     store.dispatch({ type: 'fiducialModel', model: model.value === 'similarity' ? 'similarity' : 'affine' });
   });
-  store.watch((s) => [s.fiducialModel] as const, ([value]) => { model.value = value; });
-  host.append(h('fieldset', { class: 'group' }, h('legend', {}, 'Interior orientation'),
-    h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
-    photo('left', store, loadFile), photo('right', store, loadFile)));
+  store.watch(['fiducialModel'], ([value]) => {
+    model.value = value;
+  });
+  host.append(
+    h(
+      'fieldset',
+      { class: 'group' },
+      h('legend', {}, 'Interior orientation'),
+      h('div', { class: 'control' }, h('label', { for: 'fiducial-model' }, 'Transformation'), model),
+      photo('left', store, loadFile),
+      photo('right', store, loadFile),
+    ),
+  );
 }
 
 function photo(side: Side, store: Store, loadFile: (side: Side) => void): HTMLElement {
   const table = h('div', { class: 'scroll' });
   const result = h('p', { class: 'note', testid: `interior-${side}` });
-  const set = (change: Partial<PhotoData>) => { store.dispatch({ type: 'photo', side, photo: change }); };
+  const set = (change: Partial<PhotoData>) => store.dispatch({ type: 'photo', side, photo: change });
   const name = side === 'left' ? 'Left' : 'Right';
   const add = button('Add mark', `add-fiducial-${side}`, () => {
     set({ fiducials: [...store.state.photos[side].fiducials, { col: NaN, row: NaN, x_mm: NaN, y_mm: NaN }] });
   });
-  const load = button('Load CSV …', `load-fiducials-${side}`, () => { loadFile(side); });
-  const clear = button('Clear', `clear-fiducials-${side}`, () => { set({ fiducials: [] }); });
+  const load = button('Load CSV …', `load-fiducials-${side}`, () => loadFile(side));
+  const clear = button('Clear', `clear-fiducials-${side}`, () => set({ fiducials: [] }));
   let shown: readonly Fiducial[] | null = null;
   const stage = side === 'left' ? 'interiorLeft' : 'interiorRight';
-  store.watch((s) => [s.photos[side].fiducials, s.results[stage]] as const, ([fiducials, interior]) => {
-    const residuals = interior?.value.fiducials?.residuals_mm ?? [];
-    if (shown !== fiducials) {
-      // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
-      if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
-      shown = fiducials;
-    }
-    showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
-    clear.disabled = fiducials.length === 0;
-    fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
-  });
+  store.watch(
+    (s) => [s.photos[side].fiducials, s.results[stage]] as const,
+    ([fiducials, interior]) => {
+      const residuals = interior?.value.fiducials?.residuals_mm ?? [];
+      if (shown !== fiducials) {
+        // Typing a number changes one mark: the table is built anew only when marks come or go, so that the focus stays.
+        if (shown?.length !== fiducials.length) fill(table, marksTable(side, store, fiducials.length));
+        shown = fiducials;
+      }
+      showMarks(table, fiducials, residuals.length === fiducials.length ? residuals : []);
+      clear.disabled = fiducials.length === 0;
+      fill(result, interiorText(interior?.value.fiducials?.sigma0_mm, interior?.value.fiducials?.degrees_of_freedom, fiducials.length));
+    },
+  );
   return h('div', { class: 'photo' }, h('h4', {}, `${name} image`), result, table, h('div', { class: 'buttons' }, add, load, clear), originFields(side, store));
 }
 
@@ -56,14 +68,33 @@ function interiorText(sigma: number | null | undefined, freedom: number | undefi
 
 function marksTable(side: Side, store: Store, rows: number): HTMLElement | string {
   if (rows === 0) return '';
-  const body = Array.from({ length: rows }, (_, i) => h('tr', {},
-    h('th', { scope: 'row' }, String(i + 1)),
-    ...FIELDS.map((field) => h('td', {}, markInput(side, store, i, field))),
-    h('td', { class: 'number residual' }, ''),
-    h('td', {}, removeButton(side, store, i))));
-  return h('table', { class: 'marks', testid: `fiducials-${side}`, aria: { label: `Fiducial marks, ${side}` } },
-    h('thead', {}, h('tr', {}, h('th', {}, ''), ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])), h('th', { scope: 'col', title: 'Residuals vx, vy' }, 'v µm'), h('th', {}, ''))),
-    h('tbody', {}, ...body));
+  const body = Array.from({ length: rows }, (_, i) =>
+    h(
+      'tr',
+      {},
+      h('th', { scope: 'row' }, String(i + 1)),
+      ...FIELDS.map((field) => h('td', {}, markInput(side, store, i, field))),
+      h('td', { class: 'number residual' }, ''),
+      h('td', {}, removeButton(side, store, i)),
+    ),
+  );
+  return h(
+    'table',
+    { class: 'marks', testid: `fiducials-${side}`, aria: { label: `Fiducial marks, ${side}` } },
+    h(
+      'thead',
+      {},
+      h(
+        'tr',
+        {},
+        h('th', {}, ''),
+        ...FIELDS.map((field) => h('th', { scope: 'col' }, HEADS[field])),
+        h('th', { scope: 'col', title: 'Residuals vx, vy' }, 'v µm'),
+        h('th', {}, ''),
+      ),
+    ),
+    h('tbody', {}, ...body),
+  );
 }
 
 function markInput(side: Side, store: Store, index: number, field: (typeof FIELDS)[number]): HTMLInputElement {
@@ -113,8 +144,24 @@ function originFields(side: Side, store: Store): HTMLElement {
     return input;
   };
   const inputs = [field('column', `origin-${side}-col`), field('row', `origin-${side}-row`)] as const;
-  store.watch((s) => [s.photos[side].origin] as const, ([origin]) => {
-    inputs.forEach((input, axis) => { showNumber({ input, problem }, origin?.[axis]); });
-  });
-  return h('div', { class: 'control compact origin' }, h('span', { title: 'Column and row of this image’s top-left corner in the scan in which the marks were measured. Empty: the image is the whole scan.' }, 'Origin in the scan ', h('span', { class: 'unit' }, 'col, row px')), ...inputs, problem);
+  store.watch(
+    (s) => [s.photos[side].origin] as const,
+    ([origin]) => {
+      inputs.forEach((input, axis) => {
+        showNumber({ input, problem }, origin?.[axis]);
+      });
+    },
+  );
+  return h(
+    'div',
+    { class: 'control compact origin' },
+    h(
+      'span',
+      { title: 'Column and row of this image’s top-left corner in the scan in which the marks were measured. Empty: the image is the whole scan.' },
+      'Origin in the scan ',
+      h('span', { class: 'unit' }, 'col, row px'),
+    ),
+    ...inputs,
+    problem,
+  );
 }

@@ -44,19 +44,21 @@ export interface HeaderParts {
 
 export function mountHeader({ store, engine, view, files, pick, attempt }: HeaderParts): void {
   const on = (id: string, action: () => void | Promise<void>) => {
-    byId(id).addEventListener('click', () => { void attempt(action); });
+    byId(id).addEventListener('click', () => void attempt(action));
   };
-  for (const id of ['open', 'open-first']) on(id, () => { pick(null); });
+  for (const id of ['open', 'open-first']) on(id, () => pick(null));
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
-  on('swap', () => { swap(store, engine); });
+  on('swap', () => swap(store, engine));
   on('export-csv', () => exportMatches(store.state, engine));
-  on('export-json', () => { exportEverything(store.state); });
+  on('export-json', () => exportEverything(store.state));
   on('export-report', () => exportReport(store, engine));
   on('export-png', () => exportPicture(store.state, view));
-  store.watch((s) => [s.images, s.results, s.catalogue, s.notice, s.running] as const, ([images, , catalogue]) => {
+  store.watch(['images', 'results', 'catalogue', 'notice', 'running'], ([images, , catalogue]) => {
     const both = images.left !== null && images.right !== null;
     const none = images.left === null && images.right === null;
-    const set = (id: string, disabled: boolean) => { (byId(id) as HTMLButtonElement).disabled = disabled; };
+    const set = (id: string, disabled: boolean) => {
+      (byId(id) as HTMLButtonElement).disabled = disabled;
+    };
     set('swap', none);
     set('sample', catalogue === null);
     set('sample-first', catalogue === null);
@@ -72,7 +74,8 @@ export function mountHeader({ store, engine, view, files, pick, attempt }: Heade
 function swap(store: Store, engine: Engine): void {
   const known = truthOf(store.state) !== null;
   engine.swap();
-  if (known) store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The truth of the simulated pair holds in its own order only: swap again to compare.' } });
+  if (known)
+    store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The truth of the simulated pair holds in its own order only: swap again to compare.' } });
 }
 
 /** Hides the welcome; the keyboard goes on to the images where it was in there, or on the button that gave them. */

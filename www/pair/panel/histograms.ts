@@ -25,7 +25,7 @@ export function mountHistograms(host: HTMLElement, store: Store): void {
   const panel = section('Histograms', 'histograms-section', body);
   host.append(panel);
   let round = 0;
-  store.watch((s) => [s.results, s.images, s.settings, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
+  store.watch(['results', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
     panel.classList.toggle('is-stale', isStale(store.state, 'match'));
     round += 1;
     void update(body, store, () => round, round);
@@ -36,7 +36,7 @@ export function mountHistograms(host: HTMLElement, store: Store): void {
 async function update(body: HTMLElement, store: Store, round: () => number, own: number): Promise<void> {
   const charts: HTMLElement[] = [];
   for (const make of CHARTS) {
-    await new Promise((resolve) => { window.setTimeout(resolve, 0); });
+    await new Promise((resolve) => window.setTimeout(resolve, 0));
     if (round() !== own) return;
     const made = make(store.state);
     if (made !== null) charts.push(made);
@@ -69,19 +69,33 @@ const CHARTS: readonly ((state: State) => HTMLElement | null)[] = [
 function chart(title: string, unit: string, data: Histogram, testid: string): HTMLElement {
   const most = Math.max(...data.counts, 1);
   const width = WIDTH / data.counts.length;
-  const bars = data.counts.map((n, i) => {
-    const bar = Math.round(((HEIGHT * n) / most) * 100) / 100;
-    return n === 0 ? '' : `M${String(i * width + 0.5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
-  }).join('');
+  const bars = data.counts
+    .map((n, i) => {
+      const bar = Math.round(((HEIGHT * n) / most) * 100) / 100;
+      return n === 0 ? '' : `M${String(i * width + 0.5)} ${String(HEIGHT)}v-${String(bar)}h${String(width - 1)}v${String(bar)}z`;
+    })
+    .join('');
   const at = (value: number) => (WIDTH * (value - data.low)) / (data.high - data.low);
   const suffix = unit === '' ? '' : ` ${unit}`;
   const words = `${title}: ${count(data.total)} values, median ${significant(data.median)}${suffix}, shown from ${significant(data.low)} to ${significant(data.high)}${suffix}, at most ${count(most)} in a bar`;
-  const picture = svg('svg', { viewBox: `0 0 ${String(WIDTH)} ${String(HEIGHT + 1)}`, class: 'histogram', role: 'img', 'aria-label': words, preserveAspectRatio: 'none' },
+  const picture = svg(
+    'svg',
+    { viewBox: `0 0 ${String(WIDTH)} ${String(HEIGHT + 1)}`, class: 'histogram', role: 'img', 'aria-label': words, preserveAspectRatio: 'none' },
     svg('path', { d: bars, class: 'bars' }),
     svg('path', { d: `M0 ${String(HEIGHT + 0.5)}h${String(WIDTH)}`, class: 'axis' }),
-    svg('path', { d: `M${String(at(data.median))} 0v${String(HEIGHT)}`, class: 'median' }));
-  return h('figure', { testid },
+    svg('path', { d: `M${String(at(data.median))} 0v${String(HEIGHT)}`, class: 'median' }),
+  );
+  return h(
+    'figure',
+    { testid },
     h('figcaption', {}, title, h('span', { class: 'unit' }, `${suffix} · n = ${count(data.total)}`)),
     picture,
-    h('div', { class: 'scale' }, h('span', {}, significant(data.low)), h('span', {}, `median ${significant(data.median)}`), h('span', {}, significant(data.high))));
+    h(
+      'div',
+      { class: 'scale' },
+      h('span', {}, significant(data.low)),
+      h('span', {}, `median ${significant(data.median)}`),
+      h('span', {}, significant(data.high)),
+    ),
+  );
 }

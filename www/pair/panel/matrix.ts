@@ -13,15 +13,29 @@ const FOOT = 12;
 /** The matrix of correlations: the larger the square the stronger, filled where positive and hatched by its outline where negative. */
 export function correlationPicture({ correlations }: RelativeOrientation): HTMLElement {
   const size = HEAD + CELL * UNKNOWNS.length;
-  const words = UNKNOWNS.flatMap(({ symbol }, i) => UNKNOWNS.slice(i + 1).map((other, k) => `${symbol} and ${other.symbol} ${fixed(correlations[i]?.[i + 1 + k], 2)}`));
+  const words = UNKNOWNS.flatMap(({ symbol }, i) =>
+    UNKNOWNS.slice(i + 1).map((other, k) => `${symbol} and ${other.symbol} ${fixed(correlations[i]?.[i + 1 + k], 2)}`),
+  );
   const heads = UNKNOWNS.flatMap(({ symbol }, i) => [
     svg('text', { x: HEAD + CELL * (i + 0.5), y: HEAD - 8, class: 'matrix-name' }, symbol),
     svg('text', { x: HEAD / 2, y: HEAD + CELL * (i + 0.5) + 4, class: 'matrix-name' }, symbol),
   ]);
   const cells = UNKNOWNS.flatMap((_, i) => UNKNOWNS.map((__, j) => cellOf(correlations[i]?.[j] ?? NaN, i, j)));
-  return h('figure', { testid: 'correlations' },
-    h('figcaption', { title: 'From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other.' }, 'Correlations of the unknowns'),
-    svg('svg', { viewBox: `0 0 ${String(size)} ${String(size)}`, class: 'correlations', role: 'img', 'aria-label': `Correlations: ${words.join(', ')}` }, ...heads, ...cells));
+  return h(
+    'figure',
+    { testid: 'correlations' },
+    h(
+      'figcaption',
+      { title: 'From the inverse of the normal equations: near ±1 two unknowns are hardly separable, and an error of one passes into the other.' },
+      'Correlations of the unknowns',
+    ),
+    svg(
+      'svg',
+      { viewBox: `0 0 ${String(size)} ${String(size)}`, class: 'correlations', role: 'img', 'aria-label': `Correlations: ${words.join(', ')}` },
+      ...heads,
+      ...cells,
+    ),
+  );
 }
 
 /** The area of the square stands for the magnitude. */
@@ -30,10 +44,13 @@ function cellOf(value: number, row: number, column: number): SVGGElement {
   const x = HEAD + CELL * (column + 0.5);
   const y = HEAD + CELL * (row + 0.5);
   const middle = y - FOOT / 2;
-  return svg('g', { 'data-testid': `correlation-${String(row)}-${String(column)}` },
+  return svg(
+    'g',
+    { 'data-testid': `correlation-${String(row)}-${String(column)}` },
     svg('rect', { x: x - CELL / 2, y: y - CELL / 2, width: CELL, height: CELL, class: 'matrix-cell' }),
     svg('rect', { x: x - side / 2, y: middle - side / 2, width: side, height: side, class: value < 0 ? 'negative' : 'positive' }),
-    svg('text', { x, y: y + CELL / 2 - 3, class: 'matrix-value' }, fixed(value, 2)));
+    svg('text', { x, y: y + CELL / 2 - 3, class: 'matrix-value' }, fixed(value, 2)),
+  );
 }
 
 const PLOT = 150;
@@ -47,15 +64,25 @@ export function ellipsePicture(ellipse: ErrorEllipse, deviation: [number, number
   // The truth lies where the deviation is undone.
   const truth = deviation === null ? [] : [svg('path', { d: cross(-deviation[0] * scale, deviation[1] * scale), class: 'truth' })];
   const half = PLOT / 2;
-  return h('figure', { testid: 'ellipse' },
-    h('figcaption', { title: words }, `by, bz: ellipse ${significant(1000 * major)} × ${significant(1000 * minor)} µm; dashed: twice as large, 2 standard errors${deviation === null ? '' : '; cross: truth'}`),
-    svg('svg', { viewBox: `${String(-half)} ${String(-half)} ${String(PLOT)} ${String(PLOT)}`, class: 'ellipse', role: 'img', 'aria-label': words },
+  return h(
+    'figure',
+    { testid: 'ellipse' },
+    h(
+      'figcaption',
+      { title: words },
+      `by, bz: ellipse ${significant(1000 * major)} × ${significant(1000 * minor)} µm; dashed: twice as large, 2 standard errors${deviation === null ? '' : '; cross: truth'}`,
+    ),
+    svg(
+      'svg',
+      { viewBox: `${String(-half)} ${String(-half)} ${String(PLOT)} ${String(PLOT)}`, class: 'ellipse', role: 'img', 'aria-label': words },
       svg('path', { d: `M${String(-half)} 0h${String(PLOT)}M0 ${String(-half)}v${String(PLOT)}`, class: 'axis' }),
       svg('ellipse', { rx: major * scale, ry: minor * scale, transform: `rotate(${String(-angle)})`, class: 'outline' }),
       svg('ellipse', { rx: 2 * major * scale, ry: 2 * minor * scale, transform: `rotate(${String(-angle)})`, class: 'outline faint' }),
       ...truth,
       svg('text', { x: half - 16, y: -5, class: 'matrix-name' }, 'by'),
-      svg('text', { x: 12, y: -half + 12, class: 'matrix-name' }, 'bz')));
+      svg('text', { x: 12, y: -half + 12, class: 'matrix-name' }, 'bz'),
+    ),
+  );
 }
 
 function cross(x: number, y: number): string {

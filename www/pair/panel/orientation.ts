@@ -22,7 +22,7 @@ export function mountOrientation(host: HTMLElement, store: Store): void {
   const body = h('div', {});
   const panel = section('Relative orientation', 'orientation-section', body);
   host.append(panel);
-  store.watch((s) => [s.results, s.settings, s.images, s.failures, s.camera, s.photos, s.offset, s.fiducialModel] as const, () => {
+  store.watch(['results', 'settings', 'images', 'failures', 'camera', 'photos', 'offset', 'fiducialModel'], () => {
     const { state } = store;
     panel.classList.toggle('is-stale', isStale(state, 'orientation'));
     fill(body, ...content(state));
@@ -34,7 +34,14 @@ function content(state: State): HTMLElement[] {
   if (reason !== null) return [h('p', { class: 'note', testid: 'orientation-reason' }, reason)];
   const result = state.results.orientation?.value;
   if (result === undefined) return [h('p', { class: 'note', testid: 'orientation-reason' }, 'Not computed yet.')];
-  return [...estimatedFocal(state), valueTable(state, result), ...warnings(result), precision(state, result), h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT), pictures(state, result)];
+  return [
+    ...estimatedFocal(state),
+    valueTable(state, result),
+    ...warnings(result),
+    precision(state, result),
+    h('p', { class: 'caveat', testid: 'sigma-caveat' }, SIGMA_CAVEAT),
+    pictures(state, result),
+  ];
 }
 
 /** Says where the focal length is from, where no camera is known. */
@@ -42,8 +49,13 @@ function estimatedFocal(state: State): HTMLElement[] {
   const { match } = state.results;
   const focal = match?.value.geometry?.focal ?? null;
   if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
-  return [h('p', { class: 'note', testid: 'estimated-focal' },
-    `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
+  return [
+    h(
+      'p',
+      { class: 'note', testid: 'estimated-focal' },
+      `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`,
+    ),
+  ];
 }
 
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
@@ -97,25 +109,69 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
-    const printed = paper === undefined ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, 'paper'), number(`paper-error-${field}`, paper.standard_errors[field], digits, 'paper')];
-    const compared = truth === null
-      ? printed
-      : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
+    const printed =
+      paper === undefined
+        ? []
+        : [
+            number(`paper-${field}`, paper.orientations[2].values[field], digits, 'paper'),
+            number(`paper-error-${field}`, paper.standard_errors[field], digits, 'paper'),
+          ];
+    const compared =
+      truth === null
+        ? printed
+        : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
     return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
   });
   const heads: [string, string][] = [
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
     ['Std error', 'What the scatter of the matches leaves uncertain.'],
-    ...(total === null ? [] : [['In total', 'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.'] satisfies [string, string]]),
-    ...(paper !== undefined ? [['Paper', "The paper's Table 3, of its own pair"], ['its error', "The paper's Table 2"]] satisfies [string, string][] : []),
+    ...(total === null
+      ? []
+      : [
+          [
+            'In total',
+            'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.',
+          ] satisfies [string, string],
+        ]),
+    ...(paper !== undefined
+      ? ([
+          ['Paper', "The paper's Table 3, of its own pair"],
+          ['its error', "The paper's Table 2"],
+        ] satisfies [string, string][])
+      : []),
     ...(truth === null
       ? []
-      : [['True error', 'Value minus truth; by and bz at the scale of the base used.'], ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.']] satisfies [string, string][]),
+      : ([
+          ['True error', 'Value minus truth; by and bz at the scale of the base used.'],
+          ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.'],
+        ] satisfies [string, string][])),
   ];
-  const note = paper !== undefined ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
-  return h('div', {}, h('div', { class: 'scroll' }, h('table', { class: 'tight', aria: { label: 'Relative orientation' } },
-    h('thead', {}, h('tr', {}, h('th', { scope: 'col' }, 'Unknown'), ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)))),
-    h('tbody', {}, ...rows))), note);
+  const note =
+    paper !== undefined ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  return h(
+    'div',
+    {},
+    h(
+      'div',
+      { class: 'scroll' },
+      h(
+        'table',
+        { class: 'tight', aria: { label: 'Relative orientation' } },
+        h(
+          'thead',
+          {},
+          h(
+            'tr',
+            {},
+            h('th', { scope: 'col' }, 'Unknown'),
+            ...heads.map(([text, title]) => h('th', { scope: 'col', title, class: text === 'Paper' || text === 'its error' ? 'paper' : '' }, text)),
+          ),
+        ),
+        h('tbody', {}, ...rows),
+      ),
+    ),
+    note,
+  );
 }
 
 function warnings({ warnings: found }: RelativeOrientation): HTMLElement[] {
@@ -130,41 +186,74 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
   const test = result.global_test;
   const list: Fact[] = [
     {
-      name: 'σ₀ of a photo coordinate', testid: 'sigma0', value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`,
+      name: 'σ₀ of a photo coordinate',
+      testid: 'sigma0',
+      value: sigma == null ? '–' : `${fixed(1000 * sigma, 2)} µm${pixel === null ? '' : ` = ${fixed(sigma / pixel, 3)} px`}`,
       help: `Standard error of one photo coordinate of weight 1, from the residuals. ${SIGMA_CAVEAT}`,
     },
     {
-      name: 'of a y-parallax (√2 σ₀)', testid: 'sigma-parallax', value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
+      name: 'of a y-parallax (√2 σ₀)',
+      testid: 'sigma-parallax',
+      value: sigma == null || pixel === null ? '–' : `${fixed((Math.SQRT2 * sigma) / pixel, 3)} px`,
       help: 'Standard error of the y-parallax of a match: the distance at which its two rays pass each other.',
     },
-    ...(test === null ? [] : [{
-      name: 'Global test', testid: 'global-test', value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`, ...(test.passed ? {} : { kind: 'problem' as const }),
-      help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
-    }]),
+    ...(test === null
+      ? []
+      : [
+          {
+            name: 'Global test',
+            testid: 'global-test',
+            value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`,
+            ...(test.passed ? {} : { kind: 'problem' as const }),
+            help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
+          },
+        ]),
     { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
-    { name: 'Matches used', testid: 'matches-used', value: `${count(used)} of ${count(result.residuals_mm.length)}`, help: 'Data snooping rejected the others as gross errors, or their rays meet behind a camera.' },
     {
-      name: 'Condition', testid: 'condition', value: significant(result.condition),
+      name: 'Matches used',
+      testid: 'matches-used',
+      value: `${count(used)} of ${count(result.residuals_mm.length)}`,
+      help: 'Data snooping rejected the others as gross errors, or their rays meet behind a camera.',
+    },
+    {
+      name: 'Condition',
+      testid: 'condition',
+      value: significant(result.condition),
       help: 'Largest by smallest eigenvalue of the matrix of correlations: 1 where the unknowns are independent, some thousands for vertical photographs, far more where they are hardly separable.',
     },
     {
-      name: 'Misfit to a plane', testid: 'plane-misfit', value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
+      name: 'Misfit to a plane',
+      testid: 'plane-misfit',
+      value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
       help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief.',
     },
     {
-      name: 'Parallax beside a rotation', testid: 'rotation-parallax', value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
+      name: 'Parallax beside a rotation',
+      testid: 'rotation-parallax',
+      value: pixel === null ? `${significant(result.parallax_beside_rotation_mm)} mm` : `${significant(result.parallax_beside_rotation_mm / pixel)} px`,
       help: 'Median parallax that the best rotation of the right photo leaves: what of the difference of the photos only a base explains. Next to nothing where the camera only turned.',
     },
     {
-      name: 'Spread', testid: 'spread', value: `${fixed(result.spread, 3)} f`,
+      name: 'Spread',
+      testid: 'spread',
+      value: `${fixed(result.spread, 3)} f`,
       help: 'Root mean square distance of the points from their middle in the left photo, in principal distances. Small where they cover little of the photo.',
     },
     {
-      name: 'Iterations, last step', testid: 'iterations', value: `${String(result.iterations)}, ${significant(result.last_step)}`,
+      name: 'Iterations, last step',
+      testid: 'iterations',
+      value: `${String(result.iterations)}, ${significant(result.last_step)}`,
       help: 'The last step relative to a millionth of the standard errors: below 1 the adjustment has converged.',
     },
-    { name: 'Base b, principal distance', testid: 'base', value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`, help: 'The base component that was fixed gives by and bz their scale.' },
-    ...(hasPaperCamera(state) ? [{ name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' }] : []),
+    {
+      name: 'Base b, principal distance',
+      testid: 'base',
+      value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`,
+      help: 'The base component that was fixed gives by and bz their scale.',
+    },
+    ...(hasPaperCamera(state)
+      ? [{ name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' }]
+      : []),
   ];
   return facts(list);
 }

@@ -26,23 +26,26 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
     }
   };
   new ResizeObserver(place).observe(view.host);
-  store.watch((s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const, () => {
-    for (const side of SIDES) {
-      labels[side].element.classList.toggle('is-active', store.state.activeSide === side);
-      labels[side].element.classList.toggle('is-empty', store.state.images[side] === null);
-      labels[side].show(store.state);
-    }
-  });
+  store.watch(
+    (s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const,
+    () => {
+      for (const side of SIDES) {
+        labels[side].element.classList.toggle('is-active', store.state.activeSide === side);
+        labels[side].element.classList.toggle('is-empty', store.state.images[side] === null);
+        labels[side].show(store.state);
+      }
+    },
+  );
 }
 
 function label(side: Side, actions: PaneActions): { element: HTMLElement; show: (state: State) => void } {
   const name = h('span', { class: 'pane-name', testid: `name-${side}` });
-  const replace = button('Replace …', `replace-${side}`, () => { actions.open(side); });
+  const replace = button('Replace …', `replace-${side}`, () => actions.open(side));
   replace.setAttribute('aria-label', `Replace the ${side} image`);
-  const empty = button(`Open the ${side} image …`, `open-${side}`, () => { actions.open(side); });
+  const empty = button(`Open the ${side} image …`, `open-${side}`, () => actions.open(side));
   empty.className = 'invitation';
-  const mask = button('Mask …', `mask-${side}`, () => { actions.mask(side); }, 'An image of the same size: no points are detected where it is 0 (black)');
-  const unmask = button('× mask', `unmask-${side}`, () => { actions.unmask(side); });
+  const mask = button('Mask …', `mask-${side}`, () => actions.mask(side), 'An image of the same size: no points are detected where it is 0 (black)');
+  const unmask = button('× mask', `unmask-${side}`, () => actions.unmask(side));
   unmask.setAttribute('aria-label', `Remove the mask of the ${side} image`);
   const head = h('div', { class: 'pane-head' }, name, replace, mask, unmask);
   const element = h('div', { class: 'pane-frame', testid: `pane-${side}` }, head, empty);

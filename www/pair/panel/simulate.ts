@@ -25,7 +25,7 @@ const PRESETS: Readonly<Record<string, string>> = {
 };
 
 export function mountSimulate(host: HTMLElement, store: Store, engine: Engine, render: (name: string, flight: Flight) => void): void {
-  store.watch((s) => [s.catalogue] as const, ([catalogue]) => {
+  store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue !== null) new SimulatePanel(host, store, engine, catalogue, render);
   });
 }
@@ -40,11 +40,14 @@ class SimulatePanel {
   private shown: Flight | null = null;
 
   constructor(
-    private readonly host: HTMLElement, private readonly store: Store, private readonly engine: Engine, private readonly catalogue: Catalogue,
+    private readonly host: HTMLElement,
+    private readonly store: Store,
+    private readonly engine: Engine,
+    private readonly catalogue: Catalogue,
     render: (name: string, flight: Flight) => void,
   ) {
     for (const { name } of catalogue.flights) this.preset.append(new Option(PRESETS[name] ?? name, name));
-    this.preset.addEventListener('change', () => { store.dispatch({ type: 'flight', flight: this.standard() }); });
+    this.preset.addEventListener('change', () => store.dispatch({ type: 'flight', flight: this.standard() }));
     this.sections = makeSections(catalogue.flightParameters, {
       change: (key, value) => {
         const { flight } = store.state;
@@ -57,21 +60,34 @@ class SimulatePanel {
       if (flight !== null) render(this.preset.value, flight);
     });
     go.className = 'primary';
-    const another = button('Another town', 'flight-reseed', () => {
-      const { flight } = store.state;
-      if (flight !== null) store.dispatch({ type: 'flight', flight: { ...flight, seed: (flight.seed + 1) % 2 ** 32 } });
-    }, 'The next seed');
+    const another = button(
+      'Another town',
+      'flight-reseed',
+      () => {
+        const { flight } = store.state;
+        if (flight !== null) store.dispatch({ type: 'flight', flight: { ...flight, seed: (flight.seed + 1) % 2 ** 32 } });
+      },
+      'The next seed',
+    );
     host.append(
-      h('p', { class: 'note' }, 'A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors.'),
+      h(
+        'p',
+        { class: 'note' },
+        'A flight over a synthetic scene. The truth is known: matches and orientation are compared with it, and errors are shown beside standard errors.',
+      ),
       h('div', { class: 'control' }, h('label', { for: 'flight-preset' }, 'Preset'), this.preset),
-      h('div', { class: 'previews' }, ...this.pictures), this.problem, h('div', { class: 'buttons' }, go, another), ...this.sections.elements);
-    store.watch((s) => [s.flight] as const, ([flight]) => {
+      h('div', { class: 'previews' }, ...this.pictures),
+      this.problem,
+      h('div', { class: 'buttons' }, go, another),
+      ...this.sections.elements,
+    );
+    store.watch(['flight'], ([flight]) => {
       if (flight === null) return;
       this.sections.show(flight);
       this.later();
     });
     // Nothing is rendered for a panel that is not looked at.
-    new IntersectionObserver(() => { this.later(); }).observe(host);
+    new IntersectionObserver(() => this.later()).observe(host);
   }
 
   private standard(): Flight {
@@ -82,7 +98,7 @@ class SimulatePanel {
 
   private later(): void {
     window.clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => { void this.preview(); }, DEBOUNCE_MS);
+    this.timer = window.setTimeout(() => void this.preview(), DEBOUNCE_MS);
   }
 
   /** Renders the newest flight, one rendering at a time. */
@@ -134,6 +150,9 @@ function paint(canvas: HTMLCanvasElement, { width, height, grey }: SampleImage, 
   canvas.setAttribute('role', 'img');
   canvas.setAttribute('aria-label', words);
   const pixels = new ImageData(width, height);
-  grey.forEach((value, i) => { pixels.data.fill(value, 4 * i, 4 * i + 3); pixels.data[4 * i + 3] = 255; });
+  grey.forEach((value, i) => {
+    pixels.data.fill(value, 4 * i, 4 * i + 3);
+    pixels.data[4 * i + 3] = 255;
+  });
   canvas.getContext('2d')?.putImageData(pixels, 0, 0);
 }

@@ -12,7 +12,12 @@ import { isKept, statisticsOf } from '../state/statistics';
 import type { Filter, Statistics } from '../state/statistics';
 import type { Store } from '../state/store';
 
-const FILTERS: readonly (readonly [Filter, string])[] = [['all', 'all matches'], ['used', 'used'], ['rejected', 'gross errors'], ['wrong', 'wrong by the truth']];
+const FILTERS: readonly (readonly [Filter, string])[] = [
+  ['all', 'all matches'],
+  ['used', 'used'],
+  ['rejected', 'gross errors'],
+  ['wrong', 'wrong by the truth'],
+];
 const RIGHTNESS = ['wrong', 'at an edge', 'right'];
 
 export function mountStatistics(host: HTMLElement, store: Store, select: (side: Side, index: number) => void): void {
@@ -30,7 +35,9 @@ export function mountStatistics(host: HTMLElement, store: Store, select: (side: 
     },
     chooseLabel: (match) => `Select match ${String(match + 1)}`,
   });
-  new ResizeObserver(() => { sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth; }).observe(table.head);
+  new ResizeObserver(() => {
+    sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
+  }).observe(table.head);
 
   let statistics: Statistics | null = null;
   let columns: readonly Column[] = [];
@@ -39,7 +46,7 @@ export function mountStatistics(host: HTMLElement, store: Store, select: (side: 
     fill(caption, statistics === null ? 'No matches yet.' : `${count(shown)} of ${count(statistics.count)} matches`);
   };
   filter.addEventListener('change', show);
-  store.watch((s) => [s.results, s.images, s.settings, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const, () => {
+  store.watch(['results', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
     const { state } = store;
     table.scroller.classList.toggle('is-stale', isStale(state, 'match') || (shownPair(state).orientation !== null && isStale(state, 'orientation')));
     const now = statisticsOfState(state);
@@ -51,16 +58,31 @@ export function mountStatistics(host: HTMLElement, store: Store, select: (side: 
     fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
     show();
   });
-  store.watch((s) => [s.selection, s.results] as const, () => { table.mark(selectedMatch(store.state)); });
+  store.watch(['selection', 'results'], () => table.mark(selectedMatch(store.state)));
 }
 
 function columnsOf({ columns, rejected, rightness }: Statistics): Column[] {
   const word = (key: string, help: string, text: (match: number) => string): Column => ({ key, label: key, unit: '', help, value: text, text });
   return [
-    { key: '', label: 'Match', unit: '', help: 'Number of the match, in the order of its left points.', value: (match) => match, text: (match) => count(match + 1) },
+    {
+      key: '',
+      label: 'Match',
+      unit: '',
+      help: 'Number of the match, in the order of its left points.',
+      value: (match) => match,
+      text: (match) => count(match + 1),
+    },
     ...columns,
     word('state', 'Whether the adjustment used the match.', (match) => (rejected[match] === 1 ? 'gross error' : 'used')),
-    ...(rightness === null ? [] : [word('truth', 'Whether the match is right: within 1.5 px of where the surface is seen, there or at a neighbouring pixel.', (match) => RIGHTNESS[rightness[match] ?? 0] ?? '')]),
+    ...(rightness === null
+      ? []
+      : [
+          word(
+            'truth',
+            'Whether the match is right: within 1.5 px of where the surface is seen, there or at a neighbouring pixel.',
+            (match) => RIGHTNESS[rightness[match] ?? 0] ?? '',
+          ),
+        ]),
   ];
 }
 

@@ -30,23 +30,26 @@ export function mountStatus(store: Store, actions: StatusActions): void {
   cancel.addEventListener('click', actions.cancel);
   run.addEventListener('click', actions.run);
   let timer: number | undefined;
-  store.watch((s) => [s] as const, ([state]) => {
-    const busy = isBusy(state);
-    const { wanted, done } = progress(state);
-    bar.max = Math.max(1, wanted);
-    bar.value = done;
-    cancel.disabled = !busy;
-    run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
-    show(line, lineOf(state));
-    document.body.classList.toggle('is-pending', anyStale(state));
-    if (!busy) {
-      window.clearTimeout(timer);
-      timer = undefined;
-      bar.classList.remove('is-on');
-    } else {
-      timer ??= window.setTimeout(() => { bar.classList.add('is-on'); }, PATIENCE_MS);
-    }
-  });
+  store.watch(
+    (s) => [s] as const,
+    ([state]) => {
+      const busy = isBusy(state);
+      const { wanted, done } = progress(state);
+      bar.max = Math.max(1, wanted);
+      bar.value = done;
+      cancel.disabled = !busy;
+      run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
+      show(line, lineOf(state));
+      document.body.classList.toggle('is-pending', anyStale(state));
+      if (!busy) {
+        window.clearTimeout(timer);
+        timer = undefined;
+        bar.classList.remove('is-on');
+      } else {
+        timer ??= window.setTimeout(() => bar.classList.add('is-on'), PATIENCE_MS);
+      }
+    },
+  );
 }
 
 export function isBusy(state: State): boolean {
@@ -62,7 +65,8 @@ function lineOf(state: State): Line {
   const failure = currentFailure(state);
   if (state.notice?.kind === 'problem') return { text: state.notice.text, kind: 'problem' };
   const { running, wanted, done } = progress(state);
-  if (running.length > 0) return { text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join('; ')}`, kind: 'busy' };
+  if (running.length > 0)
+    return { text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join('; ')}`, kind: 'busy' };
   if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
   if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
   if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };

@@ -16,7 +16,10 @@ const OUTLINES: Readonly<Record<number, string>> = {
 /** On a dark ground as in the image, so that white and yellow show in the light theme too. */
 export function swatch(code: number): SVGSVGElement {
   const style = styleOf(code);
-  return svg('svg', { viewBox: '0 0 16 16', width: 16, height: 16, class: 'swatch', 'aria-hidden': 'true' },
+  return svg(
+    'svg',
+    { viewBox: '0 0 16 16', width: 16, height: 16, class: 'swatch', 'aria-hidden': 'true' },
     svg('rect', { width: 16, height: 16, rx: 3, fill: '#3a3f44' }),
-    svg('path', { d: OUTLINES[style.shape] ?? '', fill: style.shape === SHAPES.dot ? style.colour : 'none', stroke: style.colour, 'stroke-width': 1.6 }));
+    svg('path', { d: OUTLINES[style.shape] ?? '', fill: style.shape === SHAPES.dot ? style.colour : 'none', stroke: style.colour, 'stroke-width': 1.6 }),
+  );
 }

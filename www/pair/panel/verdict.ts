@@ -23,8 +23,12 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   }
   const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
   const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
-  const prefix = selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : '';
-  return { code, text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd() };
+  const prefix =
+    selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : '';
+  return {
+    code,
+    text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd(),
+  };
 }
 
 function numbers(code: CodeName, index: number, match: MatchResult, settings: Settings): string {
@@ -43,15 +47,21 @@ function numbers(code: CodeName, index: number, match: MatchResult, settings: Se
       return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
     case 'threshold':
       if (!Number.isFinite(best)) return '';
-      return byGrey ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.` : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
-    case 'ambiguous': return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(largest)}.`;
+      return byGrey
+        ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.`
+        : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
+    case 'ambiguous':
+      return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(largest)}.`;
     case 'parallax':
       if (gradients) return outOfGeometry(match, ratio, best);
       return `Tolerance: ${String(matching.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
     case 'border':
-    case 'left_right': return byGrey && Number.isFinite(best) ? `${correlation}.` : gradients ? `Distance ${fixed(best, 4)}, ${ratio}.` : '';
-    case 'imprecise': return `Allowed: ${String(matching.max_standard_error)} px.`;
-    default: return '';
+    case 'left_right':
+      return byGrey && Number.isFinite(best) ? `${correlation}.` : gradients ? `Distance ${fixed(best, 4)}, ${ratio}.` : '';
+    case 'imprecise':
+      return `Allowed: ${String(matching.max_standard_error)} px.`;
+    default:
+      return '';
   }
 }
 

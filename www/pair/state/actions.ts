@@ -1,9 +1,7 @@
 /** Everything that can happen to the state. */
 import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
-import type {
-  Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart,
-} from './state';
+import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
 

@@ -2,8 +2,18 @@
 import type { Rule } from '../../shared/crate';
 
 const RULES = [
-  'matched', 'no_descriptor', 'no_candidate', 'threshold', 'ambiguous', 'many_to_one', 'parallax', 'border', 'left_right', 'not_converged',
-  'imprecise', 'frame',
+  'matched',
+  'no_descriptor',
+  'no_candidate',
+  'threshold',
+  'ambiguous',
+  'many_to_one',
+  'parallax',
+  'border',
+  'left_right',
+  'not_converged',
+  'imprecise',
+  'frame',
 ] as const satisfies readonly Rule[];
 
 /** After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses. */
@@ -24,5 +34,6 @@ export const REFUSALS = RULES.filter((rule) => rule !== 'matched');
 
 /** Throws where the page and the crate disagree on the rules: they are of different builds. */
 export function checkRules(names: readonly string[]): void {
-  if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(', ')}`);
+  if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule))
+    throw new Error(`the page and the program do not fit each other: rules ${names.join(', ')}`);
 }

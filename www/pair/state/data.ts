@@ -2,9 +2,7 @@
 import type { FiducialOrientation, Interior, MatchResult, PairInterior, SampleImage } from '../../shared/crate';
 
 /** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
-export type ImageSource =
-  | { kind: 'file'; file: Blob }
-  | ({ kind: 'grey' } & SampleImage);
+export type ImageSource = { kind: 'file'; file: Blob } | ({ kind: 'grey' } & SampleImage);
 
 /** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
 export interface Overview {

@@ -101,8 +101,7 @@ function compute(state: State): WantedKeys {
   const { settings } = state;
   const openLeft = openKey(state, 'left');
   const openRight = openKey(state, 'right');
-  const points = (side: Side, open: string | null) =>
-    settings === null ? null : keyOf('points', [open], [pointSettings(settings), state.masks[side]?.id]);
+  const points = (side: Side, open: string | null) => (settings === null ? null : keyOf('points', [open], [pointSettings(settings), state.masks[side]?.id]));
   const pointsLeft = points('left', openLeft);
   const pointsRight = points('right', openRight);
   const described = settings === null || !comparesMoments(settings) ? [] : [settings.window, settings.matching.strategy];
@@ -116,12 +115,25 @@ function compute(state: State): WantedKeys {
     'missing' in cameras ? null : keyOf('interior', [open], [cameras[side], cameras.left.focal_mm, state.photos[side], state.fiducialModel]);
   const interiorLeft = interior('left', openLeft);
   const interiorRight = interior('right', openRight);
-  const match = keyOf('match', [descriptorsLeft, descriptorsRight, gradients ? '' : offset], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
+  const match = keyOf(
+    'match',
+    [descriptorsLeft, descriptorsRight, gradients ? '' : offset],
+    [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])],
+  );
   const interiors = 'missing' in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
   const orientable = fromOnePlace(state, match) ? null : '';
   const truth = truthOf(state);
   return {
-    openLeft, openRight, pointsLeft, pointsRight, descriptorsLeft, descriptorsRight, offset, match, interiorLeft, interiorRight,
+    openLeft,
+    openRight,
+    pointsLeft,
+    pointsRight,
+    descriptorsLeft,
+    descriptorsRight,
+    offset,
+    match,
+    interiorLeft,
+    interiorRight,
     orientation: keyOf('orientation', [match, orientable, ...interiors], settings?.orientation),
     score: keyOf('score', [match, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
     inspection: keyOf('inspection', [match, state.selection === null ? null : ''], [state.selection, settings?.window]),

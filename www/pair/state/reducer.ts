@@ -7,7 +7,18 @@ const NO_DATA: PhotoData = { fiducials: [], origin: null };
 
 /** What a user does; what was said of an earlier deed is then over. Looking at points or moving the view is none of it. */
 const DEEDS: ReadonlySet<Action['type']> = new Set([
-  'images', 'simulated', 'flight', 'swap', 'settings', 'camera', 'photo', 'mask', 'fiducialModel', 'offset', 'display', 'resume',
+  'images',
+  'simulated',
+  'flight',
+  'swap',
+  'settings',
+  'camera',
+  'photo',
+  'mask',
+  'fiducialModel',
+  'offset',
+  'display',
+  'resume',
 ]);
 
 export function reduce(state: State, action: Action): State {
@@ -119,7 +130,14 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
 }
 
 function withoutTruth(state: State): State {
-  return { ...state, settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null), truth: null, camera: null, photos: { left: NO_DATA, right: NO_DATA }, offset: null };
+  return {
+    ...state,
+    settings: withBase(state, state.catalogue?.defaults.orientation.base_mm ?? null),
+    truth: null,
+    camera: null,
+    photos: { left: NO_DATA, right: NO_DATA },
+    offset: null,
+  };
 }
 
 function withBase({ settings }: State, base: number | null): State['settings'] {

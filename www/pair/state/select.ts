@@ -86,7 +86,9 @@ export interface Places {
 export const loosePlaces = remember((match: MatchResult | null, codes: Uint8Array): Places => {
   const matches = match === null ? new Uint32Array() : Uint32Array.from(codes, (_, i) => i).filter((i) => match.indices[2 * i + 1] === NO_POINT);
   const points = new Float64Array(3 * matches.length);
-  matches.forEach((at, i) => { points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i); });
+  matches.forEach((at, i) => {
+    points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i);
+  });
   return { points, codes: Uint8Array.from(matches, (at) => codes[at] ?? MATCHED), matches };
 });
 
@@ -99,8 +101,18 @@ export const matchOfLeft = remember((match: MatchResult): Int32Array => {
 
 /** Stages that are part of the run itself; looking at a point is not. */
 const RUN_STAGES: readonly StageName[] = [
-  'openLeft', 'openRight', 'pointsLeft', 'pointsRight', 'descriptorsLeft', 'descriptorsRight', 'offset', 'match', 'interiorLeft',
-  'interiorRight', 'orientation', 'score',
+  'openLeft',
+  'openRight',
+  'pointsLeft',
+  'pointsRight',
+  'descriptorsLeft',
+  'descriptorsRight',
+  'offset',
+  'match',
+  'interiorLeft',
+  'interiorRight',
+  'orientation',
+  'score',
 ];
 
 /** Whether a stage failed for what is wanted now, or cannot be reached since one that it needs did. */

@@ -1,8 +1,20 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
 import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
 import type {
-  CameraMm, Catalogue, DescribedPoints, DetectedPoints, Fiducial, FiducialModel, FiveParameters, Flight, MatchScore, OffsetField, Settings,
-  PhotoInfo, RelativeOrientation, WindowReport,
+  CameraMm,
+  Catalogue,
+  DescribedPoints,
+  DetectedPoints,
+  Fiducial,
+  FiducialModel,
+  FiveParameters,
+  Flight,
+  MatchScore,
+  OffsetField,
+  Settings,
+  PhotoInfo,
+  RelativeOrientation,
+  WindowReport,
 } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
 

@@ -31,19 +31,60 @@ const POSITION: readonly Described[] = [
   { key: 'x', label: 'x', unit: 'px', digits: 1, help: 'Column of the left point; the top-left pixel’s centre is at 0.5.' },
   { key: 'y', label: 'y', unit: 'px', digits: 1, help: 'Row of the left point.' },
 ];
-const MEASURE: Described = { key: 'measure', label: 'measure', unit: '', digits: 4, help: 'Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.' };
+const MEASURE: Described = {
+  key: 'measure',
+  label: 'measure',
+  unit: '',
+  digits: 4,
+  help: 'Dissimilarity of the points: by the moments of their windows, 1 minus the correlation coefficient, or the distance of their descriptors. Small is good.',
+};
 const FIT: Described = {
-  key: 'standard_error', label: 's(x, y)', unit: 'px', digits: 3,
+  key: 'standard_error',
+  label: 's(x, y)',
+  unit: 'px',
+  digits: 3,
   help: 'Standard error of the right position from least squares matching, in its worse direction.',
 };
 
 /** In the order of a row of `RelativeOrientation.points`; lengths in mm are given in px where that is easier to read. */
 const ADJUSTED: readonly (Described & { inPixels?: boolean })[] = [
-  { key: 'v', label: 'y-parallax', unit: 'px', digits: 3, inPixels: true, help: 'Residual y-parallax: the distance at which the two rays pass each other, at photo scale.' },
-  { key: 'r', label: 'r', unit: '', digits: 3, help: 'Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it.' },
-  { key: 'w', label: 'w', unit: '', digits: 2, help: 'w-statistic: standardised residual. Data snooping rejects above the limit that α₀ sets (3.29 for 0.001).' },
-  { key: 'detectable', label: '∇', unit: 'px', digits: 3, inPixels: true, help: 'Minimal detectable bias (MDB) across the epipolar line: an error of this size is detected with the probability β₀.' },
-  { key: 'influence', label: 'δ', unit: '', digits: 2, help: 'External reliability: the largest effect of an undetected error of that size on an unknown, in its standard errors.' },
+  {
+    key: 'v',
+    label: 'y-parallax',
+    unit: 'px',
+    digits: 3,
+    inPixels: true,
+    help: 'Residual y-parallax: the distance at which the two rays pass each other, at photo scale.',
+  },
+  {
+    key: 'r',
+    label: 'r',
+    unit: '',
+    digits: 3,
+    help: 'Redundancy number: the share of an error of this match that shows in its residual. Near 0 the other matches do not check it.',
+  },
+  {
+    key: 'w',
+    label: 'w',
+    unit: '',
+    digits: 2,
+    help: 'w-statistic: standardised residual. Data snooping rejects above the limit that α₀ sets (3.29 for 0.001).',
+  },
+  {
+    key: 'detectable',
+    label: '∇',
+    unit: 'px',
+    digits: 3,
+    inPixels: true,
+    help: 'Minimal detectable bias (MDB) across the epipolar line: an error of this size is detected with the probability β₀.',
+  },
+  {
+    key: 'influence',
+    label: 'δ',
+    unit: '',
+    digits: 2,
+    help: 'External reliability: the largest effect of an undetected error of that size on an unknown, in its standard errors.',
+  },
   { key: 'weight', label: 'weight', unit: '', digits: 2, help: 'Weight in the adjustment; 0 where rejected.' },
   { key: 'model_x', label: 'X', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, along the base.' },
   { key: 'model_y', label: 'Y', unit: 'mm', digits: 2, help: 'Model coordinate at photo scale, across the base.' },
@@ -57,30 +98,36 @@ function worstError(fits: Float64Array, match: number): number {
 }
 
 /** The statistics of a pair's matches; those of the adjustment where there is one. */
-export const statisticsOf = remember((match: MatchResult, orientation: RelativeOrientation | null, score: MatchScore | null, pixel: number | null): Statistics => {
-  const count = match.matches.length / 5;
-  const figure = (described: Described, value: (i: number) => number): Figure => ({ ...described, value, text: (i) => fixed(value(i), described.digits) });
-  const columns = POSITION.map((column, k) => figure(column, (i) => match.matches[5 * i + k] ?? NaN));
-  columns.push(figure(MEASURE, (i) => match.matches[5 * i + 4] ?? NaN));
-  if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
-  const rejected = new Uint8Array(count);
-  if (orientation !== null) {
-    for (const i of orientation.rejected) rejected[i] = 1;
-    const { points } = orientation;
-    ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
-      const scale = inPixels ? (pixel ?? NaN) : 1;
-      columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
-    });
-  }
-  return { count, columns, rejected, rightness: score !== null && score.rightness.length === count ? score.rightness : null };
-});
+export const statisticsOf = remember(
+  (match: MatchResult, orientation: RelativeOrientation | null, score: MatchScore | null, pixel: number | null): Statistics => {
+    const count = match.matches.length / 5;
+    const figure = (described: Described, value: (i: number) => number): Figure => ({ ...described, value, text: (i) => fixed(value(i), described.digits) });
+    const columns = POSITION.map((column, k) => figure(column, (i) => match.matches[5 * i + k] ?? NaN));
+    columns.push(figure(MEASURE, (i) => match.matches[5 * i + 4] ?? NaN));
+    if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
+    const rejected = new Uint8Array(count);
+    if (orientation !== null) {
+      for (const i of orientation.rejected) rejected[i] = 1;
+      const { points } = orientation;
+      ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
+        const scale = inPixels ? (pixel ?? NaN) : 1;
+        columns.push(figure(column, (i) => (points[POINT_STRIDE * i + k] ?? NaN) / scale));
+      });
+    }
+    return { count, columns, rejected, rightness: score !== null && score.rightness.length === count ? score.rightness : null };
+  },
+);
 
 /** Whether a filter keeps a match. */
 export function isKept({ rejected, rightness }: Statistics, filter: Filter, match: number): boolean {
   switch (filter) {
-    case 'all': return true;
-    case 'used': return rejected[match] === 0;
-    case 'rejected': return rejected[match] === 1;
-    case 'wrong': return rightness?.[match] === 0;
+    case 'all':
+      return true;
+    case 'used':
+      return rejected[match] === 0;
+    case 'rejected':
+      return rejected[match] === 1;
+    case 'wrong':
+      return rightness?.[match] === 0;
   }
 }

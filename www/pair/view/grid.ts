@@ -7,7 +7,11 @@ export class PointGrid {
   private readonly side: number;
 
   /** `points`: stride 3, x, y, value, in an image of `width` x `height` px. */
-  constructor(private readonly points: Float64Array, width: number, height: number) {
+  constructor(
+    private readonly points: Float64Array,
+    width: number,
+    height: number,
+  ) {
     const count = points.length / 3;
     // About two points a cell.
     this.side = Math.max(4, Math.sqrt((2 * width * height) / Math.max(count, 1)));

@@ -66,18 +66,21 @@ function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene
   const { left, right } = scene.panes;
   const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? 1 : 0));
   draw_match_lines(
-    context, scene.match.matches, codes, Float64Array.of(1, 1), [LINE, LINE_REJECTED],
-    drawView(left.transform, left.rect), drawView(right.transform, right.rect), lines === 'all' ? ALL : SOME_LINES,
+    context,
+    scene.match.matches,
+    codes,
+    Float64Array.of(1, 1),
+    [LINE, LINE_REJECTED],
+    drawView(left.transform, left.rect),
+    drawView(right.transform, right.rect),
+    lines === 'all' ? ALL : SOME_LINES,
   );
 }
 
 function drawResiduals(context: CanvasRenderingContext2D, state: State, scene: Scene, pane: Pane): void {
   if (pane.vectors === null || state.display.vectors === 0) return;
   const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? 1 : 0));
-  draw_vectors(
-    context, pane.vectors, codes, Float64Array.of(1.4, 1.4), ['#f0e442', '#ff7a1a'], state.display.vectors,
-    drawView(pane.transform, pane.rect),
-  );
+  draw_vectors(context, pane.vectors, codes, Float64Array.of(1.4, 1.4), ['#f0e442', '#ff7a1a'], state.display.vectors, drawView(pane.transform, pane.rect));
 }
 
 /** Draws all layers of marks over both panes. */

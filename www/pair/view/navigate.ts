@@ -10,7 +10,10 @@ import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
 export class Navigator {
-  constructor(private readonly store: Store, private readonly view: View) {}
+  constructor(
+    private readonly store: Store,
+    private readonly view: View,
+  ) {}
 
   /** Moves the content by CSS px; both panes where they are linked. */
   pan(side: Side, dx: number, dy: number): void {
@@ -115,4 +118,3 @@ function partnerOf(scene: Scene, { side, index }: Selection): Selection | null {
   const found = side === 'left' ? (best[index] ?? -1) : best.findIndex((right, left) => right === index && scene.match?.rules[left] === 0);
   return found < 0 ? null : { side: otherSide(side), index: found };
 }
-

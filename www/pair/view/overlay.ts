@@ -65,7 +65,7 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
   const leftAt = pointOf(scene.panes.left, leftIndex);
   if (leftAt === null) return;
-  if (selection.side === 'right') within(context, scene.panes.left.rect, () => { ring(context, scene.panes.left, leftAt, 9, SELECTED, 2); });
+  if (selection.side === 'right') within(context, scene.panes.left.rect, () => ring(context, scene.panes.left, leftAt, 9, SELECTED, 2));
   drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
 }
 
@@ -74,7 +74,9 @@ function drawLine(context: CanvasRenderingContext2D, state: State, scene: Scene)
   const line = isCurrent(state, 'inspection') ? state.results.inspection?.value.line : undefined;
   if (line == null) return;
   const pane = scene.panes[line.side];
-  const places = Array.from({ length: line.positions.length / 2 }, (_, i) => toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0));
+  const places = Array.from({ length: line.positions.length / 2 }, (_, i) =>
+    toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0),
+  );
   const path = new Path2D();
   for (const [i, [x, y]] of places.entries()) {
     if (places.length > 1) {
@@ -100,7 +102,12 @@ function drawLine(context: CanvasRenderingContext2D, state: State, scene: Scene)
 }
 
 function drawCandidates(
-  context: CanvasRenderingContext2D, state: State, scene: Scene, leftIndex: number, leftAt: [number, number], best: [number, number] | null,
+  context: CanvasRenderingContext2D,
+  state: State,
+  scene: Scene,
+  leftIndex: number,
+  leftAt: [number, number],
+  best: [number, number] | null,
 ): void {
   const pane = scene.panes.right;
   within(context, pane.rect, () => {
@@ -123,7 +130,13 @@ function drawCandidates(
 
 /** The magnifier at a canvas position: the image under the pointer, enlarged, with its points. */
 export function drawLens(
-  context: CanvasRenderingContext2D, state: State, scene: Scene, at: [number, number], ratio: number, tiles: TileCache, bounds: Rect,
+  context: CanvasRenderingContext2D,
+  state: State,
+  scene: Scene,
+  at: [number, number],
+  ratio: number,
+  tiles: TileCache,
+  bounds: Rect,
 ): void {
   const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
   if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
@@ -156,7 +169,12 @@ function crosshair(context: CanvasRenderingContext2D, rect: Rect): void {
   const x = rect.left + rect.width / 2;
   const y = rect.top + rect.height / 2;
   context.beginPath();
-  for (const [ux, uy] of [[1, 0], [-1, 0], [0, 1], [0, -1]] as const) {
+  for (const [ux, uy] of [
+    [1, 0],
+    [-1, 0],
+    [0, 1],
+    [0, -1],
+  ] as const) {
     context.moveTo(x + 6 * ux, y + 6 * uy);
     context.lineTo(x + 18 * ux, y + 18 * uy);
   }

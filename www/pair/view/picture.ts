@@ -27,7 +27,13 @@ export function wantedLevel(scale: number, ratio: number): number {
 
 /** Draws the part of a bitmap that is seen. `step`: image px of one bitmap px; `x`, `y`: image position of its corner. */
 function paintBitmap(
-  context: CanvasRenderingContext2D, bitmap: ImageBitmap, x: number, y: number, step: number, part: [number, number, number, number], t: Transform,
+  context: CanvasRenderingContext2D,
+  bitmap: ImageBitmap,
+  x: number,
+  y: number,
+  step: number,
+  part: [number, number, number, number],
+  t: Transform,
 ): void {
   const left = Math.max(0, Math.floor((part[0] - x) / step));
   const top = Math.max(0, Math.floor((part[1] - y) / step));
@@ -36,15 +42,20 @@ function paintBitmap(
   if (right <= left || bottom <= top) return;
   const size = step * t.scale;
   context.drawImage(
-    bitmap, left, top, right - left, bottom - top,
-    t.scale * x + t.x + left * size, t.scale * y + t.y + top * size, (right - left) * size, (bottom - top) * size,
+    bitmap,
+    left,
+    top,
+    right - left,
+    bottom - top,
+    t.scale * x + t.x + left * size,
+    t.scale * y + t.y + top * size,
+    (right - left) * size,
+    (bottom - top) * size,
   );
 }
 
 /** Paints what a rectangle of the canvas shows of an image. `ratio`: device px per CSS px. */
-export function paintPicture(
-  context: CanvasRenderingContext2D, picture: Picture, t: Transform, clip: Rect, ratio: number, tiles: TileCache | null,
-): void {
+export function paintPicture(context: CanvasRenderingContext2D, picture: Picture, t: Transform, clip: Rect, ratio: number, tiles: TileCache | null): void {
   within(context, clip, () => {
     // Enlarged pixels are shown as they are; reduced ones are smoothed.
     context.imageSmoothingEnabled = t.scale * ratio < 2;

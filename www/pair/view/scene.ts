@@ -57,13 +57,16 @@ export function sceneOf(state: State, width: number, height: number): Scene {
     const view = state.views[side] ?? (picture === null ? { x: 0, y: 0, scale: 1 } : fitView(rects[side], picture.width, picture.height));
     const interior = interiorInUse(state)?.[side];
     const vectors =
-      shown.match !== null && shown.orientation !== null && interior !== undefined
-        ? residualVectors[side](shown.match, shown.orientation, interior)
-        : null;
+      shown.match !== null && shown.orientation !== null && interior !== undefined ? residualVectors[side](shown.match, shown.orientation, interior) : null;
     return {
-      side, rect: rects[side], transform: transformOf(rects[side], view), picture,
+      side,
+      rect: rects[side],
+      transform: transformOf(rects[side], view),
+      picture,
       points: picture === null ? null : shown[side],
-      frames: state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.frames ?? null, codes: codes[side], vectors,
+      frames: state.results[side === 'left' ? 'pointsLeft' : 'pointsRight']?.value.frames ?? null,
+      codes: codes[side],
+      vectors,
     };
   };
   const ofMatches = matchCodes(shown.match, shown.orientation);

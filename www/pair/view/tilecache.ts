@@ -12,7 +12,10 @@ export class TileCache {
   private readonly tiles = new Map<string, ImageBitmap>();
   private readonly requested = new Set<string>();
 
-  constructor(private readonly fetch: Fetch, private readonly arrived: () => void) {}
+  constructor(
+    private readonly fetch: Fetch,
+    private readonly arrived: () => void,
+  ) {}
 
   /** The tile, or null while it is on its way. */
   get(imageId: number, level: number, column: number, row: number): ImageBitmap | null {
@@ -26,9 +29,9 @@ export class TileCache {
     if (!this.requested.has(name) && this.requested.size < MOST_REQUESTS) {
       this.requested.add(name);
       this.fetch(imageId, level, column, row).then(
-        (bitmap) => { this.keep(name, bitmap); },
+        (bitmap) => this.keep(name, bitmap),
         // Without the tile the reduced image stays; the next drawing asks again.
-        () => { this.requested.delete(name); },
+        () => this.requested.delete(name),
       );
     }
     return null;

@@ -33,22 +33,32 @@ export class View {
   private readonly tiles: TileCache;
   private pointer: [number, number] | null = null;
 
-  constructor(readonly host: HTMLElement, private readonly store: Store, engine: Engine) {
-    this.layers = new Layers(host, LAYERS, (name, context) => { this.draw(name, context); });
+  constructor(
+    readonly host: HTMLElement,
+    private readonly store: Store,
+    engine: Engine,
+  ) {
+    this.layers = new Layers(host, LAYERS, (name, context) => this.draw(name, context));
     this.tiles = new TileCache(
       async (imageId, level, column, row) => {
         const side = SIDES.find((s) => store.state.images[s]?.id === imageId);
         if (side === undefined) throw new Error('the image is no longer shown');
         return (await engine.withImage(side, store.state)).call('tile', { level, column, row, side: 512 });
       },
-      () => { this.layers.redraw('pictures', 'overlay'); },
+      () => this.layers.redraw('pictures', 'overlay'),
     );
-    store.watch((s) => [s.views, s.images, s.masks, s.results.openLeft, s.results.openRight] as const, () => { this.layers.redraw(); });
+    store.watch(
+      (s) => [s.views, s.images, s.masks, s.results.openLeft, s.results.openRight] as const,
+      () => this.layers.redraw(),
+    );
     store.watch(
       (s) => [s.results.pointsLeft, s.results.pointsRight, s.results.match, s.results.orientation, s.display, s.catalogue] as const,
-      () => { this.layers.redraw('marks', 'overlay'); },
+      () => this.layers.redraw('marks', 'overlay'),
     );
-    store.watch((s) => [s.selection, s.results.inspection, s.settings, s.results.offset] as const, () => { this.layers.redraw('overlay'); });
+    store.watch(
+      (s) => [s.selection, s.results.inspection, s.settings, s.results.offset] as const,
+      () => this.layers.redraw('overlay'),
+    );
   }
 
   /** The scene as it stands now. */

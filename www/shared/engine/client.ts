@@ -6,7 +6,10 @@ import { messageOf } from '../text/format';
 /** A call that was refused or failed. `ended`: the worker is gone, and with it what it held. */
 export class CallError extends Error {
   override readonly name = 'CallError';
-  constructor(readonly failure: WireFailure, readonly ended: boolean) {
+  constructor(
+    readonly failure: WireFailure,
+    readonly ended: boolean,
+  ) {
     super(failure.message);
   }
 }
@@ -14,7 +17,9 @@ export class CallError extends Error {
 /** What ended the worker, in words; null where it lives on.  */
 export function breakdownOf(error: unknown): string | null {
   if (!(error instanceof CallError) || !error.ended) return null;
-  return error.failure.kind === 'memory' ? `the worker ran out of memory (${error.message})` : `the worker broke off at a fault of the program (${error.message}): please report it`;
+  return error.failure.kind === 'memory'
+    ? `the worker ran out of memory (${error.message})`
+    : `the worker broke off at a fault of the program (${error.message}): please report it`;
 }
 
 /** A call that the user cancelled. */
@@ -45,8 +50,10 @@ export class WorkerClient<C extends Table<C>> {
       this.pending.set(id, { resolve, reject });
       const request: RequestMessage = { id, call, input };
       worker.ready.then(
-        () => { if (this.pending.has(id)) worker.handle.postMessage(request, transfer); },
-        (error: unknown) => { this.end(new CallError(otherFailure(error), true)); },
+        () => {
+          if (this.pending.has(id)) worker.handle.postMessage(request, transfer);
+        },
+        (error: unknown) => this.end(new CallError(otherFailure(error), true)),
       );
     });
   }
@@ -58,7 +65,7 @@ export class WorkerClient<C extends Table<C>> {
 
   private start(): Started {
     const handle = spawnWorker(this.name);
-    handle.onmessage = (event: MessageEvent<ResponseMessage>) => { this.receive(event.data); };
+    handle.onmessage = (event: MessageEvent<ResponseMessage>) => this.receive(event.data);
     handle.onerror = (event) => {
       event.preventDefault();
       this.end(new CallError({ kind: 'fault', code: null, message: event.message || 'the worker could not start' }, true));

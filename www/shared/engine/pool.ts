@@ -20,7 +20,7 @@ export class WorkerPool<C extends Table<C>> {
   call<K extends keyof C & string>(call: K, input: C[K]['input'], transfer: Transferable[] = []): Promise<C[K]['output']> {
     return new Promise((resolve, reject) => {
       const start = (client: WorkerClient<C>) => client.call(call, input, transfer).then(resolve, reject);
-      this.waiting.push({ start, drop: () => { reject(new Cancelled('cancelled')); } });
+      this.waiting.push({ start, drop: () => reject(new Cancelled('cancelled')) });
       this.next();
     });
   }

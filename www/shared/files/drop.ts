@@ -18,14 +18,18 @@ export interface Taker {
 /** The first taker that is active gets what is given. */
 export function mountDrop(takers: readonly Taker[]): void {
   const active = () => takers.find(({ isActive }) => isActive());
-  const unmark = () => { delete document.body.dataset.drop; };
+  const unmark = () => {
+    delete document.body.dataset.drop;
+  };
   document.addEventListener('dragover', (event) => {
     const taker = active();
     if (!hasFiles(event) || taker === undefined) return;
     event.preventDefault();
     document.body.dataset.drop = taker.markAt(event);
   });
-  document.addEventListener('dragleave', (event) => { if (event.relatedTarget === null) unmark(); });
+  document.addEventListener('dragleave', (event) => {
+    if (event.relatedTarget === null) unmark();
+  });
   document.addEventListener('drop', (event) => {
     unmark();
     const taker = active();
@@ -34,14 +38,17 @@ export function mountDrop(takers: readonly Taker[]): void {
     const at = taker.markAt(event);
     // The list is empty once this call has returned; entries and files stay.
     const items = [...(event.dataTransfer?.items ?? [])].map((item) => ({ entry: item.webkitGetAsEntry(), file: item.getAsFile() }));
-    void Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => { taker.take(lists.flat(), at); });
+    void Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => taker.take(lists.flat(), at));
   });
   document.addEventListener('paste', (event) => {
     const pasted = [...(event.clipboardData?.files ?? [])];
     const taker = active();
     if (pasted.length === 0 || taker === undefined) return;
     event.preventDefault();
-    taker.take(pasted.map((file) => ({ file, path: '' })), null);
+    taker.take(
+      pasted.map((file) => ({ file, path: '' })),
+      null,
+    );
   });
 }
 
@@ -56,11 +63,13 @@ async function found(entry: FileSystemEntry | null, file: File | null): Promise<
 }
 
 async function below(folder: FileSystemDirectoryEntry): Promise<FoundFile[]> {
-  const lists = await Promise.all((await entriesOf(folder)).map(async (entry) => {
-    if (entry.isDirectory) return below(entry as FileSystemDirectoryEntry);
-    const file = await new Promise<File | null>((resolve) => { (entry as FileSystemFileEntry).file(resolve, () => { resolve(null); }); });
-    return file === null ? [] : [{ file, path: entry.fullPath.replace(/^\//u, '') }];
-  }));
+  const lists = await Promise.all(
+    (await entriesOf(folder)).map(async (entry) => {
+      if (entry.isDirectory) return below(entry as FileSystemDirectoryEntry);
+      const file = await new Promise<File | null>((resolve) => (entry as FileSystemFileEntry).file(resolve, () => resolve(null)));
+      return file === null ? [] : [{ file, path: entry.fullPath.replace(/^\//u, '') }];
+    }),
+  );
   return lists.flat();
 }
 
@@ -69,7 +78,7 @@ async function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEn
   const reader = folder.createReader();
   const all: FileSystemEntry[] = [];
   for (;;) {
-    const portion = await new Promise<FileSystemEntry[]>((resolve) => { reader.readEntries(resolve, () => { resolve([]); }); });
+    const portion = await new Promise<FileSystemEntry[]>((resolve) => reader.readEntries(resolve, () => resolve([])));
     if (portion.length === 0) return all;
     all.push(...portion);
   }

@@ -6,5 +6,5 @@ export function save(blob: Blob, name: string): void {
   link.download = name;
   link.click();
   // The browser has taken the address by then.
-  window.setTimeout(() => { URL.revokeObjectURL(link.href); }, 10_000);
+  window.setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
 }

@@ -32,15 +32,25 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
   const field = makeField(parameter, id, binding);
   const help = h('p', { class: 'help', id: `${id}-help`, hidden: true }, parameter.help);
   const problem = h('p', { class: 'field-problem', id: `${id}-problem`, role: 'alert' });
-  const reset = button('↺', `reset-${parameter.key}`, () => { binding.set(binding.standard()); }, 'Default');
+  const reset = button('↺', `reset-${parameter.key}`, () => binding.set(binding.standard()), 'Default');
   reset.className = 'icon';
   reset.setAttribute('aria-label', `${parameter.label}: default`);
   const flag = parameter.kind === 'flag';
-  const element = h('div', { class: 'control' },
-    h('div', { class: 'control-head' },
-      ...(flag ? field.elements : []), h('label', { for: id }, parameter.label, parameter.unit === '' ? null : h('span', { class: 'unit' }, ` ${parameter.unit}`)),
-      reset, helpButton(parameter, help)),
-    ...(flag ? [] : field.elements), problem, help);
+  const element = h(
+    'div',
+    { class: 'control' },
+    h(
+      'div',
+      { class: 'control-head' },
+      ...(flag ? field.elements : []),
+      h('label', { for: id }, parameter.label, parameter.unit === '' ? null : h('span', { class: 'unit' }, ` ${parameter.unit}`)),
+      reset,
+      helpButton(parameter, help),
+    ),
+    ...(flag ? [] : field.elements),
+    problem,
+    help,
+  );
   const show = (value: Value) => {
     field.show(value);
     problem.textContent = '';
@@ -58,10 +68,15 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
 }
 
 function helpButton(parameter: Parameter, help: HTMLElement): HTMLButtonElement {
-  const made = button('?', `help-${parameter.key}`, () => {
-    help.hidden = !help.hidden;
-    made.setAttribute('aria-expanded', String(!help.hidden));
-  }, parameter.help);
+  const made = button(
+    '?',
+    `help-${parameter.key}`,
+    () => {
+      help.hidden = !help.hidden;
+      made.setAttribute('aria-expanded', String(!help.hidden));
+    },
+    parameter.help,
+  );
   made.className = 'icon';
   made.setAttribute('aria-expanded', 'false');
   made.setAttribute('aria-controls', help.id);
@@ -77,16 +92,25 @@ interface Field {
 
 function makeField(parameter: Parameter, id: string, binding: Binding): Field {
   switch (parameter.kind) {
-    case 'flag': return flagField(parameter, id, binding);
-    case 'choice': return choiceField(parameter, id, binding);
-    default: return numberField(parameter, id, binding);
+    case 'flag':
+      return flagField(parameter, id, binding);
+    case 'choice':
+      return choiceField(parameter, id, binding);
+    default:
+      return numberField(parameter, id, binding);
   }
 }
 
 function flagField(parameter: Parameter, id: string, { set }: Binding): Field {
   const input = h('input', { id, type: 'checkbox', key: parameter.key, aria: { describedby: `${id}-help` } });
-  input.addEventListener('change', () => { set(input.checked); });
-  return { elements: [input], show: (value) => { input.checked = value === true; }, onProblem: () => undefined };
+  input.addEventListener('change', () => set(input.checked));
+  return {
+    elements: [input],
+    show: (value) => {
+      input.checked = value === true;
+    },
+    onProblem: () => undefined,
+  };
 }
 
 function choiceField(parameter: ChoiceParameter, id: string, { set, standard, whenEmpty }: Binding): Field {
@@ -95,8 +119,10 @@ function choiceField(parameter: ChoiceParameter, id: string, { set, standard, wh
   const empty = new Option('default', '');
   empty.title = absent;
   if (standard() === null) select.append(empty);
-  values.forEach((value, i) => { select.append(new Option(labels[i] ?? value, value)); });
-  select.addEventListener('change', () => { set(select.value === '' ? null : select.value); });
+  values.forEach((value, i) => {
+    select.append(new Option(labels[i] ?? value, value));
+  });
+  select.addEventListener('change', () => set(select.value === '' ? null : select.value));
   const show = (value: Value) => {
     const meant = labels[values.indexOf(String(whenEmpty()))];
     empty.text = meant === undefined ? 'default' : `default: ${meant}`;
@@ -141,7 +167,7 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
     }
     set(input.valueAsNumber);
   });
-  slider?.addEventListener('input', () => { set(slider.valueAsNumber); });
+  slider?.addEventListener('input', () => set(slider.valueAsNumber));
   const show = (value: Value) => {
     input.removeAttribute('aria-invalid');
     const absent = optional() ? whenEmpty() : null;
@@ -151,7 +177,13 @@ function numberField(parameter: NumberParameter, id: string, { set, standard, wh
     const shown = value ?? absent;
     if (slider !== null) slider.value = String(typeof shown === 'number' ? shown : parameter.min);
   };
-  return { elements: slider === null ? [input] : [h('div', { class: 'with-slider' }, slider, input)], show, onProblem: (listener) => { tell = listener; } };
+  return {
+    elements: slider === null ? [input] : [h('div', { class: 'with-slider' }, slider, input)],
+    show,
+    onProblem: (listener) => {
+      tell = listener;
+    },
+  };
 }
 
 function makeSlider(parameter: NumberParameter, step: number | null): HTMLInputElement | null {

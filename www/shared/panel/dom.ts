@@ -82,8 +82,5 @@ export function markStale<E extends HTMLElement>(element: E, stale: boolean): E 
 
 /** A table row: a heading and cells. */
 export function row(heading: Child, ...cells: (Child | HTMLTableCellElement)[]): HTMLTableRowElement {
-  return h(
-    'tr', {}, h('th', { scope: 'row' }, heading),
-    ...cells.map((cell) => (cell instanceof HTMLTableCellElement ? cell : h('td', {}, cell))),
-  );
+  return h('tr', {}, h('th', { scope: 'row' }, heading), ...cells.map((cell) => (cell instanceof HTMLTableCellElement ? cell : h('td', {}, cell))));
 }

@@ -65,12 +65,16 @@ export function readNumber({ input, problem }: NumberField, allowed: (value: num
 
 /** Two numbers that are given together: both, null where both fields are empty, undefined where they are no pair, which is then said. */
 export function readPair(
-  inputs: readonly [HTMLInputElement, HTMLInputElement], problem: HTMLElement, allowed: (a: number, b: number) => string | null,
+  inputs: readonly [HTMLInputElement, HTMLInputElement],
+  problem: HTMLElement,
+  allowed: (a: number, b: number) => string | null,
 ): [number, number] | null | undefined {
   const [a, b] = [typed(inputs[0]), typed(inputs[1])];
   const say = (text: string, wrong: readonly [boolean, boolean]) => {
     problem.textContent = text;
-    inputs.forEach((input, i) => { mark(input, wrong[i] === true); });
+    inputs.forEach((input, i) => {
+      mark(input, wrong[i] === true);
+    });
   };
   if (a === undefined && b === undefined) {
     say('', [false, false]);

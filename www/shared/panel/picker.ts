@@ -27,5 +27,5 @@ export function fileInput({ testid, label, accept, multiple = false, folder = fa
 /** The button with its field. */
 export function fileButton(text: string, picked: Picked, take: (files: File[]) => void, title?: string): [HTMLButtonElement, HTMLInputElement] {
   const input = fileInput(picked, take);
-  return [button(text, picked.testid, () => { input.click(); }, title), input];
+  return [button(text, picked.testid, () => input.click(), title), input];
 }

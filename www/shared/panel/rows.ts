@@ -15,11 +15,15 @@ export class RowsInSight {
   private count = 0;
 
   /** `row` builds the row at a place; a button in it that has a `data-key` keeps the keyboard while it is in sight. */
-  constructor(testid: string, words: { table: string; region: string }, private readonly row: (place: number) => HTMLElement) {
+  constructor(
+    testid: string,
+    words: { table: string; region: string },
+    private readonly row: (place: number) => HTMLElement,
+  ) {
     const table = h('table', { testid, class: 'statistics', aria: { label: words.table } }, this.head, this.body);
     this.scroller = h('div', { class: 'rows', tabindex: 0, role: 'region', aria: { label: words.region } }, table);
-    this.scroller.addEventListener('scroll', () => { this.draw(); });
-    new ResizeObserver(() => { this.draw(); }).observe(this.scroller);
+    this.scroller.addEventListener('scroll', () => this.draw());
+    new ResizeObserver(() => this.draw()).observe(this.scroller);
   }
 
   /** Shows so many rows, or the same ones anew. */
@@ -70,7 +74,12 @@ export class RowsInSight {
 /** The head of a column that rows are sorted by. */
 export function sortHead(column: { key: string; label: string; unit: string; help: string }, press: () => void): HTMLElement {
   const { key, label, unit, help } = column;
-  const button = h('button', { type: 'button', class: 'sort', testid: `sort-${key}`, title: help }, label, unit === '' ? null : h('span', { class: 'unit' }, ` ${unit}`));
+  const button = h(
+    'button',
+    { type: 'button', class: 'sort', testid: `sort-${key}`, title: help },
+    label,
+    unit === '' ? null : h('span', { class: 'unit' }, ` ${unit}`),
+  );
   button.addEventListener('click', press);
   return h('th', { scope: 'col', key }, button);
 }

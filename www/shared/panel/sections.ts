@@ -23,12 +23,14 @@ export interface Sections {
 }
 
 export function makeSections(parameters: readonly Parameter[], { change, defaults, resolved, refused }: Bound): Sections {
-  const controls = parameters.map((parameter) => makeControl(parameter, {
-    set: (value) => { change(parameter.key, value); },
-    standard: () => readSetting(defaults(), parameter.key),
-    whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
-    refused: () => refused?.(parameter.label),
-  }));
+  const controls = parameters.map((parameter) =>
+    makeControl(parameter, {
+      set: (value) => change(parameter.key, value),
+      standard: () => readSetting(defaults(), parameter.key),
+      whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
+      refused: () => refused?.(parameter.label),
+    }),
+  );
   const groups = [...new Set(parameters.map(({ section }) => section))].map((section) => {
     const own = controls.filter(({ parameter }) => parameter.section === section);
     return { own, element: h('fieldset', { class: 'group' }, h('legend', {}, section), ...own.map(({ element }) => element)) };

@@ -26,7 +26,10 @@ export class Table {
   private order: Order = { key: '', descending: false };
   private marked = -1;
 
-  constructor(host: HTMLElement, private readonly options: TableOptions) {
+  constructor(
+    host: HTMLElement,
+    private readonly options: TableOptions,
+  ) {
     this.help = h('p', { class: 'help', hidden: true, testid: `${options.testid}-help` });
     this.table = new RowsInSight(options.testid, options.words, (place) => this.row(this.shown[place] ?? 0));
     host.append(this.help, this.table.scroller);
@@ -74,13 +77,21 @@ export class Table {
   private row(row: number): HTMLElement {
     const { testid, choose, chooseLabel } = this.options;
     const chosen = row === this.marked;
-    const line = h('tr', { class: chosen ? 'best' : '', testid: chosen ? `${testid}-selected` : `${testid}-row` }, ...this.columns.map(({ value, text }, i) => {
-      const number = typeof value(row) === 'number';
-      if (i > 0 || choose === undefined) return h('td', { class: number ? 'number' : '' }, text(row));
-      const press = h('button', { type: 'button', class: 'link', key: String(row), ...(chooseLabel === undefined ? {} : { aria: { label: chooseLabel(row) } }) }, text(row));
-      return h('td', {}, press);
-    }));
-    if (choose !== undefined) line.addEventListener('click', () => { choose(row); });
+    const line = h(
+      'tr',
+      { class: chosen ? 'best' : '', testid: chosen ? `${testid}-selected` : `${testid}-row` },
+      ...this.columns.map(({ value, text }, i) => {
+        const number = typeof value(row) === 'number';
+        if (i > 0 || choose === undefined) return h('td', { class: number ? 'number' : '' }, text(row));
+        const press = h(
+          'button',
+          { type: 'button', class: 'link', key: String(row), ...(chooseLabel === undefined ? {} : { aria: { label: chooseLabel(row) } }) },
+          text(row),
+        );
+        return h('td', {}, press);
+      }),
+    );
+    if (choose !== undefined) line.addEventListener('click', () => choose(row));
     else line.classList.add('plain');
     return line;
   }

@@ -6,9 +6,9 @@ const STEP = 1.5;
 /** `prefix` of their test ids; `whole` says what Fit shows; `picture` is asked at each press. */
 export function zoomButtons(prefix: string, whole: string, picture: () => { fit: () => void; zoomMiddle: (factor: number) => void }): HTMLButtonElement[] {
   return [
-    labelled('−', `${prefix}zoom-out`, 'Zoom out (−)', () => { picture().zoomMiddle(1 / STEP); }),
-    labelled('+', `${prefix}zoom-in`, 'Zoom in (+)', () => { picture().zoomMiddle(STEP); }),
-    labelled('Fit', `${prefix}zoom-fit`, `${whole} (0)`, () => { picture().fit(); }),
+    labelled('−', `${prefix}zoom-out`, 'Zoom out (−)', () => picture().zoomMiddle(1 / STEP)),
+    labelled('+', `${prefix}zoom-in`, 'Zoom in (+)', () => picture().zoomMiddle(STEP)),
+    labelled('Fit', `${prefix}zoom-fit`, `${whole} (0)`, () => picture().fit()),
   ];
 }
 

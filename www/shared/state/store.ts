@@ -6,7 +6,10 @@ export class Holder<S, A> {
   private dispatching = false;
   private readonly waiting: A[] = [];
 
-  constructor(private current: S, private readonly reduce: (state: S, action: A) => S) {}
+  constructor(
+    private current: S,
+    private readonly reduce: (state: S, action: A) => S,
+  ) {}
 
   get state(): S {
     return this.current;

@@ -19,11 +19,13 @@ export type Labels = Pick<Catalogue, 'parameters' | 'flightParameters'>;
 export function readable(catalogue: Labels | null, message: string): string {
   const labels = new Map(Object.entries(OTHER));
   for (const { key, label } of [...(catalogue?.parameters ?? []), ...(catalogue?.flightParameters ?? [])]) labels.set(key, label);
-  return message
-    .replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key)
-    // Names of one word are words of sentences too: they are names where a message begins with them.
-    .replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key)
-    .replace(/(\d) x (?=\d)/gu, '$1 × ');
+  return (
+    message
+      .replace(/[a-z]+\.[a-z0-9_]+/gu, (key) => quoted(labels.get(key)) ?? key)
+      // Names of one word are words of sentences too: they are names where a message begins with them.
+      .replace(/^(\w+)(?= is )/u, (key) => quoted(labels.get(key)) ?? key)
+      .replace(/(\d) x (?=\d)/gu, '$1 × ')
+  );
 }
 
 function quoted(label: string | undefined): string | undefined {

@@ -15,10 +15,12 @@ export function themeColours(): Colours {
 function readColours(): Colours {
   const probe = document.createElement('span');
   document.body.append(probe);
-  const colours = Object.fromEntries(NAMES.map((name) => {
-    probe.style.color = `var(--${name})`;
-    return [name, getComputedStyle(probe).color];
-  }));
+  const colours = Object.fromEntries(
+    NAMES.map((name) => {
+      probe.style.color = `var(--${name})`;
+      return [name, getComputedStyle(probe).color];
+    }),
+  );
   probe.remove();
   return colours as Colours;
 }

@@ -52,14 +52,18 @@ class Gestures<T> {
   private target: T | null = null;
   private clicked = false;
 
-  constructor(private readonly host: HTMLElement, private readonly movable: Movable<T>, keyHost: HTMLElement) {
-    host.addEventListener('pointerdown', (event) => { this.down(event); });
-    host.addEventListener('pointermove', (event) => { this.move(event); });
-    host.addEventListener('pointerup', (event) => { this.up(event); });
-    host.addEventListener('pointercancel', (event) => { this.presses.delete(event.pointerId); });
-    host.addEventListener('pointerleave', () => { movable.pointed(null, false); });
-    host.addEventListener('wheel', (event) => { this.wheel(event); }, { passive: false });
-    keyHost.addEventListener('keydown', (event) => { this.key(event); });
+  constructor(
+    private readonly host: HTMLElement,
+    private readonly movable: Movable<T>,
+    keyHost: HTMLElement,
+  ) {
+    host.addEventListener('pointerdown', (event) => this.down(event));
+    host.addEventListener('pointermove', (event) => this.move(event));
+    host.addEventListener('pointerup', (event) => this.up(event));
+    host.addEventListener('pointercancel', (event) => this.presses.delete(event.pointerId));
+    host.addEventListener('pointerleave', () => movable.pointed(null, false));
+    host.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
+    keyHost.addEventListener('keydown', (event) => this.key(event));
   }
 
   private place(event: MouseEvent): [number, number] {

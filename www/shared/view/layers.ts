@@ -27,14 +27,18 @@ export class Layers<Name extends string> {
   height = 1;
 
   /** `names` from the lowest layer to the highest; `paint` draws one of them, in CSS px. */
-  constructor(readonly host: HTMLElement, private readonly names: readonly Name[], private readonly paint: (name: Name, context: CanvasRenderingContext2D) => void) {
+  constructor(
+    readonly host: HTMLElement,
+    private readonly names: readonly Name[],
+    private readonly paint: (name: Name, context: CanvasRenderingContext2D) => void,
+  ) {
     this.contexts = Object.fromEntries(names.map((name) => [name, contextOf(canvasIn(host, name))])) as Record<Name, CanvasRenderingContext2D>;
-    new ResizeObserver(() => { this.resize(); }).observe(host);
+    new ResizeObserver(() => this.resize()).observe(host);
   }
 
   redraw(...names: Name[]): void {
     for (const name of names.length > 0 ? names : this.names) this.dirty.add(name);
-    if (this.frame === 0) this.frame = requestAnimationFrame(() => { this.draw(); });
+    if (this.frame === 0) this.frame = requestAnimationFrame(() => this.draw());
   }
 
   /** The place of a pointer, CSS px. */
