@@ -37,8 +37,8 @@ pub use adjustment::{
     Similarity, adjust_block,
 };
 pub use camera::{
-    Camera, CameraMm, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose,
-    angles_from_rotation, orient_fiducials, rotation_from_angles,
+    Camera, CameraMm, CameraUncertainty, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters,
+    Interior, Pose, angles_from_rotation, orient_fiducials, rotation_from_angles,
 };
 pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
 pub use descriptors::{
@@ -64,8 +64,8 @@ pub use model::{
     ObjectPoint, ObservedPosition,
 };
 pub use orientation::{
-    ErrorEllipse, ErrorModel, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions, PointStatistics,
-    RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
+    ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions,
+    PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
     BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairRow, PointColumns, Project,

@@ -13,6 +13,8 @@ mod scene;
 mod simulated_pair;
 #[path = "orientation/snooping.rs"]
 mod snooping;
+#[path = "orientation/uncalibrated.rs"]
+mod uncalibrated;
 #[path = "orientation/warnings.rs"]
 mod warnings;
 

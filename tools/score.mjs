@@ -52,14 +52,18 @@ export function sampsonShare(matches, left, right, rotation, direction) {
 
 /**
  * What the angles and the base of a dependent relative orientation mean to a camera with y down and z forward.
- * @param {{ omega_deg: number, phi_deg: number, kappa_deg: number, by_mm: number, bz_mm: number, base_mm: number }} o
+ * @param {{ omega_deg: number, phi_deg: number, kappa_deg: number, by_mm: number, bz_mm: number, base_mm: number, turn_deg?: number }} o
+ *   `turn_deg`: by which the axes of all these are turned anticlockwise from those of the photos
  * @returns {{ rotation: Matrix, direction: number[] }} X_right = R X_left + t, t of unit length
  */
 export function poseOf(o) {
-  const m = multiply(multiply(turn(2, o.kappa_deg), turn(1, o.phi_deg)), turn(0, o.omega_deg));
+  const axes = turn(2, o.turn_deg ?? 0);
+  const back = turn(2, -(o.turn_deg ?? 0));
+  const m = multiply(multiply(back, multiply(multiply(turn(2, o.kappa_deg), turn(1, o.phi_deg)), turn(0, o.omega_deg))), axes);
   const flip = [1, -1, -1];
   const rotation = m.map((row, r) => row.map((v, c) => v * (flip[r] ?? 0) * (flip[c] ?? 0)));
-  const base = [o.base_mm, o.by_mm, o.bz_mm];
+  const turned = [o.base_mm, o.by_mm, o.bz_mm];
+  const base = back.map((row) => dot(row, turned));
   const t = m.map((row, r) => -(flip[r] ?? 0) * dot(row, base));
   const length = Math.hypot(...t);
   return { rotation, direction: t.map((v) => v / length) };

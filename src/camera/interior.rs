@@ -1,7 +1,7 @@
 //! The way from a pixel to photo coordinates.
 
 use super::distortion::{radial_factor, tangential_shift};
-use super::{CameraMm, FiducialOrientation};
+use super::{CameraMm, CameraUncertainty, FiducialOrientation};
 use crate::Error;
 use crate::catalogue::refuse;
 use nalgebra::Matrix3;
@@ -28,6 +28,9 @@ pub struct Interior {
     /// Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
     #[serde(default)]
     pub covariance: Option<[[f64; 3]; 3]>,
+    /// What is not known of the camera; absent: it is calibrated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<CameraUncertainty>,
 }
 
 impl Interior {
@@ -62,8 +65,8 @@ impl Interior {
     }
 
     fn new(camera: &CameraMm, parameters: [[f64; 3]; 2], covariance: Option<[[f64; 3]; 3]>) -> Self {
-        let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, .. } = *camera;
-        Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance }
+        let CameraMm { principal_point_mm, radial_distortion, tangential_distortion, uncertainty, .. } = *camera;
+        Self { parameters, principal_point_mm, radial_distortion, tangential_distortion, covariance, uncertainty }
     }
 
     /// Photo coordinates `[x, y]` in mm of an image position in px: the affine transformation, minus the principal point, times
@@ -96,6 +99,7 @@ impl Interior {
             radial_distortion: [k1 / f2, k2 / (f2 * f2), k3 / (f2 * f2 * f2)],
             tangential_distortion: self.tangential_distortion.map(|p| p / factor),
             covariance: self.covariance.map(|rows| rows.map(|row| row.map(|v| v * f2))),
+            uncertainty: self.uncertainty,
         }
     }
 

@@ -1,7 +1,7 @@
 //! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
 
 use super::distortion::{MOST_STEPS, radial_factor, tangential_shift, undistorted};
-use super::{Camera, ExifCamera};
+use super::{Camera, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
 use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
@@ -26,20 +26,31 @@ pub struct CameraMm {
     /// `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
     #[serde(default)]
     pub tangential_distortion: [f64; 2],
+    /// What is not known of these; absent: the camera is calibrated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub uncertainty: Option<CameraUncertainty>,
 }
 
 impl CameraMm {
     /// A camera without distortion whose principal point is the middle of the image or of the fiducials.
     pub fn without_distortion(focal_mm: f64, pixel_mm: Option<f64>) -> Self {
-        Self { focal_mm, principal_point_mm: [0.0; 2], pixel_mm, radial_distortion: [0.0; 3], tangential_distortion: [0.0; 2] }
+        Self {
+            focal_mm,
+            principal_point_mm: [0.0; 2],
+            pixel_mm,
+            radial_distortion: [0.0; 3],
+            tangential_distortion: [0.0; 2],
+            uncertainty: None,
+        }
     }
 
-    /// The camera of an EXIF block: principal point in the middle of the image, no distortion.
+    /// The camera of an EXIF block: principal point in the middle of the image, no distortion, nothing calibrated.
     ///
     /// # Errors
     /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
     pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        let camera = Self::without_distortion(exif.focal_mm, exif.pixel_mm);
+        let uncertainty = Some(CameraUncertainty::EXIF);
+        let camera = Self { uncertainty, ..Self::without_distortion(exif.focal_mm, exif.pixel_mm) };
         camera.check().map(|()| camera)
     }
 
@@ -64,6 +75,9 @@ impl CameraMm {
         }
         if !self.tangential_distortion.iter().all(|p| p.is_finite()) {
             return Err(refuse("camera.tangential_distortion", format!("{:?}", self.tangential_distortion), "two finite numbers"));
+        }
+        if let Some(uncertainty) = self.uncertainty {
+            uncertainty.check()?;
         }
         Ok(())
     }

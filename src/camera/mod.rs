@@ -9,6 +9,7 @@ mod mm;
 mod pose;
 mod px;
 mod rotation;
+mod uncertainty;
 
 pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens};
 pub use exif::{ExifCamera, ExifImage, ExifPosition};
@@ -19,3 +20,4 @@ pub use pose::Pose;
 pub(crate) use pose::{matrix, orthonormal, product, turn_of};
 pub use px::{Camera, FreeParameters};
 pub use rotation::{angles_from_rotation, rotation_from_angles};
+pub use uncertainty::CameraUncertainty;

@@ -27,6 +27,6 @@ pub(crate) use field::{Field, square_distance};
 pub(crate) use normals::Normals;
 pub use options::{OrientationMethod, OrientationOptions, Weighting};
 pub use relative::{orient_relative, orient_relative_with};
-pub use result::{ErrorEllipse, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
+pub use result::{ErrorEllipse, EstimatedCamera, FiveParameters, GlobalTest, Observation, PointStatistics, RelativeOrientation, Warning};
 pub(crate) use robust_start::Poses;
 pub use shared::SharedErrors;

@@ -184,6 +184,7 @@ impl Outcome {
             residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
             points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),
             rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
+            cameras: None,
         }
     }
 

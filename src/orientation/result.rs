@@ -88,6 +88,19 @@ impl ErrorEllipse {
     }
 }
 
+/// A camera that was not calibrated, as its pair tells it: prior information and matches together.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct EstimatedCamera {
+    pub focal_mm: f64,
+    pub focal_standard_error_mm: f64,
+    pub principal_point_mm: [f64; 2],
+    pub principal_point_standard_errors_mm: [f64; 2],
+    /// The first term of the radial distortion, as [`Interior::photo_mm`](crate::Interior::photo_mm) has it, in mm⁻².
+    pub k1_per_mm2: f64,
+    pub k1_standard_error_per_mm2: f64,
+}
+
 messages! {
     /// What makes an orientation weak although it could be computed.
     #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -159,6 +172,9 @@ pub struct RelativeOrientation {
     pub points: Vec<Option<PointStatistics>>,
     /// Indices of the observations that were left out as gross errors.
     pub rejected: Vec<usize>,
+    /// The left and the right camera where they were not calibrated, in the photo axes of ω φ κ by bz; absent where both were.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cameras: Option<[EstimatedCamera; 2]>,
 }
 
 impl RelativeOrientation {

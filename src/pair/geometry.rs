@@ -1,14 +1,11 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
 use super::{NoOrientation, PairImage, PairInput, PhotoInput};
-use crate::{CameraMm, Error, FocalEstimate, Interior, Side, orient_fiducials};
+use crate::{CameraMm, CameraUncertainty, Error, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
 const NOMINAL_PIXEL_MM: f64 = 0.001;
-
-/// Standard error of an estimated focal length, as a share of it, up to which it serves.
-const LARGEST_ERROR: f64 = 0.1;
 
 /// The interior orientations of a pair, of one focal length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -25,14 +22,18 @@ impl PairInterior {
         Self { left: self.left.turned(), right: self.right.turned(), focal_mm: self.focal_mm }
     }
 
-    /// From the focal length that the matches themselves gave, where it is known to a tenth: principal points in the middle of the images,
-    /// a pixel being a thousandth of a millimetre.
-    pub fn estimated(focal: &FocalEstimate, [left, right]: [(usize, usize); 2]) -> Option<Self> {
-        if !(focal.standard_error_px < LARGEST_ERROR * focal.focal_px) {
+    /// Of cameras of which nothing is known but the sizes of their images, in px: principal points in the middle of the images, a pixel being
+    /// a thousandth of a millimetre. The focal length is the one that the geometry of the two views gave, or that of most cameras; the
+    /// uncertainty is that of the latter. `None` where the geometry is the map of a plane, which no camera turns into an orientation.
+    pub fn assumed(found: &TwoView, [left, right]: [(usize, usize); 2]) -> Option<Self> {
+        if matches!(found.model, TwoViewModel::Homography { .. }) {
             return None;
         }
-        let focal_mm = focal.focal_px * NOMINAL_PIXEL_MM;
-        let camera = CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM));
+        let longer = left.0.max(left.1).max(right.0).max(right.1);
+        let focal_px = found.focal.map_or(CameraUncertainty::ASSUMED_FOCAL * longer as f64, |focal| focal.focal_px);
+        let focal_mm = focal_px * NOMINAL_PIXEL_MM;
+        let uncertainty = Some(CameraUncertainty::ASSUMED);
+        let camera = CameraMm { uncertainty, ..CameraMm::without_distortion(focal_mm, Some(NOMINAL_PIXEL_MM)) };
         let of = |(width, height)| Interior::from_pixel_size(&camera, width, height).ok();
         Some(Self { left: of(left)?, right: of(right)?, focal_mm })
     }

@@ -6,6 +6,7 @@ mod frames;
 mod geometry;
 mod orienting;
 mod rounds;
+mod self_calibration;
 mod verification;
 
 pub use described::{DescribedImage, describe_image};
@@ -176,7 +177,10 @@ pub fn match_described_pair(
         match_in_rounds(images, Expectation { nearest, ..Expectation::from(&expected) }, interior.as_ref().ok(), settings)?;
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
-    let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));
+    let interior = match (interior, found) {
+        (Err(reason @ NoOrientation::NoCamera { .. }), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
+        (interior, _) => interior,
+    };
     let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
     let orientation = match (&interior, &geometry) {
         (Err(reason), _) => Err(reason.clone()),

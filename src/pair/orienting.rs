@@ -1,7 +1,9 @@
 //! From matches and interior orientations to the relative orientation.
 
 use super::PairInterior;
+use super::self_calibration::{self, Measured, SelfCalibration};
 use crate::math::median;
+use crate::orientation::RelativePose;
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
     orient_relative_with,
@@ -17,6 +19,9 @@ const MOST_SIGMA0_PX: f64 = 3.0;
 
 /// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
 const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
+
+/// Rounds in which the cameras that nobody calibrated and the gross errors are told.
+const CALIBRATIONS: usize = 2;
 
 /// Whether all four positions of a match lie at the centres of pixels.
 fn are_whole_pixels(positions: &[f64; 4]) -> bool {
@@ -48,18 +53,58 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
 
 fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
     let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
-    let mut observed = observations(&positions, &interior.left, &interior.right);
     let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
-    observed.iter_mut().zip(match_weights(&fits)).for_each(|(observation, weight)| observation.weight = weight);
+    let weights = match_weights(&fits);
+    let mut found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
+    if self_calibration::is_wanted(interior) {
+        // The cameras decide which matches are gross errors, and these the cameras.
+        for _ in 0..CALIBRATIONS {
+            found = orient_calibrated(&positions, &weights, interior, &found, options)?;
+        }
+    }
+    check_precision(&found, interior.left.pixel_mm(), options)?;
+    Ok(found)
+}
+
+/// The orientation with the cameras that the matches tell which an earlier orientation accepted.
+fn orient_calibrated(
+    positions: &[[f64; 4]],
+    weights: &[f64],
+    interior: &PairInterior,
+    earlier: &RelativeOrientation,
+    options: &OrientationOptions,
+) -> Result<RelativeOrientation, Error> {
+    let mut is_accepted = vec![true; positions.len()];
+    earlier.rejected.iter().for_each(|k| is_accepted[*k] = false);
+    let accepted = || (0..positions.len()).filter(|k| is_accepted[*k]);
+    let (kept, kept_weights): (Vec<_>, Vec<_>) = accepted().map(|k| (positions[k], weights[k])).unzip();
+    let (rotation, base) = earlier.pose();
+    let neighbourhood = NEIGHBOURHOOD_PX * interior.left.pixel_mm() / interior.focal_mm;
+    let sigma = earlier.sigma0_mm.unwrap_or(0.0) / earlier.focal_mm;
+    let (measured, pose) = (Measured { positions: &kept, weights: &kept_weights, sigma, neighbourhood }, RelativePose { rotation, base });
+    let cameras =
+        self_calibration::calibrated(interior, &measured, pose).unwrap_or_else(|| SelfCalibration::of_priors(interior, &measured, pose));
+    let found = orient_with(positions, weights, &cameras.interior, cameras.shared_errors(positions), options)?;
+    Ok(RelativeOrientation { cameras: Some(cameras.cameras()), ..found })
+}
+
+/// The orientation with fixed cameras, whose errors count in the total standard errors.
+fn orient_with(
+    positions: &[[f64; 4]],
+    weights: &[f64],
+    interior: &PairInterior,
+    of_cameras: Vec<SharedErrors>,
+    options: &OrientationOptions,
+) -> Result<RelativeOrientation, Error> {
+    let mut observed = observations(positions, &interior.left, &interior.right);
+    observed.iter_mut().zip(weights).for_each(|(observation, weight)| observation.weight = *weight);
     let pixel_mm = interior.left.pixel_mm();
     let errors = ErrorModel {
-        shared: interior_errors(&positions, interior),
+        shared: interior_errors(positions, interior).into_iter().chain(of_cameras).collect(),
         neighbourhood_mm: NEIGHBOURHOOD_PX * pixel_mm,
         resolution_mm: if positions.iter().all(are_whole_pixels) { WHOLE_PIXEL_SIGMA * pixel_mm } else { 0.0 },
     };
-    let found = orient_relative_with(&observed, &errors, interior.focal_mm, options)?;
-    check_precision(&found, pixel_mm, options)?;
-    Ok(found)
+    orient_relative_with(&observed, &errors, interior.focal_mm, options)
 }
 
 /// Refuses an orientation with which the matches agree no better than wrong ones do.

@@ -157,7 +157,7 @@ function posedPair(name, a, b, change, label = 'paper settings') {
  * truth's distorts what is ideal: the series is inverted to its second term.
  * @param {import('../score.mjs').Pinhole} p @param {number} width @param {number} height
  */
-function cameraOf({ f, cx, cy, k1, k2 }, width, height) {
+export function cameraOf({ f, cx, cy, k1, k2 }, width, height) {
   const pixel_mm = 0.001;
   const focal_mm = f * pixel_mm;
   return {

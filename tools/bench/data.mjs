@@ -69,7 +69,7 @@ export function posed(name, a, b) {
 }
 
 /** @param {any} truth @param {string} file @returns {Pinhole} */
-function pinhole(truth, file) {
+export function pinhole(truth, file) {
   const image = truth.images.find((/** @type {{ file: string }} */ i) => i.file === file);
   const {
     K: [f, , cx, cy],

@@ -6,7 +6,7 @@ import {
   constant_offset,
   epipolar_line,
   estimate_offset,
-  estimated_interior,
+  assumed_interior,
   gradient_candidates,
   interior,
   match_photos,
@@ -93,7 +93,7 @@ function match(m: Input<'match'>): Output<'match'> {
   if (held === null) throw new Error('no pair is held in this worker');
   const { left, right } = held;
   const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? undefined);
-  return { ...result, estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height) };
+  return { ...result, estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height) };
 }
 
 function candidatesOf({ left, right, offset, index, options }: Input<'candidates'>): Float64Array {

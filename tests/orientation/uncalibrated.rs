@@ -1,0 +1,70 @@
+//! Cameras that nobody calibrated: the errors of an orientation by their total standard errors, over many cameras.
+
+use crate::scene::{Dice, FOCAL_MM, NADIR};
+use tiepoint::{CameraMm, CameraUncertainty, Interior, Match, OrientationOptions, PairInterior, orient_matches};
+
+const SIZE_PX: usize = 2000;
+const PIXEL_MM: f64 = 0.12;
+const SETS: usize = 100;
+
+/// What a camera of this interior orientation shows at a photo coordinate, which is free of distortion.
+fn px(interior: &Interior, [x, y]: [f64; 2]) -> [f64; 2] {
+    let pixel = interior.pixel_mm();
+    let [x0, y0] = interior.principal_point_px();
+    interior.image_px(x0 + x / pixel, y0 - y / pixel).unwrap()
+}
+
+#[test]
+fn total_standard_errors_hold_what_is_not_known_of_the_camera() {
+    let uncertainty = CameraUncertainty::EXIF;
+    let nominal = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
+    let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
+    let mut focal = 0.0;
+    for set in 0..SETS as u64 {
+        let mut dice = Dice::new(70_000 + set);
+        let focal_mm = FOCAL_MM * (uncertainty.focal * dice.normal()).exp();
+        let true_camera = CameraMm {
+            principal_point_mm: [0, 1].map(|_| uncertainty.principal_point * focal_mm * dice.normal()),
+            radial_distortion: [uncertainty.k1 * dice.normal() / (focal_mm * focal_mm), 0.0, 0.0],
+            ..CameraMm::without_distortion(focal_mm, Some(PIXEL_MM))
+        };
+        let seen_by = Interior::from_pixel_size(&true_camera, SIZE_PX, SIZE_PX).unwrap();
+        let known = |camera: &CameraMm| {
+            let side = Interior::from_pixel_size(camera, SIZE_PX, SIZE_PX).unwrap();
+            PairInterior { left: side, right: side, focal_mm: FOCAL_MM }
+        };
+        let scale = focal_mm / FOCAL_MM;
+        let seen = NADIR.observe(600, 0.02, 80_000 + set);
+        let matches: Vec<Match> = seen
+            .iter()
+            .enumerate()
+            .map(|(left, o)| Match {
+                left,
+                right: None,
+                left_px: px(&seen_by, o.left.map(|v| v * scale)),
+                right_px: px(&seen_by, o.right.map(|v| v * scale)),
+                measure: 0.0,
+                fit: None,
+            })
+            .collect();
+        let options = OrientationOptions { base_mm: Some(92.0), ..OrientationOptions::default() };
+        let uncalibrated = orient_matches(&matches, &known(&CameraMm { uncertainty: Some(uncertainty), ..nominal }), &options).unwrap();
+        let as_if_calibrated = orient_matches(&matches, &known(&nominal), &options).unwrap();
+        for (sums, found) in [(&mut with, &uncalibrated), (&mut without, &as_if_calibrated)] {
+            let standard = found.total_standard_errors.unwrap();
+            let standard = [standard.omega_deg, standard.phi_deg, standard.kappa_deg, standard.by_mm, standard.bz_mm];
+            let errors = NADIR.errors(found);
+            sums.iter_mut().zip(errors).zip(standard).for_each(|((sum, error), s)| *sum += (error / s) * (error / s) / SETS as f64);
+        }
+        let [camera, _] = uncalibrated.cameras.unwrap();
+        assert!(as_if_calibrated.cameras.is_none());
+        let error = (camera.focal_mm - focal_mm) / camera.focal_standard_error_mm;
+        focal += error * error / SETS as f64;
+    }
+    println!(
+        "variance of error / total standard error over {SETS} cameras: {with:.2?}, as if calibrated {without:.1?}, focal length {focal:.2}"
+    );
+    assert!(with.iter().all(|v| (0.4..1.7).contains(v)), "{with:?}");
+    assert!((0.4..1.7).contains(&focal), "{focal}");
+    assert!(without.iter().any(|v| *v > 20.0), "{without:?}");
+}
