@@ -2,8 +2,9 @@
 
 use nalgebra::{Matrix3, Vector2, Vector3};
 use tiepoint::{
-    Error, Fiducial, Flight, GreyImage, PairImage, PairInput, PairSettings, PhotoInput, SAMPLE_SEED, Sample, check_flight, match_pair,
-    rotation_from_angles, sample_pair, simulate,
+    BlockFlight, BlockScene, BlockView, Error, Fiducial, Flight, GreyImage, NetworkFlight, NetworkKind, PairImage, PairInput, PairSettings,
+    PhotoInput, SAMPLE_SEED, Sample, check_flight, match_pair, rotation_from_angles, sample_pair, simulate, simulate_block,
+    simulate_network,
 };
 
 /// A small flight over high buildings and hills with strong tilts, whose marks are measured without error.
@@ -280,6 +281,62 @@ fn the_sample_has_the_same_bytes_everywhere() {
     let found = fingerprint(&sample_pair(SAMPLE_SEED).unwrap());
     assert_eq!(found, FINGERPRINT, "found {found:#018x}");
 }
+
+/// FNV-1a over the bits of numbers.
+fn fingerprint_of(values: impl IntoIterator<Item = f64>) -> u64 {
+    let bytes = values.into_iter().flat_map(|value| value.to_bits().to_le_bytes());
+    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+}
+
+#[test]
+fn blocks_and_networks_are_the_same_as_ever() {
+    let views = [BlockView::Nadir, BlockView::Oblique, BlockView::TwoHeights];
+    let flight = |view| BlockFlight { view, strips: 2, exposures: 3, features: 300, ..BlockFlight::default() };
+    let of_block = |view| {
+        let block = simulate_block(&flight(view)).unwrap();
+        let poses = block.exposures.iter().flat_map(|e| e.rotation.iter().copied().chain(e.centre).chain([e.focal_px]).collect::<Vec<_>>());
+        let features = block.features.iter().flatten().flatten().map(|v| f64::from(*v));
+        let matches = block.pairs.iter().flat_map(|(_, list)| list).flat_map(|m| m.features.map(f64::from));
+        fingerprint_of(poses.chain(features).chain(matches))
+    };
+    let photographed = |view| {
+        let size = BlockFlight { width_px: 200, height_px: 150, pixel_mm: 0.12, relief_m: 30.0, ..flight(view) };
+        let scene = BlockScene::new(&size).unwrap();
+        let grey = scene.photo(1).unwrap();
+        let [position, truth] = [scene.recorded_position(1).unwrap(), scene.truth().images[1].pose.unwrap().position];
+        fingerprint_of(grey.data().iter().map(|v| f64::from(*v)).chain(position).chain(truth))
+    };
+    let of_network = |view| {
+        let network = simulate_network(&NetworkFlight {
+            kind: view,
+            gross_share: 0.1,
+            gnss_sigma_m: 0.1,
+            control_points: 3,
+            radial: [-0.05, 0.02, 0.0],
+            ..NetworkFlight::default()
+        })
+        .unwrap();
+        let poses = network
+            .observed
+            .images
+            .iter()
+            .flat_map(|i| i.pose.rotation.into_iter().flatten().chain(i.pose.position).chain(i.gnss.unwrap().position));
+        let rays = network.observed.rays.iter().flat_map(|ray| [ray.x_px, ray.y_px]);
+        let points = network.observed.points.iter().flatten().copied();
+        let cameras = network.truth.cameras.iter().flat_map(|camera| [camera.focal_px].into_iter().chain(camera.principal_point_px));
+        fingerprint_of(poses.chain(rays).chain(points).chain(cameras))
+    };
+    let kinds = [NetworkKind::Nadir, NetworkKind::Oblique, NetworkKind::TwoHeights];
+    let found = [views.map(of_block), views.map(photographed), kinds.map(of_network)];
+    assert_eq!(found, FINGERPRINTS, "found {found:#018x?}");
+}
+
+/// Of blocks, of photos of blocks, of networks: straight down, oblique, at two heights.
+const FINGERPRINTS: [[u64; 3]; 3] = [
+    [0xaba5_aaa0_c203_8c45, 0x5725_8e6b_3725_fb93, 0xce53_ae61_36f6_dc35],
+    [0x0fe3_f484_829c_1ea1, 0x8e13_7f2b_810c_2c83, 0x30cf_2ac3_bca8_69e5],
+    [0xc724_6d61_5f29_adcf, 0x9e12_25ea_eb6f_0bb4, 0xa3a0_9109_dcf9_4419],
+];
 
 #[test]
 fn a_seed_repeats_and_another_differs() {
