@@ -93,9 +93,9 @@ pub use reconstruction::{
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{
-    BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
-    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block,
-    score_matches, simulate, simulate_block, simulate_network,
+    BlockFlight, BlockPreset, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, Preset, RIGHT_WITHIN_PX,
+    Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block, score_matches,
+    simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{
