@@ -93,7 +93,7 @@ pub struct PairInput {
 }
 
 /// The outcome of one pair.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PairResult {
     pub left: PointSet,
     pub right: PointSet,
@@ -109,7 +109,7 @@ pub struct PairResult {
 
 messages! {
     /// Why a pair has no orientation.
-    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum NoOrientation as "no_orientation" {
