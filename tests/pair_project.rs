@@ -195,12 +195,15 @@ fn a_damaged_pair_gives_a_clear_error() {
     }
 }
 
+/// Changes the JSON of a pair.
+type Change = fn(&mut serde_json::Value);
+
 #[test]
 fn parts_that_do_not_fit_together_are_refused_although_the_checksum_fits() {
     let text = write_pair_project(refined()).unwrap();
     let body = text.split_once('\n').unwrap().1;
     let mut told = BTreeSet::new();
-    let cases: [(&str, fn(&mut serde_json::Value)); 6] = [
+    let cases: [(&str, Change); 6] = [
         ("verdicts of the pair", |pair| drop(pair["result"]["matching"]["verdicts"].as_array_mut().unwrap().pop())),
         ("match of the pair", |pair| pair["result"]["matching"]["matches"][0]["left"] = 10_000_000.into()),
         ("observations of the pair", |pair| drop(pair["result"]["orientation"]["Ok"]["points"].as_array_mut().unwrap().pop())),
