@@ -11,9 +11,9 @@ use std::path::{Path, PathBuf};
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
 const ORDER: [&str; 25] = [
     "message",
+    "json",
     "error",
     "text",
-    "json",
     "catalogue",
     "math",
     "camera",

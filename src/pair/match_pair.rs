@@ -11,9 +11,10 @@ use crate::{
     Degeneracy, Error, Expectation, MatchSet, NearestTable, NoGeometry, OffsetField, PointSet, RelativeOrientation, TwoView,
     estimate_offset,
 };
+use serde::{Deserialize, Serialize};
 
 /// The outcome of one pair.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PairResult {
     pub left: PointSet,
     pub right: PointSet,

@@ -2,11 +2,11 @@
 
 use crate::message::messages;
 use crate::{Error, NoGeometry, Side};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 messages! {
     /// Why a pair has no orientation.
-    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum NoOrientation as "no_orientation" {
