@@ -68,8 +68,9 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairRow, PointColumns, Project,
-    RayCount, Summary, block_files, coverage, planned_files, read_project, write_block_project,
+    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairPhoto, PairRow, PairRun,
+    PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, block_files, coverage, planned_files, project_kind, read_project,
+    write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
@@ -93,9 +94,9 @@ pub use reconstruction::{
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{
-    BlockFlight, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, NetworkFlight, NetworkKind, Preset,
-    RIGHT_WITHIN_PX, Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block,
-    score_matches, simulate, simulate_block, simulate_network,
+    BlockFlight, BlockPreset, BlockScene, BlockScore, BlockView, DenseTruth, Exposure, Flight, MatchScore, Preset, RIGHT_WITHIN_PX,
+    Rightness, SAMPLE_SEED, Sample, SimulatedBlock, SimulatedNetwork, check_flight, check_truth, sample_pair, score_block, score_matches,
+    simulate, simulate_block, simulate_network,
 };
 pub use tables::{matches_csv, parse_camera, parse_fiducials, parse_observations, points_csv};
 pub use tracks::{

@@ -68,7 +68,22 @@ export function describeOrientation(o, pixelMm) {
     `base ${fixed(o.base_mm, 3)} mm, focal length ${fixed(o.focal_mm, 3)} mm, ${o.method}`,
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,
     `condition ${significant(o.condition)}, plane misfit ${fixed(o.plane_misfit, 1)} sigma0, parallax beside a rotation ${significant(o.parallax_beside_rotation_mm)} mm`,
+    ...(o.cameras ? [estimatedCamera(o.cameras[0], pixelMm)] : []),
     ...(o.global_test ? [globalTest(o.global_test)] : []),
     ...o.warnings.map((warning) => `warning: ${message('warning', warning)}`),
   ];
+}
+
+/**
+ * The left camera, which nobody calibrated, as it was estimated with the orientation.
+ * @param {import('../node.js').EstimatedCamera} camera @param {number | null} pixelMm @returns {string}
+ */
+function estimatedCamera(camera, pixelMm) {
+  const [unit, name, digits] = pixelMm === null ? [1, 'mm', 3] : [pixelMm, 'px', 1];
+  const withError = (/** @type {number} */ value, /** @type {number} */ error) => `${fixed(value / unit, digits)} ± ${fixed(error / unit, digits)} ${name}`;
+  const square = camera.focal_mm ** 2;
+  return (
+    `camera not calibrated, estimated with the orientation: focal length ${withError(camera.focal_mm, camera.focal_standard_error_mm)}, ` +
+    `k1 ${fixed(camera.k1_per_mm2 * square, 4)} ± ${fixed(camera.k1_standard_error_per_mm2 * square, 4)} at one focal length`
+  );
 }

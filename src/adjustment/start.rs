@@ -1,8 +1,8 @@
 //! The adjustment of a block that is still being put together: robust, some images fixed, camera parameters held by what was known of them.
 
-use super::adjustment::Demand;
 use super::block::Block;
 use super::datum::held_images;
+use super::gauss_newton::Demand;
 use super::network::{Columns, Network};
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};
@@ -58,10 +58,10 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
 mod tests {
     use super::*;
     use crate::camera::FreeParameters;
-    use crate::{NetworkFlight, SimulatedNetwork, simulate_network};
+    use crate::{BlockFlight, BlockPreset, SimulatedNetwork, simulate_network};
 
     fn simulated() -> SimulatedNetwork {
-        simulate_network(&NetworkFlight { gross_share: 0.05, ..NetworkFlight::default() }).unwrap()
+        simulate_network(&BlockFlight { gross_share: 0.05, ..BlockPreset::Network.flight() }).unwrap()
     }
 
     fn distance(a: &Block, b: &Block, image: usize) -> f64 {

@@ -1,6 +1,7 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::{NoOrientation, PairImage, PairInput, PhotoInput};
+use super::input::{PairImage, PairInput, PhotoInput};
+use super::no_orientation::NoOrientation;
 use crate::{CameraMm, CameraUncertainty, Error, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
 use serde::{Deserialize, Serialize};
 

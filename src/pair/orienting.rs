@@ -1,6 +1,6 @@
 //! From matches and interior orientations to the relative orientation.
 
-use super::PairInterior;
+use super::geometry::PairInterior;
 use super::self_calibration::{self, Measured, SelfCalibration};
 use crate::math::median;
 use crate::orientation::RelativePose;

@@ -4,7 +4,7 @@
 //! ω φ κ by bz: by the inverse of a partitioned matrix, the covariance of the pose in the adjustment of all unknowns is that of the pose with
 //! fixed cameras and what the covariance of the cameras adds to it.
 
-use super::PairInterior;
+use super::geometry::PairInterior;
 use crate::camera::{CameraUncertainty, Interior};
 use crate::orientation::{Ray, RelativePose};
 use crate::{EstimatedCamera, SharedErrors};

@@ -3,7 +3,7 @@
 //! A record is little-endian: the letters TPRC; 32 bits of version; 32 bits each of the length of its head and of its number of rows;
 //! SHA-256 of all that follows; the head, JSON of the key and what the kind has; its columns, one after the other.
 
-use crate::Error;
+use crate::{Error, json};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
@@ -88,7 +88,7 @@ pub(super) fn read_record<'a, H: DeserializeOwned>(
         return None;
     }
     let (head, body) = rest.split_at_checked(number(8) as usize)?;
-    let (own, head): (String, H) = serde_json::from_slice(head).ok()?;
+    let (own, head): (String, H) = json::from_text(str::from_utf8(head).ok()?).ok()?;
     let rows = number(12) as usize;
     (own == key && body.len() == body_bytes(&head, rows)).then_some(Record { head, rows, body })
 }

@@ -9,7 +9,7 @@ use serde_json::Value;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// What every call that can fail gives: an `Error` named `TiepointError` with `code` and `usage` on failure.
+/// What every call that can fail gives: an `Error` named `TiepointError` with `code`, `usage` and the `error` with its figures on failure.
 pub type JsResult<T> = Result<T, JsValue>;
 
 pub fn thrown(error: Error) -> JsValue {
@@ -17,12 +17,13 @@ pub fn thrown(error: Error) -> JsValue {
     value.set_name("TiepointError");
     set(&value, "code", &error.code().into());
     set(&value, "usage", &error.is_usage().into());
+    set(&value, "error", &pack(&error));
     value.into()
 }
 
 /// Reads a value. It goes through text, so that unknown fields are refused.
 pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).map_err(|e| e.to_string()).and_then(json::from_value).map_err(|reason| refused(what, reason))
+    parsed(value).map_err(|e| e.to_string()).and_then(|value| json::from_value(&value)).map_err(|reason| refused(what, reason))
 }
 
 /// Reads options: the fields that are given, the others from the defaults.

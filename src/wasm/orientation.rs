@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
 use crate::{
-    CameraMm, Error, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
+    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
     PointStatistics, RelativeOrientation, observations as photo_observations, orient_fiducials as orient_marks,
     orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
@@ -45,6 +45,12 @@ pub fn orient_fiducials(
 ) -> JsResult<JsValue> {
     let (fiducials, model): (Vec<Fiducial>, FiducialModel) = (read("fiducials", fiducials)?, read("model", model)?);
     orient_marks(&fiducials, model).map(|o| pack(&o)).map_err(thrown)
+}
+
+/// The camera of an EXIF block, with what is not known of it.
+#[wasm_bindgen(unchecked_return_type = "CameraMm")]
+pub fn camera_of_exif(#[wasm_bindgen(unchecked_param_type = "ExifCamera")] exif: &JsValue) -> JsResult<JsValue> {
+    CameraMm::from_exif(&read::<ExifCamera>("exif", exif)?).map(|camera| pack(&camera)).map_err(thrown)
 }
 
 /// The interior orientation of an image: from its fiducials, or from the camera's pixel size.
@@ -128,7 +134,7 @@ pub fn orient_relative(
 
 /// The orientation, with the statistics of its points as one flat array.
 pub(super) fn pack_orientation(orientation: &RelativeOrientation) -> JsValue {
-    let packed = pack(orientation);
+    let packed = pack(&RelativeOrientation { points: Vec::new(), ..orientation.clone() });
     let row = |point: &Option<PointStatistics>| match point {
         None => [f64::NAN; 9],
         Some(p) => {

@@ -2,6 +2,8 @@
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
+import { interiorInUse } from '../state/interior';
+import { pixelMm } from '../state/residuals';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { button, fill, h } from '../../shared/panel/dom';
@@ -98,13 +100,22 @@ function sourceText(state: State): string {
     .filter((text) => text !== '')
     .join(' ');
   const used = pairCameras(state);
+  const told = estimatedText(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: EXIF. Values below replace it. ${exif}`;
-  const focal = state.results.match?.value.geometry?.focal ?? null;
-  if (focal !== null && state.results.match?.value.estimated != null) {
-    return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
+  if (!('missing' in used)) return `In use: EXIF${told}. Values below replace it. ${exif}`;
+  if (state.results.match?.value.estimated != null) {
+    return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
   }
-  return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
+  return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;
+}
+
+/** What the orientation tells of a camera that nobody calibrated. */
+function estimatedText(state: State): string {
+  const camera = state.results.orientation?.value.cameras?.[0];
+  const interior = interiorInUse(state)?.left;
+  if (camera == null || interior === undefined) return '';
+  const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
+  return `, corrected with the orientation to a focal length of ${fixed(focal ?? NaN, 0)} ± ${fixed(error ?? NaN, 0)} px`;
 }
 
 /** The offset of the right image: estimated, or given. */
