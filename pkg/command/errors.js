@@ -14,7 +14,7 @@ export class DataError extends Error {}
  * @typedef {Error & { code: string, usage: boolean }} Refusal
  * @param {unknown} error @returns {error is Refusal}
  */
-export const isRefusal = (error) => error instanceof Error && error.name === 'TiepointError';
+const isRefusal = (error) => error instanceof Error && error.name === 'TiepointError';
 
 /**
  * Calls the crate with what a file holds; its refusals then name the file and count as bad data.

@@ -15,7 +15,7 @@ import { count, fixed, significant } from '../../shared/text/format';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
 
-export const SIGMA_CAVEAT =
+const SIGMA_CAVEAT =
   'σ₀ is computed from y-parallaxes. It sees only the component of an error across the epipolar line, and cannot prove a match right: a wrong match along the line leaves it unchanged.';
 
 export function mountOrientation(host: HTMLElement, store: Store): void {
