@@ -133,6 +133,8 @@ messages! {
         LargeErrors { largest_deg: f64 },
         /// Matches agree with the orientation no better than wrong ones do; in px of the left photo.
         LargeResiduals { sigma0_px: f64, most_px: f64 },
+        /// Too few observations agree for an orientation, and all together have none.
+        WeakSupport { agreeing: usize, observations: usize },
         /// Too many points lie behind the cameras.
         BehindCameras { in_front: usize, points: usize },
         /// `share`: 1 - R² of the unknown that hardly anything determines.

@@ -55,6 +55,7 @@ cause-no-base = no base (pure rotation): the median parallax beside a rotation i
 cause-inseparable = the unknowns can hardly be told apart, as over a critical cylinder or without a base (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound)
 cause-large-errors = the standard error of an angle or of the direction of the base is { FIXED($largest_deg, digits: 0) }°
 cause-large-residuals = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px: the matches are wrong, as those of photos that lie upside down or do not overlap, or the camera is
+cause-weak-support = only { $agreeing } of { $observations } observations agree, which chance explains, and all together have no orientation
 cause-behind-cameras = only { $in_front } of { $points } points would lie in front of both cameras
 cause-singular-normals = the normal equations are singular (1 - R² = { POWER($share, digits: 1) }; more than { POWER($least, digits: 0) } is needed)
 cause-base-across-x = the base has { POWER($along_x, digits: 1) } of its length along x (at least { $least } is needed), so by and bz have no size in units of b; turn both photos by 90°
@@ -126,6 +127,18 @@ warning-plane = All points lie in a plane within their precision: a second orien
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
 warning-rotation = The photos hardly differ but by a rotation: the base is too short to be told from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
 warning-ill-conditioned = The unknowns can hardly be told apart, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
+warning-identical =
+    { $copies ->
+        [one] 1 observation is the same as another
+       *[other] { $copies } observations are the same as others
+    } to the last digit: each counts once.
+warning-behind =
+    { $points ->
+        [one] 1 point is
+       *[other] { $points } points are
+    } left out: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
+warning-sigma = The residuals contradict the given σ0: it is { SIGNIFICANT($estimated_um, digits: 3) } µm, not { SIGNIFICANT($given_um, digits: 3) } µm. Standard errors and tests use the estimated one.
+warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.
 

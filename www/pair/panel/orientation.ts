@@ -102,13 +102,14 @@ function truthFor(state: State, { base_mm: base }: RelativeOrientation): FivePar
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthFor(state, result);
   const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : undefined;
-  const { standard_errors: errors, total_standard_errors: total } = result;
+  const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
   const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+    const interval = number(`interval-${field}`, half?.[field], digits);
     const printed =
       paper === undefined
         ? []
@@ -120,7 +121,7 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
       truth === null
         ? printed
         : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
   });
   const heads: [string, string][] = [
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
@@ -133,6 +134,10 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
             'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.',
           ] satisfies [string, string],
         ]),
+    [
+      '95 % ±',
+      'Half-width of the interval that holds the unknown in 95 of 100 cases: of the last standard error, by the distribution of Student for the degrees of freedom.',
+    ],
     ...(paper !== undefined
       ? ([
           ['Paper', "The paper's Table 3, of its own pair"],
