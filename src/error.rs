@@ -1,36 +1,37 @@
 //! The one error type: what was wrong, what was got, what is allowed.
 
+use crate::json::{Constant, constant};
 use crate::message::messages;
 use serde::{Deserialize, Serialize};
 
 messages! {
     /// Why a call fails. The message says what to change; [`Error::code`] is stable for programs.
-    #[derive(Debug, Clone, PartialEq, Serialize)]
-    #[serde(tag = "kind", rename_all = "kebab-case")]
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "kebab-case", deny_unknown_fields)]
     #[non_exhaustive]
     pub enum Error as "error" {
         /// An option outside its range.
-        InvalidOption { field: &'static str, got: String, allowed: String },
+        InvalidOption { #[serde(deserialize_with = "constant")] field: Constant, got: String, allowed: String },
         /// Options or a camera that are not the JSON object they should be.
-        InvalidJson { what: &'static str, reason: String },
+        InvalidJson { #[serde(deserialize_with = "constant")] what: Constant, reason: String },
         /// Array lengths or coordinates that do not fit together.
-        InvalidInput { what: &'static str, got: String, allowed: String },
+        InvalidInput { #[serde(deserialize_with = "constant")] what: Constant, got: String, allowed: String },
         /// A file that is no image of a known format, or a damaged one.
         UnreadableImage { reason: String },
         /// A format or a pixel type that is not decoded.
-        UnsupportedImage { what: String, allowed: &'static str },
+        UnsupportedImage { what: String, #[serde(deserialize_with = "constant")] allowed: Constant },
         /// More pixels than the limit, found in the header.
         TooManyPixels { width: u64, height: u64, megapixels: f64, max_megapixels: f64 },
         /// More memory than the limit, found in the header.
         TooMuchMemory { width: u64, height: u64, needed_mb: u64, max_mb: u64 },
         /// Fewer pixels a side than an operation needs.
-        ImageTooSmall { width: usize, height: usize, operation: &'static str, min_side: usize },
+        ImageTooSmall { width: usize, height: usize, #[serde(deserialize_with = "constant")] operation: Constant, min_side: usize },
         /// A window that leaves the image.
         WindowOutside { side: usize, col: usize, row: usize, width: usize, height: usize },
         /// A window in which all grey values are equal: it has no moments.
         ConstantWindow { side: usize, col: usize, row: usize },
         /// Too few observations for the unknowns.
-        TooFew { what: &'static str, got: usize, needed: usize },
+        TooFew { #[serde(deserialize_with = "constant")] what: Constant, got: usize, needed: usize },
         /// Observations whose geometry does not determine the unknowns.
         Degenerate { computation: Computation, cause: Cause },
         /// An image of a block whose orientation its observations do not determine; images count from 0.
@@ -38,17 +39,18 @@ messages! {
         /// An adjustment that did not converge.
         NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
-        UnreadableFile { what: &'static str, place: String, reason: String },
+        UnreadableFile { #[serde(deserialize_with = "constant")] what: Constant, place: String, reason: String },
         /// Images whose names formats cannot hold.
         NotExportable { formats: String, reason: String },
         /// A run of a block that no image and no pair stops, but what goes on around it.
         Interrupted { reason: String },
         /// A sink that takes no more text.
-        NotWritten { what: &'static str },
+        NotWritten { #[serde(deserialize_with = "constant")] what: Constant },
     }
 }
 
 impl std::error::Error for Error {}
+
 /// Refuses an input: see [`Error::InvalidInput`].
 pub(crate) fn refuse<T>(what: &'static str, got: String, allowed: &str) -> Result<T, Error> {
     Err(Error::InvalidInput { what, got, allowed: allowed.into() })
@@ -114,11 +116,11 @@ messages! {
     #[non_exhaustive]
     pub enum Cause as "cause" {
         /// The points of a photo lie on a line; `width` is that across the line as a share of the length.
-        PointsOnLine { side: Side, width: f64, least: f64 },
+        PointsOnLine { side: Side, #[serde(with = "crate::json::infinite")] width: f64, least: f64 },
         /// Fiducial marks lie on a line, as measured or as calibrated.
-        MarksOnLine { calibrated: bool, width: f64, least: f64 },
+        MarksOnLine { calibrated: bool, #[serde(with = "crate::json::infinite")] width: f64, least: f64 },
         /// What is known of the positions of images and points lies on a line.
-        PositionsOnLine { width: f64, least: f64 },
+        PositionsOnLine { #[serde(with = "crate::json::infinite")] width: f64, least: f64 },
         /// The approximate positions of the block have no extent.
         NoExtent,
         /// All images have the same position.
@@ -126,19 +128,19 @@ messages! {
         /// Both photos have the same coordinates.
         NoParallax,
         /// The median parallax beside a rotation, in standard errors of a photo coordinate.
-        NoBase { parallax: f64, least: f64 },
+        NoBase { #[serde(with = "crate::json::infinite")] parallax: f64, least: f64 },
         /// The unknowns can hardly be told apart.
-        Inseparable { condition: f64, most: f64 },
+        Inseparable { #[serde(with = "crate::json::infinite")] condition: f64, most: f64 },
         /// Of an angle or of the direction of the base.
-        LargeErrors { largest_deg: f64 },
+        LargeErrors { #[serde(with = "crate::json::infinite")] largest_deg: f64 },
         /// Matches agree with the orientation no better than wrong ones do; in px of the left photo.
-        LargeResiduals { sigma0_px: f64, most_px: f64 },
+        LargeResiduals { #[serde(with = "crate::json::infinite")] sigma0_px: f64, most_px: f64 },
         /// Too few observations agree for an orientation, and all together have none.
         WeakSupport { agreeing: usize, observations: usize },
         /// Too many points lie behind the cameras.
         BehindCameras { in_front: usize, points: usize },
         /// `share`: 1 - R² of the unknown that hardly anything determines.
-        SingularNormals { share: f64, least: f64 },
+        SingularNormals { #[serde(with = "crate::json::infinite")] share: f64, least: f64 },
         /// The base has this share of its length along x.
         BaseAcrossX { along_x: f64, least: f64 },
         /// The determinant form divides by the component of the base along x.
@@ -155,9 +157,9 @@ messages! {
         /// The base rises by more than 60° from a vertical start.
         RisingBase,
         /// The last step by the length that counts as converged.
-        LongSteps { ratio: f64 },
+        LongSteps { #[serde(with = "crate::json::infinite")] ratio: f64 },
         /// No step lowers the residuals any more; the last one in standard errors.
-        Stalled { last_step: f64 },
+        Stalled { #[serde(with = "crate::json::infinite")] last_step: f64 },
         /// Gross errors, positions or weights still change after the last round.
         Unsettled { unsettled: Unsettled, rounds: usize },
         /// A point lies in the plane of a projection centre.

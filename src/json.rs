@@ -1,11 +1,14 @@
 //! JSON texts and values read into plain data; where one is refused, the field is named.
 
-use serde::de::DeserializeOwned;
-use serde_json::{Deserializer, Value};
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::sync::{Mutex, PoisonError};
 
 /// Reads a JSON text; or says which field is wrong, and why.
 pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    let mut deserializer = Deserializer::from_str(text);
+    let mut deserializer = serde_json::Deserializer::from_str(text);
     let read = serde_path_to_error::deserialize(&mut deserializer).map_err(in_words)?;
     deserializer.end().map(|()| read).map_err(|error| error.to_string())
 }
@@ -20,6 +23,41 @@ fn in_words(error: serde_path_to_error::Error<serde_json::Error>) -> String {
     match error.path().iter().next() {
         Some(_) => error.to_string(),
         None => error.into_inner().to_string(),
+    }
+}
+
+/// A text that the program itself holds.
+pub(crate) type Constant = &'static str;
+
+/// The longest constant that is read, in bytes.
+const LONGEST: usize = 200;
+
+/// Reads a constant of the program back. Each different one is kept once, for good: they are few and short.
+pub(crate) fn constant<'de, D: Deserializer<'de>>(from: D) -> Result<Constant, D::Error> {
+    static READ: Mutex<BTreeSet<Constant>> = Mutex::new(BTreeSet::new());
+    let text = String::deserialize(from)?;
+    if text.len() > LONGEST {
+        return Err(D::Error::custom(format!("a text of {} bytes; allowed: {LONGEST}", text.len())));
+    }
+    let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
+    if let Some(known) = read.get(&text[..]) {
+        return Ok(known);
+    }
+    let kept: Constant = text.leak();
+    read.insert(kept);
+    Ok(kept)
+}
+
+/// Numbers that may be infinite, for which JSON has null.
+pub(crate) mod infinite {
+    use serde::{Deserialize, Deserializer, Serializer};
+
+    pub(crate) fn serialize<S: Serializer>(value: &f64, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_f64(*value)
+    }
+
+    pub(crate) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+        Option::deserialize(from).map(|value| value.unwrap_or(f64::INFINITY))
     }
 }
 

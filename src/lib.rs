@@ -68,8 +68,9 @@ pub use orientation::{
     RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairRow, PointColumns, Project,
-    RayCount, Summary, block_files, coverage, planned_files, read_project, write_block_project,
+    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairPhoto, PairRow, PairRun,
+    PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, block_files, coverage, planned_files, project_kind, read_project,
+    write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,

@@ -50,6 +50,7 @@ fn files(run: &BlockRun) -> BTreeMap<String, String> {
 fn opened(text: &str) -> BlockRun {
     match read_project(text.as_bytes()).unwrap() {
         Project::Block(run) => *run,
+        Project::Pair(_) => unreachable!("a block was written"),
     }
 }
 

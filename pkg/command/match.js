@@ -1,16 +1,17 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { defaults, matches_csv, message, points_csv, resolved } from '../node.js';
+import { defaults, matches_csv, message, points_csv, resolved, write_pair_project } from '../node.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
 import { note, print, printJson, rows } from './output.js';
-import { inputOf, MASK_OPTIONS, masksOf, PAIR_OPTIONS } from './pair.js';
+import { inputOf, MASK_OPTIONS, maskPaths, masksOf, PAIR_OPTIONS } from './pair.js';
+import { projectOf } from './pair-project.js';
 import { countTable } from './points.js';
 import { Progress } from './progress.js';
 import { matchPair } from './split-pair.js';
 import { fixed, table } from './text.js';
-import { checkPair, readTruth, scoreOf } from './truth.js';
+import { checkPair, matchScoreOf, readTruth, scoreOf } from './truth.js';
 
 /** @typedef {import('../node.js').PairOutput} PairOutput */
 
@@ -18,7 +19,11 @@ const OPTIONS = [
   ...PAIR_OPTIONS,
   ...MASK_OPTIONS,
   path('truth', 'FILE', 'truth.json of a simulated pair, or its folder: the matches and the orientation are scored by it.'),
-  path('out', 'DIR', 'Folder that receives matches.csv, left-points.csv, right-points.csv and result.json.'),
+  path(
+    'out',
+    'DIR',
+    'Folder that receives project.tiepoint (all of the pair, which the page opens), matches.csv, left-points.csv, right-points.csv and result.json.',
+  ),
   workersOption('the result is'),
   JSON_FLAG,
   ...SETTING_OPTIONS,
@@ -51,9 +56,12 @@ export const match = {
     if (truth) checkPair(truth, left, right);
     const pair = { left, right, input, settings, masks: masksOf(call, left, right) };
     const output = await progress.step('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
-    const score = truth && scoreOf(output, truth, right);
+    const known = truth && { truth, score: matchScoreOf(output, truth, right) };
+    const score = known && scoreOf(output, known.truth, known.score);
     const result = { ...resultOf(output, settings), ...(score ? { score } : {}) };
-    const written = progress.step('writing', () => (typeof out === 'string' ? write(out, output, result) : []));
+    const written = progress.step('writing', () =>
+      typeof out === 'string' ? write(out, projectOf({ images: [leftPath, rightPath], masks: maskPaths(call) }, pair, output, known), result) : [],
+    );
     progress.end();
     if (!output.interior) noteWithoutEffect(values);
     if (values.has('json')) printJson(result);
@@ -72,8 +80,8 @@ function noteWithoutEffect(values) {
   if (given.length > 0) note(`without effect, since the camera is not known: ${given.join(', ')}`);
 }
 
-/** The JSON form.  @param {PairOutput} output @param {import('../node.js').PairSettings} settings */
-function resultOf(output, settings) {
+/** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings */
+export function resultOf(output, settings) {
   const { matches, ...rejected } = output.match.counts;
   return {
     counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
@@ -90,9 +98,11 @@ function resultOf(output, settings) {
   };
 }
 
-/** @param {string} folder @param {PairOutput} output @param {object} result @returns {string[]} the files */
-function write(folder, output, result) {
+/** @param {string} folder @param {import('../node.js').PairProject} project @param {object} result @returns {string[]} the files */
+function write(folder, project, result) {
+  const { output } = project;
   return [
+    writeInto(folder, 'project.tiepoint', write_pair_project(project)),
     writeInto(folder, 'matches.csv', matches_csv(output.match.matches)),
     writeInto(folder, 'left-points.csv', points_csv(output.left.points)),
     writeInto(folder, 'right-points.csv', points_csv(output.right.points)),
@@ -146,8 +156,8 @@ function describeGeometry({ geometry, no_geometry: none }) {
   ];
 }
 
-/** @param {PairOutput} output @returns {string[]} */
-function describe(output) {
+/** The outcome in text.  @param {PairOutput} output @returns {string[]} */
+export function describe(output) {
   const { matches, ...rejected } = output.match.counts;
   return [
     countTable([

@@ -39,13 +39,21 @@ export const PAIR_OPTIONS = [
 
 export const MASK_OPTIONS = [path('mask-left', 'FILE', `${MASK} in the left photo.`), path('mask-right', 'FILE', 'The same of the right photo.')];
 
-/** The masks that were given.  @param {Call} call @param {import('../node.js').Photo} left @param {import('../node.js').Photo} right @returns {[Uint8Array | undefined, Uint8Array | undefined]} */
-export function masksOf({ values }, left, right) {
-  const of = (/** @type {string} */ name, /** @type {import('../node.js').Photo} */ photo) => {
+/** The files of the masks that were given.  @param {Call} call @returns {[string | undefined, string | undefined]} */
+export function maskPaths({ values }) {
+  const of = (/** @type {string} */ name) => {
     const file = values.get(name);
-    return typeof file === 'string' ? readMask(file, photo) : undefined;
+    return typeof file === 'string' ? file : undefined;
   };
-  return [of('mask-left', left), of('mask-right', right)];
+  return [of('mask-left'), of('mask-right')];
+}
+
+/** The masks that were given.  @param {Call} call @param {import('../node.js').Photo} left @param {import('../node.js').Photo} right @returns {[Uint8Array | undefined, Uint8Array | undefined]} */
+export function masksOf(call, left, right) {
+  const of = (/** @type {string | undefined} */ path, /** @type {import('../node.js').Photo} */ photo) =>
+    path === undefined ? undefined : readMask(path, photo);
+  const [ofLeft, ofRight] = maskPaths(call);
+  return [of(ofLeft, left), of(ofRight, right)];
 }
 
 /** Options that only make sense beside another.  @param {Call} call */

@@ -108,12 +108,16 @@ export function checkPair(truth, left, right) {
 /** @param {string} digest */
 const short = (digest) => `${digest.slice(0, 12)}…`;
 
+/** How right the matches are.  @param {PairOutput} output @param {Truth} truth @param {{ width: number, height: number }} right */
+export function matchScoreOf(output, truth, right) {
+  return score_matches(output.match.matches, output.left.points, truth.right_position, truth.width, truth.height, right.width, right.height);
+}
+
 /**
  * What a run is worth by the truth: right and missed matches, true errors of the orientation beside its standard errors.
- * @param {PairOutput} output @param {Truth} truth @param {{ width: number, height: number }} right
+ * @param {PairOutput} output @param {Pick<Truth, 'orientation' | 'base_mm'>} truth @param {import('../node.js').MatchScore} score
  */
-export function scoreOf(output, truth, right) {
-  const score = score_matches(output.match.matches, output.left.points, truth.right_position, truth.width, truth.height, right.width, right.height);
+export function scoreOf(output, truth, score) {
   const { rightness, ...counts } = score;
   const o = output.orientation;
   const known = o && atBase(truth, o.base_mm);
@@ -123,7 +127,7 @@ export function scoreOf(output, truth, right) {
 
 /**
  * The true orientation with by and bz at the scale of another base; NaN where the true base is 0, which has no scale.
- * @param {Truth} truth @param {number} baseMm @returns {FiveParameters}
+ * @param {Pick<Truth, 'orientation' | 'base_mm'>} truth @param {number} baseMm @returns {FiveParameters}
  */
 function atBase({ orientation, base_mm }, baseMm) {
   const scale = base_mm === 0 ? NaN : baseMm / base_mm;

@@ -1,15 +1,15 @@
 //! Bundle adjustment: all images, cameras and points of a block at once, with what the result is worth.
 //!
 //! Data flow: [`Block`] → `network` (rays in order) → `reduced` (normal equations without the points) → `solution` (sparse factor, step) →
-//! `adjustment` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
+//! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
 
 mod adjust;
-mod adjustment;
 mod block;
 mod calibration;
 mod check;
 mod collinearity;
 mod datum;
+mod gauss_newton;
 mod gradients;
 mod loss;
 mod network;

@@ -1,8 +1,8 @@
 //! The adjustment of a block that is still being put together: robust, some images fixed, camera parameters held by what was known of them.
 
-use super::adjustment::Demand;
 use super::block::Block;
 use super::datum::held_images;
+use super::gauss_newton::Demand;
 use super::network::{Columns, Network};
 use super::options::Loss;
 use super::reduced::{KnownParameter, Problem};

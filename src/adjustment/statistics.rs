@@ -1,8 +1,8 @@
 //! All cofactors and tests of one adjustment, from one inverse of its normal equations.
 
-use super::adjustment::Adjusted;
 use super::block::Block;
 use super::datum::Freedoms;
+use super::gauss_newton::Adjusted;
 use super::precision::{Cofactors, Inner, Matrix3, Orientations};
 use super::reduced::Problem;
 use super::reliability::{Judged, Judgement};

@@ -113,7 +113,7 @@ impl Camera {
             // In units of the farthest radius the powers stay near each other.
             let t = k as f64 / RADII as f64;
             let measured = t * farthest;
-            let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or_else(|| Error::NotConverged {
+            let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or(Error::NotConverged {
                 computation: Computation::DistortionCorrection,
                 iterations: MOST_STEPS,
                 cause: Cause::FoldedBeyond { radius_px: measured * self.focal_px },

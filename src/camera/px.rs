@@ -88,7 +88,7 @@ impl Camera {
     pub fn direction(&self, [x_px, y_px]: [f64; 2]) -> Result<[f64; 2], Error> {
         let [cx, cy] = self.principal_point_px;
         let measured = [(x_px - cx) / self.focal_px, (y_px - cy) / self.focal_px];
-        undistorted(measured, self.radial, self.tangential).ok_or_else(|| Error::NotConverged {
+        undistorted(measured, self.radial, self.tangential).ok_or(Error::NotConverged {
             computation: Computation::DistortionCorrection,
             iterations: MOST_STEPS,
             cause: Cause::FoldedAt { x_px, y_px },

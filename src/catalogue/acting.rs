@@ -1,6 +1,6 @@
 //! Which options have an effect beside the others.
 
-use super::Parameter;
+use super::parameter::Parameter;
 use serde::Serialize;
 use serde_json::Value;
 

@@ -1,6 +1,6 @@
 //! What types an option may have, and what each says of its parameter.
 
-use super::ParameterKind;
+use super::parameter::ParameterKind;
 
 /// The kind of a parameter, but for its range.
 #[derive(Clone, Copy)]

@@ -4,8 +4,8 @@
 #[path = "kernel_simd.rs"]
 mod simd;
 
-use super::WindowShape;
-use crate::GreyView;
+use super::options::{WindowOptions, WindowShape};
+use crate::{Error, GreyView};
 
 /// Pixels that are weighted at once.
 const LANES: usize = 16;
@@ -84,6 +84,17 @@ impl Kernel {
             return Some(simd::raw_moments(image.data(), rows()));
         }
         Some(raw_moments(image.data(), rows()))
+    }
+}
+
+impl WindowOptions {
+    /// Whether each pixel of the window lies within its outline, row by row.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`] for the side.
+    pub fn mask(&self) -> Result<Vec<bool>, Error> {
+        self.check_ranges()?;
+        Ok(Kernel::new(self.side, self.shape).mask())
     }
 }
 

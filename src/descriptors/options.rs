@@ -1,7 +1,5 @@
 //! What the user chooses of the moments.
 
-use super::kernel::Kernel;
-use crate::Error;
 use crate::catalogue::{choices, options};
 use serde::{Deserialize, Serialize};
 
@@ -50,16 +48,5 @@ options! {
 
         /// How grey values become weights: sum and range do not change with gain and offset; unit is grey / 255.
         brightness: Brightness = Brightness::Sum, "Brightness", acts "matching.strategy is moments, invariants";
-    }
-}
-
-impl WindowOptions {
-    /// Whether each pixel of the window lies within its outline, row by row.
-    ///
-    /// # Errors
-    /// [`Error::InvalidOption`] for the side.
-    pub fn mask(&self) -> Result<Vec<bool>, Error> {
-        self.check_ranges()?;
-        Ok(Kernel::new(self.side, self.shape).mask())
     }
 }

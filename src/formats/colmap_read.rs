@@ -144,7 +144,7 @@ mod tests {
     fn oriented(distortion: [f64; 5]) -> BlockModel {
         let mut model = tiny_block();
         let [k1, k2, k3, p1, p2] = distortion;
-        model.cameras[0] = Camera { radial: [k1, k2, k3], tangential: [p1, p2], pixel_mm: None, ..model.cameras[0].clone() };
+        model.cameras[0] = Camera { radial: [k1, k2, k3], tangential: [p1, p2], pixel_mm: None, ..model.cameras[0] };
         model.images.pop();
         model.points.pop();
         model.points[0].rays.pop();

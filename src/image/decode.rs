@@ -5,8 +5,9 @@ use std::io::Cursor;
 use image::codecs::{bmp::BmpDecoder, pnm::PnmDecoder, webp::WebPDecoder};
 use image::{ColorType, ImageDecoder, ImageError};
 
-use super::GreyImage;
-use super::header::{FileLayout, Format, damaged, truncated};
+use super::grey::GreyImage;
+use super::header::read_layout;
+use super::layout::{FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use super::{jpeg, png, tiff};
 use crate::Error;
@@ -27,15 +28,6 @@ impl Default for DecodeLimits {
     }
 }
 
-/// What the first bytes of a file tell.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Header {
-    /// `JPEG`, `PNG`, `TIFF`, `BMP`, `PNM` or `WebP`.
-    pub format: &'static str,
-    pub width: u64,
-    pub height: u64,
-}
-
 /// A decoded file.
 #[derive(Debug, Clone)]
 pub struct Decoded {
@@ -45,16 +37,6 @@ pub struct Decoded {
     pub bits_per_sample: u8,
     /// The camera, where the file's EXIF names its focal length.
     pub camera: Option<ExifCamera>,
-}
-
-/// Reads format and size without decoding. A TIFF keeps them in its directory, wherever that lies; the others in their first bytes.
-///
-/// # Errors
-/// [`Error::UnsupportedImage`] for what is not decoded as far as the header tells; [`Error::UnreadableImage`] for a header that is
-/// cut off or contradicts itself, or a side of 0 px.
-pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
-    let FileLayout { format, width, height, .. } = FileLayout::read(bytes)?;
-    Ok(Header { format: format.name(), width, height })
 }
 
 /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file to grey values 0..255.
@@ -67,7 +49,7 @@ pub fn read_header(bytes: &[u8]) -> Result<Header, Error> {
 /// [`Error::TooManyPixels`] and [`Error::TooMuchMemory`], from the header alone; [`Error::UnsupportedImage`] for formats and pixel types
 /// that are not decoded, such as CMYK and floating point; [`Error::UnreadableImage`] for damaged and truncated files.
 pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
-    let layout = FileLayout::read(bytes)?;
+    let layout = read_layout(bytes)?;
     check_limits(&layout, bytes, limits)?;
     let camera = ExifCamera::read(bytes, layout.width, layout.height);
     let pixels = (layout.width * layout.height) as usize;

@@ -1,9 +1,11 @@
 //! Grey images: the raster, its view, decoding of files, reduction.
 
+mod bmp;
 mod decode;
 mod grey;
 mod header;
 mod jpeg;
+mod layout;
 mod luminance;
 mod png;
 mod pnm;
@@ -12,7 +14,8 @@ mod tiff;
 mod webp;
 mod write;
 
-pub use decode::{DecodeLimits, Decoded, Header, decode, read_header};
+pub use decode::{DecodeLimits, Decoded, decode};
 pub use grey::{GreyImage, GreyView};
+pub use header::{Header, read_header};
 pub use pyramid::{Reduced, halve, reduce_to};
 pub use write::write_png;

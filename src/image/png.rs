@@ -4,7 +4,7 @@ use std::io::Cursor;
 
 use png::{BitDepth, Decoder, DecodingError, Limits, Transformations};
 
-use super::header::{DEFLATE_MOST, FileLayout, Format, damaged, field, truncated};
+use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, field, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use crate::Error;
 

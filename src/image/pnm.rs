@@ -1,6 +1,6 @@
 //! The headers of portable anymaps.
 
-use super::header::{FileLayout, Format, damaged, truncated};
+use super::layout::{FileLayout, Format, damaged, truncated};
 use crate::Error;
 
 /// A header is a few words; one that comments and white space blow up beyond this is no header.

@@ -1,6 +1,6 @@
 //! The headers of WebP files.
 
-use super::header::{FileLayout, Format, damaged, field, truncated};
+use super::layout::{FileLayout, Format, damaged, field, truncated};
 use crate::Error;
 
 /// Reads the layout of a still image.

@@ -55,7 +55,8 @@ impl Rule {
 }
 
 /// What became of a left point, and why.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Verdict {
     pub rule: Rule,
     /// Index of the best right point; absent where there was no candidate, or where the place found is no interest point.
@@ -63,10 +64,13 @@ pub struct Verdict {
     /// The best place in the right image in px; absent where there was none.
     pub position: Option<[f64; 2]>,
     /// The best measure: a dissimilarity of moments, 1 minus the correlation coefficient, or a distance of gradient descriptors. Infinite where there was no candidate.
+    #[serde(with = "crate::json::infinite")]
     pub measure: f64,
     /// The second best measure; infinite where there was no second candidate.
+    #[serde(with = "crate::json::infinite")]
     pub second: f64,
-    /// What least squares matching found; absent where none took place.
+    /// What least squares matching found; absent where none took place. A file holds it once, in the [`Match`].
+    #[serde(skip)]
     pub fit: Option<Fit>,
 }
 
@@ -83,7 +87,8 @@ impl Verdict {
 }
 
 /// The precision of a least squares match.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Fit {
     /// Correlation coefficient of the two windows after the fit, -1..1.
     pub correlation: f64,
@@ -101,7 +106,8 @@ impl Fit {
 }
 
 /// A pair of places that passed all rules.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Match {
     /// Index of the left point.
     pub left: usize,
@@ -132,7 +138,8 @@ pub struct MatchCounts {
 }
 
 /// The outcome of matching two sets of points.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct MatchSet {
     /// In the order of the left points.
     pub matches: Vec<Match>,

@@ -1,10 +1,11 @@
 //! Messages: typed, with their figures; their texts stand in a catalogue for each language.
 
+mod declare;
 mod family;
 mod texts;
 
+pub(crate) use declare::{messages, written};
 pub use family::Message;
-pub(crate) use family::{messages, written};
 pub use texts::Texts;
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::coplanarity::{Linearised, Unknowns};
 use super::normals::{Matrix5, Normals};
-use super::rejection::{Limits, Weighted};
+use super::observed::{Limits, Weighted};
 use super::robust_start::{Consensus, least_agreement};
 use crate::math::{ln_choices, ln_f_above, student_limit};
 
@@ -60,7 +60,7 @@ struct Line {
 }
 
 impl Line {
-    /// Square of the misclosure after a step, and its cofactor without and with that of the unknowns.
+    /// The misclosure after a step.
     fn residual(&self, step: &Unknowns) -> f64 {
         self.line.misclosure + self.line.by_unknowns.dot(step)
     }

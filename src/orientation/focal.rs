@@ -7,6 +7,9 @@ use super::precision::derivatives;
 use crate::math::student_limit;
 use nalgebra::SVector;
 
+/// Below this (in units of the focal length) residuals are rounding.
+const LEAST_SIGMA: f64 = 1e-11;
+
 /// A focal length that the observations contradict.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct FocalMisfit {
@@ -44,7 +47,11 @@ pub(super) fn misfit(
         normals.add(&row, line.misclosure, *weight);
     }
     let solution = normals.solve().ok()?;
-    let left = (normals.square_sum - 6.0 * solution.size * solution.size).max(0.0);
+    let left = normals.square_sum - 6.0 * solution.size * solution.size;
+    // Of coordinates without errors, rounding is left.
+    if !(left > LEAST_SIGMA * LEAST_SIGMA * freedom as f64) {
+        return None;
+    }
     let change = solution.step[5];
     let w = change / (left / freedom as f64 * solution.cofactors[(5, 5)]).sqrt();
     let moved = derivatives(pose, base_mm) * Unknowns::from_fn(|k, _| solution.step[k]);

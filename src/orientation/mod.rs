@@ -12,6 +12,7 @@ mod focal;
 mod identical;
 mod neighbours;
 mod normals;
+mod observed;
 mod options;
 mod precision;
 mod refusal;

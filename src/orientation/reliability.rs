@@ -52,7 +52,8 @@ impl Judgement<'_> {
         let w = if standard > 0.0 && spread > 1e-6 { distance / standard } else { 0.0 };
         // An error shows with the share r in the residual of an accepted observation, wholly in that of a new one.
         let shown = if accepted { redundancy } else { 1.0 };
-        let blunder = self.noncentrality * standard / shown;
+        // Nothing is detectable without redundancy, of the observation or of the adjustment.
+        let blunder = Some(self.noncentrality * standard / shown).filter(|size| !size.is_nan()).unwrap_or(f64::INFINITY);
         // One that is added to the normal equations shares its effect with them.
         let taking_part = if accepted { factor } else { 1.0 / (1.0 + share) };
         let change = derivatives(pose, self.base_mm) * (self.adjusted.cofactors * line.by_unknowns) * (solved * taking_part * blunder);

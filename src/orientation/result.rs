@@ -34,7 +34,8 @@ pub struct FiveParameters {
 }
 
 /// What the adjustment says of one observation, accepted or rejected. Absent where its rays run along the base.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PointStatistics {
     /// Residual y-parallax in mm: how far the right point lies from the epipolar line of the left point, to the left of which it is
     /// positive.
@@ -45,8 +46,10 @@ pub struct PointStatistics {
     pub w: f64,
     /// The smallest displacement of the right point across its epipolar line, in mm, that data snooping finds with the probability β₀;
     /// infinite where one degree of freedom estimates σ₀, by which nothing is found.
+    #[serde(with = "crate::json::infinite")]
     pub detectable_mm: f64,
     /// External reliability: the largest change of an unknown, in its standard errors, by an undetected blunder of that size.
+    #[serde(with = "crate::json::infinite")]
     pub influence: f64,
     /// Weight with which it took part: its own times that of the robust weighting, 0 where it was rejected.
     pub weight: f64,
@@ -109,7 +112,7 @@ messages! {
         /// distortion.
         Rotation { parallax_deg: f64, least_deg: f64 },
         /// The unknowns can hardly be told apart, as over a critical cylinder.
-        IllConditioned { condition: f64, most: f64 },
+        IllConditioned { #[serde(with = "crate::json::infinite")] condition: f64, most: f64 },
         /// Observations that are the same as others to the last digit: each counts once.
         Identical { copies: usize },
         /// Points whose rays meet behind a camera are left out.
@@ -152,12 +155,14 @@ pub struct RelativeOrientation {
     pub degrees_of_freedom: usize,
     pub iterations: usize,
     /// Size of the last step relative to a millionth of the standard errors, or to rounding where these are smaller: below 1 it has converged.
+    #[serde(with = "crate::json::infinite")]
     pub last_step: f64,
     /// Cofactors of ω φ κ (radians), by bz (mm) for σ₀ = 1 mm: variances are σ₀² times the diagonal.
     pub cofactors: [[f64; 5]; 5],
     /// Of ω φ κ by bz, from the inverse of the normal equations.
     pub correlations: [[f64; 5]; 5],
     /// Largest by smallest eigenvalue of the matrix of correlations: 1 for independent unknowns.
+    #[serde(with = "crate::json::infinite")]
     pub condition: f64,
     /// How far the points deviate from the best projective map of a plane, in standard errors of a coordinate: about 1 over a plane. Absent
     /// with fewer than ten points.
@@ -177,7 +182,7 @@ pub struct RelativeOrientation {
     /// Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
     pub residuals_mm: Vec<[f64; 4]>,
     /// One for each observation.
-    #[serde(skip)]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "Float64Array"))]
     pub points: Vec<Option<PointStatistics>>,
     /// Indices of the observations that were left out as gross errors.
     pub rejected: Vec<usize>,

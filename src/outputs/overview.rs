@@ -153,7 +153,7 @@ fn camera_rows(run: &BlockRun) -> Vec<CameraRow> {
             label: initial.label.clone(),
             images: own().count(),
             given: initial.known(),
-            calibrated: own().any(|image| image.pose.is_some()).then(|| adjusted.clone()),
+            calibrated: own().any(|image| image.pose.is_some()).then_some(*adjusted),
             focal_error_px: error(index),
         }
     });

@@ -21,9 +21,12 @@ pub(super) fn refined_observations<'a>(model: &BlockModel, table: &'a Refinement
     model.points.iter().map(of_point).collect()
 }
 
-/// The refined observations at each position of an image, each with its point.
-fn by_place(table: &RefinementTable) -> BTreeMap<(usize, [u64; 2]), Vec<(usize, &RefinedObservation)>> {
-    let mut places: BTreeMap<_, Vec<_>> = BTreeMap::new();
+/// A position of an image, by the bits of its coordinates.
+type Place = (usize, [u64; 2]);
+
+/// The refined observations at each place, each with its point.
+fn by_place(table: &RefinementTable) -> BTreeMap<Place, Vec<(usize, &RefinedObservation)>> {
+    let mut places: BTreeMap<Place, Vec<_>> = BTreeMap::new();
     for (point, ends) in table.starts.windows(2).enumerate() {
         for observation in table.observations.get(ends[0] as usize..ends[1] as usize).unwrap_or_default() {
             let place = observation.position_px.map(|v| f64::from(v).to_bits());

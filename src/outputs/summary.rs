@@ -204,7 +204,7 @@ pub(super) fn summary(
             found: points.count,
             rays: points.rays,
             with_rays: (0..).zip(points.histogram.iter().copied()).filter(|(_, points)| *points > 0).collect(),
-            joining: points.join.clone(),
+            joining: points.join,
         }),
         selection: selection(run),
         refinement: run.refinement.as_ref().map(|refinement| refinement_counts(refinement, run.input.settings.refinement.method)),

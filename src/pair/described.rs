@@ -1,6 +1,6 @@
 //! The points of an image with what the strategy compares them by.
 
-use super::PairSettings;
+use super::settings::PairSettings;
 use crate::{
     Descriptor, Descriptors, Error, Feature, GreyView, InterestPoint, LocalFrame, MatchImage, Operator, PointSet, ScalePoint, Strategy,
     describe, detect, gradient_features, multiscale_points,

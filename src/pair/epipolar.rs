@@ -1,6 +1,6 @@
 //! Where a point of one image may be seen in the other, by what relates the two views.
 
-use super::PairInterior;
+use super::geometry::PairInterior;
 use crate::{Side, TwoViewModel};
 use nalgebra::{Matrix3, Vector3};
 

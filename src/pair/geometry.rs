@@ -1,6 +1,7 @@
 //! The interior orientations of a pair: from fiducials, a given camera, or EXIF.
 
-use super::{NoOrientation, PairImage, PairInput, PhotoInput};
+use super::input::{PairImage, PairInput, PhotoInput};
+use super::no_orientation::NoOrientation;
 use crate::{CameraMm, Error, FocalEstimate, Interior, Side, orient_fiducials};
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! From matches and interior orientations to the relative orientation.
 
-use super::PairInterior;
+use super::geometry::PairInterior;
 use crate::math::median;
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,

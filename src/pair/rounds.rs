@@ -1,8 +1,10 @@
 //! Matching and orienting by turns: an orientation narrows the search to the epipolar lines, which gives a better orientation.
 
 use super::frames::CommonFrame;
+use super::geometry::PairInterior;
+use super::orienting::orient_matches;
+use super::settings::PairSettings;
 use super::verification::{PairCameras, verify};
-use super::{PairInterior, PairSettings, orient_matches};
 use crate::matching::{refine, verified_set};
 use crate::{
     DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation,

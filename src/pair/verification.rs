@@ -1,8 +1,8 @@
 //! Matches of features from one image to the other, verified by the geometry that relates the two views and by their neighbours, and
 //! completed by that geometry.
 
-use super::PairInterior;
 use super::frames::CommonFrame;
+use super::geometry::PairInterior;
 use crate::matching::{square_distance_of, within_parallax_gradient};
 use crate::two_view::two_view_from;
 use crate::{

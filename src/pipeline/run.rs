@@ -40,7 +40,7 @@ enum Phase {
     Pairs(Pairs),
     Own(Own, OwnStage),
     Windows(WindowStage),
-    Refinement(Refinement),
+    Refinement(Box<Refinement>),
     Over,
 }
 
@@ -56,7 +56,7 @@ impl Phase {
             Self::Pairs(stage) => stage,
             Self::Own(_, stage) => stage,
             Self::Windows(stage) => stage,
-            Self::Refinement(stage) => stage,
+            Self::Refinement(stage) => stage.as_mut(),
             Self::Over => return None,
         })
     }
@@ -201,7 +201,7 @@ impl Run {
                 choose_refined(state)?;
                 Phase::Windows(WindowStage::new(state))
             }
-            Phase::Windows(_) => Phase::Refinement(Refinement::new(state)),
+            Phase::Windows(_) => Phase::Refinement(Box::new(Refinement::new(state))),
             Phase::Refinement(stage) => {
                 stage.ended(state);
                 state.chosen = select_points(&state.points, &state.features(), &state.input.settings.selection)?.points;

@@ -4,7 +4,8 @@ use super::{MultiscaleOptions, ScalePoint};
 use serde::{Deserialize, Serialize};
 
 /// A point of interest. Positions are in px; the centre of the top-left pixel is (0.5, 0.5).
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct InterestPoint {
     pub x: f64,
     pub y: f64,
@@ -13,7 +14,8 @@ pub struct InterestPoint {
 }
 
 /// The scale and the direction of a point that has them.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct LocalFrame {
     /// Standard deviation of the Gaussian at whose blur the point is most distinct, px.
     pub scale_px: f64,
@@ -45,7 +47,8 @@ pub struct Candidates {
 }
 
 /// What an operator found, after suppression of non-maxima.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct PointSet {
     /// In raster order: by row, then column; points of many scales by octave.
     pub points: Vec<InterestPoint>,

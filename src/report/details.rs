@@ -1,7 +1,8 @@
 //! The details of this run: interior orientation, residuals, reliability, settings.
 
+use super::steps::Report;
 use super::text::{count, fixed};
-use super::{Report, figures, picture};
+use super::{figures, picture};
 use crate::{Error, FiducialModel, PairSettings, PhotoInput, PointStatistics, RelativeOrientation, orient_fiducials};
 use maud::{Markup, html};
 use serde_json::Value;

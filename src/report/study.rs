@@ -1,6 +1,6 @@
 //! One way of matching the pair, and what came of it.
 
-use super::ReportTruth;
+use super::input::ReportTruth;
 use super::text::five;
 use crate::{
     DenseTruth, Error, MatchScore, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair, score_matches,

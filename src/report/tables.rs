@@ -1,9 +1,10 @@
 //! The paper's Tables 1, 2 and 3 for all strategies, beside what it printed, and what sets the two apart.
 
+use super::input::ReportTruth;
 use super::paper::PAPER;
+use super::steps::Report;
 use super::study::Study;
 use super::text::{UNKNOWNS, count, five, fixed, percent};
-use super::{Report, ReportTruth};
 use crate::{Denominator, FiveParameters, MatchOptions, MatchScore, Rule, Texts};
 use maud::{Markup, html};
 

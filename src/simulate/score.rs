@@ -1,6 +1,7 @@
 //! Scores matches by the known answer of a simulated pair.
 
 use crate::Error;
+use serde::{Deserialize, Serialize};
 use std::collections::HashSet;
 
 /// A match is right when its right point lies this near to where the surface is seen, in px.
@@ -18,7 +19,8 @@ pub struct DenseTruth<'a> {
 }
 
 /// How right a match is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Rightness {
     /// Nowhere near.
     Wrong,
@@ -29,7 +31,8 @@ pub enum Rightness {
 }
 
 /// The score of matches.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct MatchScore {
     /// One for each match.
     pub rightness: Vec<Rightness>,

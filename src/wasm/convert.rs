@@ -9,7 +9,7 @@ use serde_json::Value;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 
-/// What every call that can fail gives: an `Error` named `TiepointError` with `code` and `usage` on failure.
+/// What every call that can fail gives: an `Error` named `TiepointError` with `code`, `usage` and the `error` with its figures on failure.
 pub type JsResult<T> = Result<T, JsValue>;
 
 pub fn thrown(error: Error) -> JsValue {
@@ -17,6 +17,7 @@ pub fn thrown(error: Error) -> JsValue {
     value.set_name("TiepointError");
     set(&value, "code", &error.code().into());
     set(&value, "usage", &error.is_usage().into());
+    set(&value, "error", &pack(&error));
     value.into()
 }
 

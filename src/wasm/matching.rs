@@ -227,7 +227,7 @@ pub fn match_described_pair(
     Ok(pack_matched(&result))
 }
 
-fn pack_pair(result: &PairResult) -> JsValue {
+pub(super) fn pack_pair(result: &PairResult) -> JsValue {
     let packed = pack_matched(result);
     set(&packed, "left", &pack_points(&result.left));
     set(&packed, "right", &pack_points(&result.right));
@@ -302,7 +302,7 @@ impl Described {
 }
 
 /// Points with what the strategy compares them by.
-fn read_points(value: &JsValue) -> JsResult<DescribedImage> {
+pub(super) fn read_points(value: &JsValue) -> JsResult<DescribedImage> {
     let field = |name: &str| Reflect::get(value, &name.into()).ok().filter(|found| !found.is_undefined() && !found.is_null());
     let floats = |name: &str| field(name).map_or(Vec::new(), |found| js_sys::Float64Array::new(&found).to_vec());
     let (frames, moments) = (floats("frames"), floats("moments"));

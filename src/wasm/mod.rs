@@ -20,6 +20,7 @@ mod orientation;
 mod panics;
 mod photo;
 mod pipeline;
+mod project;
 mod report;
 mod simulate;
 mod tables;

@@ -128,7 +128,7 @@ pub fn orient_relative(
 
 /// The orientation, with the statistics of its points as one flat array.
 pub(super) fn pack_orientation(orientation: &RelativeOrientation) -> JsValue {
-    let packed = pack(orientation);
+    let packed = pack(&RelativeOrientation { points: Vec::new(), ..orientation.clone() });
     let row = |point: &Option<PointStatistics>| match point {
         None => [f64::NAN; 9],
         Some(p) => {

@@ -2,9 +2,10 @@
 
 use super::convert::{JsResult, object, pack, read, read_options, rows, thrown};
 use crate::{
-    DenseTruth, Flight, GreyImage, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly, write_png,
+    DenseTruth, Flight, GreyImage, MatchScore, Preset, Rightness, check_flight as check, score_matches as score_by_truth, simulate as fly,
+    write_png,
 };
-use js_sys::{Float32Array, Uint8Array};
+use js_sys::{Float32Array, Reflect, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -119,18 +120,29 @@ pub fn score_matches(
     let matches: Vec<[f64; 4]> = rows::<5>("matches", matches)?.iter().map(|[xl, yl, xr, yr, _]| [*xl, *yl, *xr, *yr]).collect();
     let points: Vec<[f64; 2]> = rows::<3>("left points", left_points)?.iter().map(|[x, y, _]| [*x, *y]).collect();
     let truth = DenseTruth { right_position: right_position.as_chunks::<2>().0, left_width, left_height, right_width, right_height };
-    let score = score_by_truth(&matches, &points, &truth).map_err(thrown)?;
-    let code = |r: &Rightness| match r {
-        Rightness::Wrong => 0u8,
-        Rightness::AtEdge => 1,
-        Rightness::Strict => 2,
-    };
+    score_by_truth(&matches, &points, &truth).map(|score| pack_score(&score)).map_err(thrown)
+}
+
+/// How right a match is, each in the place of its code.
+const RIGHTNESS: [Rightness; 3] = [Rightness::Wrong, Rightness::AtEdge, Rightness::Strict];
+
+pub(super) fn pack_score(score: &MatchScore) -> JsValue {
+    let code = |rightness: &Rightness| RIGHTNESS.iter().position(|known| known == rightness).unwrap_or_default() as u8;
     let codes: Vec<u8> = score.rightness.iter().map(code).collect();
-    Ok(object([
-        ("matches", (matches.len() as f64).into()),
+    object([
+        ("matches", (codes.len() as f64).into()),
         ("strict", (score.strict as f64).into()),
         ("right", (score.right as f64).into()),
         ("missed", (score.missed as f64).into()),
         ("rightness", Uint8Array::from(&codes[..]).into()),
-    ]))
+    ])
+}
+
+/// The opposite of `pack_score`.
+pub(super) fn read_score(value: &JsValue) -> MatchScore {
+    let field = |name: &str| Reflect::get(value, &name.into()).unwrap_or(JsValue::NULL);
+    let count = |name: &str| field(name).as_f64().unwrap_or_default() as usize;
+    let codes = Uint8Array::new(&field("rightness")).to_vec();
+    let rightness = codes.iter().map(|code| RIGHTNESS.get(usize::from(*code)).copied().unwrap_or(Rightness::Wrong)).collect();
+    MatchScore { rightness, strict: count("strict"), right: count("right"), missed: count("missed") }
 }

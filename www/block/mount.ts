@@ -20,11 +20,18 @@ import { BLOCK_INITIAL, isBusy } from './state/state';
 import { mountBlockStatus } from './panel/status';
 import { mountImages, mountPoints } from './panel/tables';
 
-/** `openPair` shows a pair of the block by itself. */
-export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void): { store: BlockStore; taker: Taker } {
+export interface Block {
+  store: BlockStore;
+  taker: Taker;
+  /** Opens a block that was saved. */
+  open: (file: File) => Promise<void>;
+}
+
+/** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
+export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void, openProject: (file: File) => Promise<void>): Block {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
-  const files = new BlockFiles(store, engine);
+  const files = new BlockFiles(store, engine, openProject);
   const looking = {
     choose: (choice: typeof store.state.choice) => store.dispatch({ type: 'choose', choice }),
     open: (images: [number, number]) => openPair(store, images),
@@ -69,7 +76,7 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });
-  return { store, taker: files.taker };
+  return { store, taker: files.taker, open: (file) => files.open(file) };
 }
 
 /** The buttons that give images. */

@@ -31,9 +31,12 @@ export interface Pair {
   store: Store;
   engine: Engine;
   taker: Taker;
+  /** Opens a pair that was saved. */
+  open: (file: File) => Promise<void>;
 }
 
-export function mountPair(): Pair {
+/** `openProject` opens a project of whatever kind where it belongs. */
+export function mountPair(openProject: (file: File) => Promise<void>): Pair {
   const store = new Store();
   const {
     element: left,
@@ -56,7 +59,7 @@ export function mountPair(): Pair {
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
-  const files = new Files(store, engine);
+  const files = new Files(store, engine, openProject);
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {
@@ -94,5 +97,5 @@ export function mountPair(): Pair {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');
   });
-  return { store, engine, taker: takerOf(view, files) };
+  return { store, engine, taker: takerOf(view, files), open: (file) => files.takeProject(file) };
 }

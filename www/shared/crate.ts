@@ -20,9 +20,12 @@ export type {
   MatchResult,
   MatchScore,
   NearestPiece,
+  NoOrientation,
   OffsetField,
   PairInput,
   PairInterior,
+  PairProject,
+  PairTruth,
   PhotoInfo,
   PointCounts,
   ReducedImage,
@@ -36,7 +39,16 @@ export type {
   Warning,
   WindowReport,
 } from '../../pkg/wasm/tiepoint.js';
-export { acting_block_parameters, acting_parameters, draw_match_lines, draw_points, draw_vectors, message, resolved } from '../../pkg/wasm/tiepoint.js';
+export {
+  acting_block_parameters,
+  acting_parameters,
+  draw_match_lines,
+  draw_points,
+  draw_vectors,
+  message,
+  project_kind,
+  resolved,
+} from '../../pkg/wasm/tiepoint.js';
 
 export type { Flight, Paper, Parameter, Preset, Settings };
 

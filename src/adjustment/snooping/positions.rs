@@ -2,7 +2,7 @@
 
 use super::course::Course;
 use super::rays::FREE_ROUNDS;
-use crate::adjustment::adjustment::LEAST_SIGMA_PX;
+use crate::adjustment::gauss_newton::LEAST_SIGMA_PX;
 use crate::adjustment::reliability::of_position;
 use crate::adjustment::result::PriorStatistics;
 use crate::adjustment::statistics::Statistics;

@@ -1,7 +1,7 @@
 //! Which rays take part: gross errors are rejected, and so is what its place alone excludes.
 
 use super::course::Course;
-use crate::adjustment::adjustment::{Adjusted, LEAST_SIGMA_PX};
+use crate::adjustment::gauss_newton::{Adjusted, LEAST_SIGMA_PX};
 use crate::adjustment::loss::Robust;
 use crate::adjustment::options::Loss;
 use crate::adjustment::reduced::Problem;

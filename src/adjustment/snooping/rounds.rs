@@ -1,9 +1,9 @@
 //! The rounds of an adjustment: adjust, check, and again until no check changes anything.
 
 use super::course::Course;
-use crate::adjustment::adjustment::{Adjusted, Demand};
 use crate::adjustment::block::Block;
 use crate::adjustment::datum::{held_images, moved_onto};
+use crate::adjustment::gauss_newton::{Adjusted, Demand};
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
 use crate::adjustment::reduced::Problem;

@@ -2,7 +2,7 @@
 
 use super::segments::{Segment, cut_off, write_segment};
 use crate::Error;
-use crate::image::header::{FileLayout, Format, damaged};
+use crate::image::layout::{FileLayout, Format, damaged};
 
 /// The frame header.
 pub struct Frame {

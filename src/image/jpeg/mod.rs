@@ -14,7 +14,7 @@ use zune_jpeg::zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options:
 use self::frame::Frame;
 use self::segments::{Segments, marker};
 use self::stream::{CheckedStream, Output};
-use super::header::{FileLayout, Format, damaged};
+use super::layout::{FileLayout, Format, damaged};
 use super::luminance::{SampleLayout, grey_of_u8};
 use crate::Error;
 

@@ -2,7 +2,7 @@
 
 use super::frame::Frame;
 use crate::Error;
-use crate::image::header::{Format, damaged};
+use crate::image::layout::{Format, damaged};
 
 /// Bytes of ones into which no code and no bits after one reach so far that another code could be read from them.
 const ONES: usize = 4;

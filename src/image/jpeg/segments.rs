@@ -1,7 +1,7 @@
 //! The segments of a JPEG file.
 
 use crate::Error;
-use crate::image::header::{Format, damaged, truncated};
+use crate::image::layout::{Format, damaged, truncated};
 
 /// Markers, the second byte after 0xff.
 pub mod marker {

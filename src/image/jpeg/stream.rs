@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::scan::Scan;
 use super::segments::{Segment, Segments, marker, write_segment};
 use crate::Error;
-use crate::image::header::{Format, damaged};
+use crate::image::layout::{Format, damaged};
 
 /// Each scan of a progressive file is a walk over all blocks, however few bytes it has. Encoders write 10 to 20 scans.
 const MOST_SCANS: usize = 64;

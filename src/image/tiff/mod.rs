@@ -9,7 +9,7 @@ use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 use self::directory::Directory;
-use super::header::{DEFLATE_MOST, FileLayout, Format, damaged, truncated};
+use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use crate::Error;
 

@@ -4,7 +4,7 @@ mod version_1;
 
 use crate::json;
 use crate::text::shorten;
-use crate::{BlockRun, Error};
+use crate::{BlockRun, Error, PairRun};
 use serde::{Deserialize, Serialize};
 
 /// The version that is written, and the newest one that is read.
@@ -18,6 +18,25 @@ const WHAT: &str = "the project file";
 #[serde(rename_all = "snake_case")]
 pub enum Project {
     Block(Box<BlockRun>),
+    /// The smallest one.
+    Pair(Box<PairRun>),
+}
+
+/// What a project file holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum ProjectKind {
+    Block,
+    Pair,
+}
+
+/// What a project file holds, as the first of its bytes say: a kilobyte is enough. `None` for what is no project; its reading says why.
+pub fn project_kind(start: &[u8]) -> Option<ProjectKind> {
+    let body = start.splitn(2, |byte| *byte == b'\n').nth(1)?;
+    [(ProjectKind::Block, "{\"block\":"), (ProjectKind::Pair, "{\"pair\":")]
+        .into_iter()
+        .find_map(|(kind, begins)| body.starts_with(begins.as_bytes()).then_some(kind))
 }
 
 /// The first line.
@@ -38,6 +57,14 @@ struct Header {
 pub fn write_block_project(run: &BlockRun) -> Result<String, Error> {
     check(run)?;
     written("block", run)
+}
+
+/// Writes the project of a pair: the same pair gives the same text.
+///
+/// # Errors
+/// [`Error::InvalidInput`] for parts of the pair that do not fit together.
+pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
+    written("pair", &run.clone().in_order()?)
 }
 
 /// Reads a project; one of an older version is brought forward. Nothing is passed over: a file that this version does not understand in full is
@@ -83,6 +110,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     };
     match read {
         Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
+        Ok(Project::Pair(run)) => run.in_order().map(|run| Project::Pair(Box::new(run))),
         Err(reason) => refused("content", reason),
     }
 }
@@ -159,8 +187,10 @@ mod tests {
     }
 
     fn read(text: &str) -> BlockRun {
-        let Project::Block(run) = read_project(text.as_bytes()).unwrap();
-        *run
+        match read_project(text.as_bytes()).unwrap() {
+            Project::Block(run) => *run,
+            Project::Pair(_) => unreachable!("a block was written"),
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Where the photos of a block are taken, and how they are turned.
 
-use super::{BlockFlight, BlockView};
+use super::flight::{BlockFlight, BlockView};
 use crate::rotation_from_angles;
 use crate::simulate::mounting::{Mounting, NADIR_MM, five, nadir};
 use crate::simulate::random::{Random, Stream};

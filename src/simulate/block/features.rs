@@ -1,7 +1,8 @@
 //! What the photos of a block see: features of common ground points, and features that no other photo shows.
 
+use super::exposures::Exposure;
+use super::flight::BlockFlight;
 use super::ground::Ground;
-use super::{BlockFlight, Exposure};
 use crate::simulate::random::{Random, Stream};
 
 /// The features of all photos, and what they show.

@@ -1,7 +1,7 @@
 //! The matches between the photos of a block: right ones, chance ones, and those that repeated structures bring.
 
-use super::BlockFlight;
 use super::features::Seen;
+use super::flight::BlockFlight;
 use crate::FeatureMatch;
 use crate::simulate::random::{Random, Stream};
 use std::collections::BTreeMap;

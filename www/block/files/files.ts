@@ -19,6 +19,8 @@ export class BlockFiles {
   constructor(
     private readonly store: BlockStore,
     private readonly engine: BlockEngine,
+    /** Opens a project of whatever kind where it belongs. */
+    private readonly openProject: (file: File) => Promise<void>,
   ) {}
 
   /** Takes what is dropped on the page while the block is shown. */
@@ -34,7 +36,7 @@ export class BlockFiles {
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
     const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith('image/'));
-    if (project !== undefined) await this.open(project.file);
+    if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
     const aside = found.length - images.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
     if (images.length > 0 || aside > 0) this.add(images, aside);

@@ -14,6 +14,7 @@ import type {
   Given,
   PairInput,
   PairInterior,
+  PairProject,
   PhotoInfo,
   ReducedImage,
   RelativeOrientation,
@@ -137,6 +138,10 @@ export interface PairCalls {
   mask: { input: { file: Blob; overlaySide: number }; output: MaskImage };
   parseFiducials: { input: { text: string }; output: Fiducial[] };
   parseCamera: { input: { text: string }; output: CameraMm };
+  /** SHA-256 in hexadecimal digits. */
+  digest: { input: { file: Blob }; output: string };
+  projectOpen: { input: { bytes: Uint8Array }; output: { project: PairProject; estimated: PairInterior | null } };
+  projectWrite: { input: PairProject; output: string };
   matchesCsv: { input: { matches: Float64Array }; output: string };
 }
 

@@ -45,6 +45,7 @@ export class Engine implements Workers {
 
   /** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
   open(side: Side, image: GivenImage): Promise<Output<'open'>> {
+    if (image.source.kind === 'project') return Promise.reject(new Error(`the project does not hold its images; open ${image.name} too`));
     const client = this.clients[side];
     const tag = lifeTag(client, String(image.id));
     const held = this.opened.get(client);
@@ -142,7 +143,12 @@ export class Engine implements Workers {
       return;
     }
     const ended = error instanceof CallError && error.ended;
-    this.store.dispatch({ type: 'stageFailed', stage, failure: { key, ended, message: plainMessage(stage, error, this.store.state.catalogue) } });
+    const refused = error instanceof CallError ? (error.failure.error ?? null) : null;
+    this.store.dispatch({
+      type: 'stageFailed',
+      stage,
+      failure: { key, ended, error: refused, message: plainMessage(stage, error, this.store.state.catalogue) },
+    });
   }
 }
 

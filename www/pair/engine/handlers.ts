@@ -12,13 +12,16 @@ import {
   match_photos,
   matches_csv,
   nearest_piece,
+  open_pair_project,
   orient_fiducials,
   orient_matches,
   parse_camera,
   parse_fiducials,
   scaled_interior,
   score_matches,
+  sha256,
   simulate,
+  write_pair_project,
 } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
@@ -41,7 +44,14 @@ function photo(): OpenPhoto {
 }
 
 async function decode(source: ImageSource): Promise<Photo> {
-  return source.kind === 'file' ? Photo.decode(new Uint8Array(await source.file.arrayBuffer())) : Photo.from_grey(source.width, source.height, source.grey);
+  switch (source.kind) {
+    case 'file':
+      return Photo.decode(new Uint8Array(await source.file.arrayBuffer()));
+    case 'grey':
+      return Photo.from_grey(source.width, source.height, source.grey);
+    case 'project':
+      throw new Error('a project does not hold its images');
+  }
 }
 
 async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'open'>> {
@@ -102,6 +112,9 @@ function candidatesOf({ left, right, offset, index, options }: Input<'candidates
   return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
 }
 
+/** SHA-256 in hexadecimal digits. */
+const digestOf = (bytes: Uint8Array): string => Array.from(sha256(bytes), (byte) => byte.toString(16).padStart(2, '0')).join('');
+
 /** The report in the making. */
 let report: Report | null = null;
 
@@ -157,5 +170,13 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   parseFiducials: ({ text }) => parse_fiducials(text),
   parseCamera: ({ text }) => parse_camera(text),
   mask,
+  digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
+  projectOpen: ({ bytes }) => {
+    const project = open_pair_project(bytes);
+    const [left, right] = project.images;
+    const { geometry } = project.output.match;
+    return { project, estimated: estimated_interior(geometry?.focal ?? null, left.width_px, left.height_px, right.width_px, right.height_px) };
+  },
+  projectWrite: (project) => write_pair_project(project),
   matchesCsv: ({ matches }) => matches_csv(matches),
 };

@@ -1,4 +1,5 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
+import { message } from '../../shared/crate';
 import type { Side, StageName, StageValues } from '../state/state';
 import { interiorInUse, knownInterior } from '../state/interior';
 import { comparesGradients, comparesMoments, isCurrent, pairCameras } from '../state/keys';
@@ -68,7 +69,7 @@ function interior(side: Side): Run<StageValues['interiorLeft']> {
   return async (state, workers) => {
     const { info } = needed(state, side === 'left' ? 'openLeft' : 'openRight');
     const cameras = pairCameras(state);
-    if ('missing' in cameras) throw new Error(cameras.missing);
+    if ('missing' in cameras) throw new Error(message('no_orientation', cameras.missing));
     const { fiducials, origin } = state.photos[side];
     return workers.client('pair').call('interior', {
       width: info.width,

@@ -53,12 +53,12 @@ function finite(value: number | undefined): number | null {
 
 function countsOf(state: State) {
   const match = state.results.match?.value.counts;
-  const { matches, ...refused } = match ?? { matches: null };
+  const { matches, ...rejected } = match ?? { matches: null };
   return {
     left: state.results.pointsLeft?.value.counts ?? null,
     right: state.results.pointsRight?.value.counts ?? null,
     matches,
-    refused: match === undefined ? null : refused,
+    rejected: match === undefined ? null : rejected,
   };
 }
 

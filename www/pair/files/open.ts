@@ -11,6 +11,7 @@ import type { Taker } from '../../shared/files/drop';
 import { contains } from '../../shared/view/transform';
 import { panesOf } from '../view/geometry';
 import type { View } from '../view/view';
+import { readProject, sideOfFile } from './project';
 import { sortFiles } from './sort';
 
 /** Longest side of the copy of a mask that is shown, px. */
@@ -37,13 +38,22 @@ export class Files {
   constructor(
     private readonly store: Store,
     private readonly engine: Engine,
+    /** Opens a project of whatever kind where it belongs. */
+    private readonly openProject: (file: File) => Promise<void>,
   ) {}
 
   /** Takes files of any kind; `side` says where a single one belongs. */
   async take(files: readonly File[], side: Side | null): Promise<void> {
     if (files.length === 0) return;
     this.store.dispatch({ type: 'notice', notice: null });
-    const { images, masks, tables, cameras } = sortFiles(files);
+    const { images, masks, tables, cameras, projects } = sortFiles(files);
+    const [project] = projects;
+    if (project !== undefined) {
+      await this.openProject(project);
+      const others = files.filter((file) => !projects.includes(file));
+      if (others.length > 0) await this.take(others, side);
+      return;
+    }
     if (images.length > 2) {
       this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
       return;
@@ -55,6 +65,17 @@ export class Files {
     if (images.length > 0) told.push(...(await this.takeImages(images, side)));
     for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
     this.tell(told);
+  }
+
+  /** Opens a pair that was saved. */
+  async takeProject(file: File): Promise<void> {
+    this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${file.name} …` } });
+    try {
+      this.store.dispatch({ type: 'opened', opened: await readProject(this.engine, file, () => nextId++) });
+      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`)]);
+    } catch (error) {
+      this.tell([this.failed(`${file.name} cannot be opened`, error)]);
+    }
   }
 
   /** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
@@ -146,6 +167,8 @@ export class Files {
   private async takeImages(files: readonly File[], side: Side | null): Promise<Told[]> {
     const tooLarge = files.find((file) => file.size > MOST_BYTES);
     if (tooLarge !== undefined) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
+    const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
+    if (known.every((place) => place !== null)) return this.takeFound(files, known);
     const sides = files.length === 2 ? (['left', 'right'] as const) : [side ?? this.freeSide()];
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, file] of files.entries()) {
@@ -156,13 +179,23 @@ export class Files {
     return this.check(images);
   }
 
-  private async check(images: Partial<Record<Side, GivenImage>>): Promise<Told[]> {
+  /** The files of images that a project names take their places: nothing of the project changes. */
+  private async takeFound(files: readonly File[], sides: readonly Side[]): Promise<Told[]> {
+    const images: Partial<Record<Side, GivenImage>> = {};
+    for (const [i, side] of sides.entries()) {
+      const [image, file] = [this.store.state.images[side], files[i]];
+      if (image !== null && file !== undefined) images[side] = { ...image, source: { kind: 'file', file } };
+    }
+    return this.check(images, 'found');
+  }
+
+  private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found' = 'images'): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
     const told = outcomes.flatMap((outcome, i) =>
       outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : [],
     );
-    if (told.length === 0) this.store.dispatch({ type: 'images', images });
+    if (told.length === 0) this.store.dispatch({ type, images });
     return told;
   }
 

@@ -3,7 +3,9 @@ import { byId } from '../../shared/panel/dom';
 import type { Engine } from '../engine/engine';
 import { exportEverything, exportMatches, exportPicture } from '../files/export';
 import type { Files } from '../files/open';
+import { exportProject } from '../files/project';
 import { exportReport } from '../files/report';
+import { isCurrent } from '../state/keys';
 import { shownPair } from '../state/select';
 import type { Side } from '../state/state';
 import type { Store } from '../state/store';
@@ -51,6 +53,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt }: Heade
   on('swap', () => swap(store, engine));
   on('export-csv', () => exportMatches(store.state, engine));
   on('export-json', () => exportEverything(store.state));
+  on('export-project', () => exportProject(store, engine));
   on('export-report', () => exportReport(store, engine));
   on('export-png', () => exportPicture(store.state, view));
   store.watch(['images', 'results', 'catalogue', 'notice', 'running'], ([images, , catalogue]) => {
@@ -64,7 +67,10 @@ export function mountHeader({ store, engine, view, files, pick, attempt }: Heade
     set('sample-first', catalogue === null);
     set('export-csv', !both || shownPair(store.state).match === null);
     set('export-json', !both || store.state.results.pointsLeft === undefined);
-    set('export-report', !both || isBusy(store.state));
+    set('export-project', !both || isBusy(store.state) || !isCurrent(store.state, 'match'));
+    // The report is made of pixels.
+    const absent = Object.values(images).some((image) => image?.source.kind === 'project');
+    set('export-report', !both || absent || isBusy(store.state));
     set('export-png', none);
     leaveWelcome(!none);
   });

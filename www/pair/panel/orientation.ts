@@ -84,7 +84,7 @@ export function whyNotOriented(state: State): string | null {
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
     const untold = match?.geometry == null ? '' : ', and the matches do not determine the focal length';
-    return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+    return `Not oriented: ${message('no_orientation', cameras.missing)}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
   }
   for (const stage of ['interiorLeft', 'interiorRight', 'orientation'] as const) {
     const failure = state.failures[stage];

@@ -85,7 +85,8 @@ function resting(state: State, wanted: number, done: number): Line {
   }
   if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
   const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
-  const matched = `${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work.`;
+  // A pair that was opened took none.
+  const matched = milliseconds === 0 ? `${summary(state)}.` : `${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work.`;
   const reason = whyNotOriented(state);
   return reason === null ? { text: `Done: ${matched}`, kind: 'done' } : { text: `${matched} ${reason}`, kind: 'partial' };
 }

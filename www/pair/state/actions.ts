@@ -1,6 +1,7 @@
 /** Everything that can happen to the state. */
 import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
+import type { OpenedProject } from './project';
 import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
@@ -9,6 +10,9 @@ export type Action =
   | { type: 'ready'; catalogue: Catalogue }
   | { type: 'images'; images: Partial<Record<Side, GivenImage>> }
   | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
+  | { type: 'opened'; opened: OpenedProject }
+  /** Files of images that a project names. */
+  | { type: 'found'; images: Partial<Record<Side, GivenImage>> }
   | { type: 'flight'; flight: Flight }
   | { type: 'swap' }
   | { type: 'settings'; settings: Settings }

@@ -1,8 +1,11 @@
 /** What passes between the stages of a pair. */
 import type { FiducialOrientation, Interior, MatchResult, PairInterior, SampleImage } from '../../shared/crate';
 
-/** Where an image comes from. It is kept by the page, so that a fresh worker can open it again. */
-export type ImageSource = { kind: 'file'; file: Blob } | ({ kind: 'grey' } & SampleImage);
+/**
+ * Where an image comes from. It is kept by the page, so that a fresh worker can open it again. Of an image of a project that was opened only
+ * its digest is there until its file is given too; of one that was simulated not even that.
+ */
+export type ImageSource = { kind: 'file'; file: Blob } | ({ kind: 'grey' } & SampleImage) | { kind: 'project'; content: string | null };
 
 /** A reduced copy for display: one pixel of it is 2^halvings pixels of the image. */
 export interface Overview {

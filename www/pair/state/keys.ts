@@ -2,7 +2,7 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import type { CameraMm, Settings } from '../../shared/crate';
+import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
 import { truthOf } from './truth';
 import { SIDES } from './state';
 import type { Side, StageName, State } from './state';
@@ -28,25 +28,25 @@ function keyOf(kind: string, inputs: readonly (string | null)[], options: unknow
   return inputs.includes(null) ? null : shortName([kind, inputs, options]);
 }
 
-/** The cameras of a pair and where they are known from; or, in words, what is missing. */
-export type PairCameras = { left: CameraMm; right: CameraMm; from: 'given' | 'exif' } | { missing: string };
+/** The cameras of a pair and where they are known from; or what is missing. */
+export type PairCameras = { left: CameraMm; right: CameraMm; from: 'given' | 'exif' } | { missing: NoOrientation };
 
 /** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
 export function pairCameras(state: State): PairCameras {
   const cameras = SIDES.map((side) => cameraOf(state, side));
   const [left, right] = cameras;
-  if (typeof left === 'string') return { missing: left };
-  if (typeof right === 'string') return { missing: right };
+  if (left !== undefined && 'kind' in left) return { missing: left };
+  if (right !== undefined && 'kind' in right) return { missing: right };
   if (left === undefined || right === undefined) throw new Error('a pair has two sides');
   return { left, right, from: state.camera === null ? 'exif' : 'given' };
 }
 
-function cameraOf(state: State, side: Side): CameraMm | string {
+function cameraOf(state: State, side: Side): CameraMm | NoOrientation {
   const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
   const marked = state.photos[side].fiducials.length > 0;
   const camera = state.camera ?? (exif === null ? null : { focal_mm: exif.focal_mm, pixel_mm: exif.pixel_mm });
-  if (camera === null) return marked ? 'fiducial marks are given, but no principal distance' : `no camera is given, and the ${side} image’s EXIF names none`;
-  if (!marked && camera.pixel_mm == null) return `the ${side} image has neither fiducial marks nor a pixel size`;
+  if (camera === null) return marked ? { kind: 'no_focal_length' } : { kind: 'no_camera', side };
+  if (!marked && camera.pixel_mm == null) return { kind: 'no_pixel_size', side };
   return camera;
 }
 

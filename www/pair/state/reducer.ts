@@ -1,5 +1,6 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
+import { withFiles, withProject } from './project';
 import { INITIAL, TYPED_PARTS } from './state';
 import type { Display, PhotoData, Results, Side, State, TypedPart } from './state';
 
@@ -9,6 +10,8 @@ const NO_DATA: PhotoData = { fiducials: [], origin: null };
 const DEEDS: ReadonlySet<Action['type']> = new Set([
   'images',
   'simulated',
+  'opened',
+  'found',
   'flight',
   'swap',
   'settings',
@@ -42,6 +45,10 @@ function changed(state: State, action: Action): State {
       return withImages(state, action.images);
     case 'simulated':
       return withSimulated(state, action);
+    case 'opened':
+      return withProject(state, action.opened);
+    case 'found':
+      return withFiles(state, action.images);
     case 'flight':
       return { ...state, flight: action.flight };
     case 'swap':

@@ -136,6 +136,8 @@ export interface StageFailure {
   message: string;
   /** The worker ended: it can be tried again as it is. */
   ended: boolean;
+  /** With its figures, where the crate refused. */
+  error: { kind: string } | null;
 }
 
 export interface Selection {

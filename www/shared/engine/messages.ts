@@ -23,6 +23,8 @@ export interface WireFailure {
   /** The crate's stable code, where it refused. */
   code: string | null;
   message: string;
+  /** The refusal with its figures. */
+  error?: { kind: string } | null;
 }
 
 export type ResponseMessage = { id: number; output: unknown } | { id: number; failure: WireFailure };

@@ -16,7 +16,12 @@ function failureOf(error: unknown): WireFailure {
   const code = error instanceof Error && 'code' in error && typeof error.code === 'string' ? error.code : null;
   if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) return { kind: 'memory', code, message };
   if (error instanceof Error && error.name === 'Panic') return { kind: 'fault', code, message };
-  return { kind: code === null ? 'other' : 'refused', code, message };
+  return {
+    kind: code === null ? 'other' : 'refused',
+    code,
+    message,
+    error: error instanceof Error && 'error' in error ? (error.error as { kind: string }) : null,
+  };
 }
 
 /** Why the module could not start here; every call is then answered with it. */

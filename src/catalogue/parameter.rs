@@ -1,0 +1,71 @@
+//! What is known of an option beside its value.
+
+use super::check::refuse;
+use crate::Error;
+use serde::Serialize;
+
+/// What values a parameter takes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum ParameterKind {
+    /// Whole numbers from `min` to `max`; odd ones only where `odd`.
+    Integer { min: f64, max: f64, odd: bool },
+    /// Numbers from `min` to `max`, both included.
+    Real { min: f64, max: f64 },
+    /// One of these words; `labels` are their names on a page.
+    Choice { values: &'static [&'static str], labels: &'static [&'static str] },
+    /// Yes or no.
+    Flag,
+}
+
+/// One option.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Parameter {
+    /// Its place in the settings, as [`PairSettings`](crate::PairSettings): `group.field`.
+    pub key: &'static str,
+    /// The heading under which it stands.
+    pub section: &'static str,
+    pub label: &'static str,
+    /// Empty where it has none.
+    pub unit: &'static str,
+    #[serde(flatten)]
+    pub kind: ParameterKind,
+    /// What it does, and what changes when it grows.
+    pub help: &'static str,
+    /// What holds where it is absent, in words; empty where it is never absent.
+    pub absent: &'static str,
+    /// When it has an effect, as `group.field is value, value`, joined by `and` and `or`; empty: always.
+    pub acts: &'static str,
+    /// Its name in the command where that is not the field's; empty otherwise.
+    pub named: &'static str,
+}
+
+impl Parameter {
+    /// What it allows, in words.
+    pub fn allowed(&self) -> String {
+        match self.kind {
+            ParameterKind::Integer { min, max, odd } => format!("{}whole numbers from {min} to {max}", if odd { "odd " } else { "" }),
+            ParameterKind::Real { min, max } => format!("{min} to {max}"),
+            ParameterKind::Choice { values, .. } => values.join(", "),
+            ParameterKind::Flag => "yes or no".into(),
+        }
+    }
+
+    /// Rejects a number outside the range.
+    pub(crate) fn check(&self, value: f64) -> Result<(), Error> {
+        let within = match self.kind {
+            ParameterKind::Integer { min, max, odd } => {
+                value.fract() == 0.0 && value >= min && value <= max && (!odd || value % 2.0 == 1.0)
+            }
+            ParameterKind::Real { min, max } => value >= min && value <= max,
+            ParameterKind::Choice { .. } | ParameterKind::Flag => true,
+        };
+        if within { Ok(()) } else { Err(refuse(self.key, value, self.allowed())) }
+    }
+}
+
+/// Rejects a number outside the range of the parameter of that key.
+pub(crate) fn check(parameters: &'static [Parameter], key: &'static str, value: f64) -> Result<(), Error> {
+    parameters.iter().filter(|p| p.key == key).try_for_each(|p| p.check(value))
+}

@@ -1,0 +1,82 @@
+//! From two images to their matches and relative orientation.
+
+use super::described::{DescribedImage, describe_image};
+use super::geometry::{PairInterior, pair_interior};
+use super::input::{PairImage, PairInput};
+use super::no_orientation::NoOrientation;
+use super::orienting::orient_matches;
+use super::rounds::{PairMatching, match_in_rounds};
+use super::settings::PairSettings;
+use crate::{
+    Degeneracy, Error, Expectation, MatchSet, NearestTable, NoGeometry, OffsetField, PointSet, RelativeOrientation, TwoView,
+    estimate_offset,
+};
+use serde::{Deserialize, Serialize};
+
+/// The outcome of one pair.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PairResult {
+    pub left: PointSet,
+    pub right: PointSet,
+    /// Absent where the strategy needs none and none was given.
+    pub offset: Option<OffsetField>,
+    pub matching: MatchSet,
+    /// As in [`PairMatching`].
+    pub geometry: Option<Result<TwoView, NoGeometry>>,
+    pub interior: Option<PairInterior>,
+    /// The orientation; or why there is none.
+    pub orientation: Result<RelativeOrientation, NoOrientation>,
+}
+
+/// Matches and orients a pair.
+///
+/// Where no camera is known, or the matches do not determine an orientation, the matches are given all the same.
+///
+/// # Errors
+/// As the stages: [`Error::InvalidOption`], [`Error::ImageTooSmall`]; [`Error::InvalidInput`] for a camera or fiducials that do not fit.
+pub fn match_pair(left: PairImage<'_>, right: PairImage<'_>, input: &PairInput, settings: &PairSettings) -> Result<PairResult, Error> {
+    // What is wrong with the camera is told before the images are searched.
+    pair_interior(left, right, input)?.ok();
+    let described = [describe_image(left.grey, left.mask, settings)?, describe_image(right.grey, right.mask, settings)?];
+    match_described_pair(left, right, described, None, input, settings)
+}
+
+/// The rest of [`match_pair`], once both images are described: for callers that do so at the same time, and that may also have searched for
+/// the nearest right descriptors of all left ones. Masks have had their effect.
+///
+/// # Errors
+/// As [`match_pair`].
+pub fn match_described_pair(
+    left: PairImage<'_>,
+    right: PairImage<'_>,
+    described: [DescribedImage; 2],
+    nearest: Option<&NearestTable>,
+    input: &PairInput,
+    settings: &PairSettings,
+) -> Result<PairResult, Error> {
+    let interior = pair_interior(left, right, input)?;
+    let strategy = settings.matching.strategy;
+    let offset = match input.offset {
+        Some([dx, dy]) => Some(OffsetField::constant(dx, dy)),
+        None => strategy.needs_offset().then(|| estimate_offset(left.grey, right.grey)),
+    };
+    let images = [described[0].match_image(left.grey, strategy), described[1].match_image(right.grey, strategy)];
+    let expected = offset.clone().unwrap_or(OffsetField::constant(0.0, 0.0));
+    let PairMatching { set: matching, geometry } =
+        match_in_rounds(images, Expectation { nearest, ..Expectation::from(&expected) }, interior.as_ref().ok(), settings)?;
+    let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
+    let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
+    let interior = interior.or_else(|reason| found.and_then(|found| PairInterior::estimated(found.focal.as_ref()?, sizes)).ok_or(reason));
+    let is_rotation = found.is_some_and(|found| found.degenerate == Some(Degeneracy::PureRotation));
+    let orientation = match (&interior, &geometry) {
+        (Err(reason), _) => Err(reason.clone()),
+        (Ok(_), Some(Err(no_geometry))) => Err(NoOrientation::NoGeometry { no_geometry: *no_geometry }),
+        _ if is_rotation => Err(NoOrientation::PureRotation),
+        (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
+            Err(error) if error.is_usage() => return Err(error),
+            outcome => outcome.map_err(|error| NoOrientation::Refused { error }),
+        },
+    };
+    let [left, right] = described.map(|image| image.set);
+    Ok(PairResult { left, right, offset, matching, geometry, interior: interior.ok(), orientation })
+}

@@ -1,0 +1,51 @@
+//! The options of all stages of a pair.
+
+use crate::{
+    GradientOptions, MatchOptions, MultiscaleOptions, Operator, OrientationOptions, Parameter, PointOptions, Strategy, TwoViewOptions,
+    WindowOptions,
+};
+use serde::{Deserialize, Serialize};
+
+/// The options of all stages.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PairSettings {
+    pub points: PointOptions,
+    /// Of the operator of that name.
+    pub multiscale: MultiscaleOptions,
+    pub window: WindowOptions,
+    /// Of the strategy of that name.
+    pub gradient: GradientOptions,
+    pub matching: MatchOptions,
+    /// The geometry of the two views, by which the strategy gradient verifies its matches. Cameras that the pair knows take the place of
+    /// those named here.
+    pub geometry: TwoViewOptions,
+    pub orientation: OrientationOptions,
+}
+
+impl PairSettings {
+    /// All parameters, in the order of the pipeline.
+    pub fn parameters() -> impl Iterator<Item = &'static Parameter> {
+        [
+            PointOptions::PARAMETERS,
+            MultiscaleOptions::PARAMETERS,
+            WindowOptions::PARAMETERS,
+            GradientOptions::PARAMETERS,
+            MatchOptions::PARAMETERS,
+            TwoViewOptions::PARAMETERS,
+            OrientationOptions::PARAMETERS,
+        ]
+        .into_iter()
+        .flatten()
+    }
+
+    /// The settings with every absent option that follows from the others: the operator of the strategy, its roundness and window, the
+    /// ambiguity ratio. What follows from the images stays absent. Everything that takes settings resolves them so.
+    pub fn resolved(&self) -> Self {
+        let gradients = self.matching.strategy == Strategy::Gradient;
+        let points = self.points.resolved(if gradients { Operator::Multiscale } else { Operator::Ground2 });
+        let matching = MatchOptions { ambiguity: Some(self.matching.ambiguity()), ..self.matching.clone() };
+        Self { points, matching, ..self.clone() }
+    }
+}

@@ -1,0 +1,44 @@
+//! What a report is made of.
+
+use crate::{ExifCamera, FiveParameters, GreyImage, PairImage};
+
+/// An image of the report.
+#[derive(Debug, Clone)]
+pub struct ReportImage {
+    pub name: String,
+    pub grey: GreyImage,
+    pub exif: Option<ExifCamera>,
+    /// As large as the image: points whose pixel is 0 in it are left out.
+    pub mask: Option<GreyImage>,
+}
+
+impl ReportImage {
+    /// The image as matching takes it.
+    pub(super) fn pair_image(&self) -> PairImage<'_> {
+        PairImage { grey: self.grey.view(), exif: self.exif.as_ref(), mask: self.mask.as_ref().map(GreyImage::view) }
+    }
+
+    /// How many of the image's pixels its mask leaves out.
+    pub(super) fn left_out(&self) -> Option<usize> {
+        self.mask.as_ref().map(|mask| mask.data().iter().filter(|value| **value == 0).count())
+    }
+}
+
+/// The known answer of a simulated pair.
+#[derive(Debug, Clone)]
+pub struct ReportTruth {
+    pub orientation: FiveParameters,
+    /// The base that gives `by` and `bz` of the orientation their scale, in mm.
+    pub base_mm: f64,
+    /// As [`Sample::right_position`](crate::Sample::right_position).
+    pub right_position: Vec<[f32; 2]>,
+}
+
+impl ReportTruth {
+    /// The orientation with `by` and `bz` at the scale of another base; they are not finite where the true base is 0, which has no scale.
+    pub(super) fn orientation_at(&self, base_mm: f64) -> FiveParameters {
+        let scale = base_mm / self.base_mm;
+        let FiveParameters { by_mm, bz_mm, .. } = self.orientation;
+        FiveParameters { by_mm: scale * by_mm, bz_mm: scale * bz_mm, ..self.orientation }
+    }
+}

@@ -1,0 +1,124 @@
+//! The page of a report.
+
+use super::input::ReportImage;
+use super::picture::{self, Layer};
+use super::steps::Report;
+use super::text::{self, count, fixed};
+use super::{details, tables};
+use crate::{Error, GreyImage};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+impl Report {
+    /// The page. Does the steps that are left.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    pub fn html(&mut self) -> Result<String, Error> {
+        while self.step()? {}
+        Ok(self.page()?.into_string())
+    }
+
+    fn page(&self) -> Result<Markup, Error> {
+        /// Whatever names and texts a report quotes: it runs no script and loads nothing.
+        const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+        let [left, right] = &self.images;
+        let run = &self.studies[0];
+        let title = format!("Tiepoint report: {}, {}", left.name, right.name);
+        Ok(html! {
+            (DOCTYPE)
+            html lang="en" {
+                head {
+                    meta charset="utf-8";
+                    meta http-equiv="Content-Security-Policy" content=(POLICY);
+                    meta name="viewport" content="width=device-width, initial-scale=1";
+                    title { (title) }
+                    style { (PreEscaped(include_str!("style.css"))) }
+                }
+                body {
+                    h1 { (title) }
+                    (self.summary())
+                    h2 { "Images, points and matches" }
+                    (self.pictures())
+                    h2 { "All strategies on the same points" }
+                    (tables::counts(self))
+                    (tables::refusals(self))
+                    @if self.truth.is_some() { (tables::scores(self)) }
+                    (tables::standard_errors(self))
+                    (tables::orientations(self))
+                    (tables::differences(self))
+                    h2 { "Interior orientation" }
+                    (details::interior(self)?)
+                    h2 { "Relative orientation of this run" }
+                    @match &run.result.orientation {
+                        Ok(orientation) => {
+                            (details::precision(self, orientation))
+                            h2 { "Residuals" }
+                            (details::residuals(self, orientation))
+                            h2 { "Reliability" }
+                            (details::reliability(self, orientation))
+                        }
+                        Err(reason) => p { "Not oriented: " (reason) "." }
+                    }
+                    h2 { "Parameters" }
+                    (details::settings(&self.settings))
+                    footer { "Tiepoint " (env!("CARGO_PKG_VERSION")) ". The same images and parameters give the same report." }
+                }
+            }
+        })
+    }
+
+    fn summary(&self) -> Markup {
+        let run = &self.studies[0];
+        let size = |image: &ReportImage| format!("{}: {} × {} px", image.name, count(image.grey.width()), count(image.grey.height()));
+        let matches = &run.result.matching.matches;
+        html! {
+            ul.summary {
+                li { "Left " (size(&self.images[0])) "; right " (size(&self.images[1])) "." }
+                @for (image, side) in self.images.iter().zip(["left", "right"]) {
+                    @if let Some(pixels) = image.left_out() {
+                        li { "A mask leaves out " (text::percent(pixels, image.grey.data().len())) " of the " (side) " image." }
+                    }
+                }
+                li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
+                @match &run.result.orientation {
+                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
+                    Err(reason) => li { "Not oriented: " (reason) "." }
+                }
+                @if let Some(score) = &run.score {
+                    li { (text::percent(score.right, matches.len())) " of the matches are right by the truth of the simulated pair." }
+                }
+            }
+        }
+    }
+
+    /// Both images with their points, matched, rejected and refused.
+    fn pictures(&self) -> Markup {
+        let result = &self.studies[0].result;
+        let matches = &result.matching.matches;
+        let mut rejected = vec![false; matches.len()];
+        result.orientation.iter().flat_map(|o| &o.rejected).for_each(|i| rejected[*i] = true);
+        let of = |wanted: bool, right: bool| {
+            let kept = matches.iter().zip(&rejected).filter(move |(_, r)| **r == wanted);
+            picture::dots(kept.map(|(m, _)| if right { m.right_px } else { m.left_px }))
+        };
+        let side = |index: usize| {
+            let points = if index == 0 { &result.left.points } else { &result.right.points };
+            let layers = [
+                Layer { class: "dot", path: picture::dots(points.iter().map(|p| [p.x, p.y])) },
+                Layer { class: "dot matched", path: of(false, index == 1) },
+                Layer { class: "dot rejected", path: of(true, index == 1) },
+            ];
+            let image = &self.images[index];
+            let words = format!("{}: {} points, {} matches", image.name, count(points.len()), count(matches.len()));
+            let ground =
+                picture::Ground::Grey(["left-image", "right-image"][index], image.grey.view(), image.mask.as_ref().map(GreyImage::view));
+            html! { figure { (picture::picture(&ground, &layers, &words)) figcaption { (words) } } }
+        };
+        html! {
+            div.pair { (side(0)) (side(1)) }
+            p.legend { span.matched { "●" } " matched " span.rejected { "●" } " gross error " span.other { "●" } " other interest point"
+                @if self.images.iter().any(|image| image.mask.is_some()) { " " span style="color: #d82828" { "■" } " masked out" }
+            }
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! The project file of a pair, which is plain data on either side; that of a block is written and opened by `FinishedBlock`.
+
+use super::convert::{JsResult, object, pack, read, read_options, rows, set, thrown};
+use super::matching::{pack_pair, read_points};
+use super::simulate::{pack_score, read_score};
+use crate::{
+    Error, Fit, Match, MatchSet, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project, RelativeOrientation, Rule,
+    TwoView, Verdict, project_kind as kind_of, read_project, write_pair_project as write,
+};
+use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
+use wasm_bindgen::prelude::wasm_bindgen;
+use wasm_bindgen::{JsCast, JsValue};
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A pair that was matched and oriented, with all that was given for it. */
+export interface PairProject {
+    /** The left and the right one. */
+    images: [PairPhoto, PairPhoto];
+    input: Given<PairInput>;
+    settings: Given<PairSettings>;
+    output: PairOutput;
+    /** What is known of a simulated pair. */
+    truth: PairTruth | null;
+}
+
+/** The truth of a simulated pair. */
+export interface PairTruth {
+    /** by and bz at the scale of `base_mm`. */
+    orientation: FiveParameters;
+    base_mm: number;
+    score: MatchScore;
+}
+"#;
+
+/// What a project file holds, by its first kilobyte; null for what is no project.
+#[wasm_bindgen(unchecked_return_type = "ProjectKind | null")]
+pub fn project_kind(start: &[u8]) -> JsValue {
+    pack(&kind_of(start))
+}
+
+/// Writes the project file of a pair.
+#[wasm_bindgen]
+pub fn write_pair_project(#[wasm_bindgen(unchecked_param_type = "PairProject")] project: &JsValue) -> JsResult<String> {
+    let images: [PairPhoto; 2] = read("images", &field(project, "images"))?;
+    let given = (read_options("input", &field(project, "input"))?, read_options("settings", &field(project, "settings"))?);
+    let truth = present(project, "truth").map(|truth| read_truth(&truth)).transpose()?;
+    PairRun::new(images, given, read_result(&field(project, "output"))?, truth).and_then(|run| write(&run)).map_err(thrown)
+}
+
+/// Opens the project file of a pair; one that is damaged or of another kind is refused whole.
+#[wasm_bindgen(unchecked_return_type = "PairProject")]
+pub fn open_pair_project(bytes: &[u8]) -> JsResult<JsValue> {
+    match read_project(bytes).map_err(thrown)? {
+        Project::Pair(run) => Ok(object([
+            ("images", pack(&run.images)),
+            ("input", pack(&run.input)),
+            ("settings", pack(&run.settings)),
+            ("output", pack_pair(&run.result)),
+            ("truth", run.truth.as_ref().map_or(JsValue::NULL, pack_truth)),
+        ])),
+        Project::Block(_) => Err(thrown(Error::UnreadableFile {
+            what: "the project file",
+            place: "content".into(),
+            reason: "it holds a block; FinishedBlock opens it".into(),
+        })),
+    }
+}
+
+fn pack_truth(truth: &PairTruth) -> JsValue {
+    object([("orientation", pack(&truth.orientation)), ("base_mm", truth.base_mm.into()), ("score", pack_score(&truth.score))])
+}
+
+fn read_truth(value: &JsValue) -> JsResult<PairTruth> {
+    Ok(PairTruth {
+        orientation: read("orientation", &field(value, "orientation"))?,
+        base_mm: read("base_mm", &field(value, "base_mm"))?,
+        score: read_score(&field(value, "score")),
+    })
+}
+
+fn field(value: &JsValue, name: &str) -> JsValue {
+    Reflect::get(value, &name.into()).unwrap_or(JsValue::NULL)
+}
+
+fn present(value: &JsValue, name: &str) -> Option<JsValue> {
+    Some(field(value, name)).filter(|found| !found.is_null() && !found.is_undefined())
+}
+
+fn floats(value: &JsValue, name: &str) -> Vec<f64> {
+    Float64Array::new(&field(value, name)).to_vec()
+}
+
+/// The opposite of `pack_pair`.
+fn read_result(output: &JsValue) -> JsResult<PairResult> {
+    let found = field(output, "match");
+    let geometry: Option<TwoView> = read("geometry", &field(&found, "geometry"))?;
+    let geometry = match geometry {
+        Some(geometry) => Some(Ok(geometry)),
+        None => read::<Option<_>>("no_geometry", &field(&found, "no_geometry"))?.map(Err),
+    };
+    let orientation = match present(output, "orientation") {
+        Some(orientation) => Ok(read_orientation(&orientation)?),
+        None => Err(read("no_orientation", &field(output, "no_orientation"))?),
+    };
+    Ok(PairResult {
+        left: read_set(&field(output, "left"))?,
+        right: read_set(&field(output, "right"))?,
+        offset: read("offset field", &field(output, "offset"))?,
+        geometry,
+        matching: read_matches(&found)?,
+        interior: read("interior", &field(output, "interior"))?,
+        orientation,
+    })
+}
+
+fn read_set(value: &JsValue) -> JsResult<PointSet> {
+    let set = read_points(value)?.set;
+    let threshold = field(value, "threshold").as_f64().unwrap_or(f64::INFINITY);
+    Ok(PointSet { counts: read("counts", &field(value, "counts"))?, threshold, ..set })
+}
+
+/// The opposite of `pack_matches`.
+fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
+    let [matches, fits, places, measures] = ["matches", "fits", "places", "measures"].map(|name| floats(value, name));
+    let (matches, fits) = (rows::<5>("matches", &matches)?, rows::<5>("fits", &fits)?);
+    let (places, measures) = (rows::<2>("places", &places)?, rows::<2>("measures", &measures)?);
+    let indices = Uint32Array::new(&field(value, "indices")).to_vec();
+    let indices = indices.as_chunks::<2>().0;
+    let (rules, best) = (Uint8Array::new(&field(value, "rules")).to_vec(), Int32Array::new(&field(value, "best")).to_vec());
+    let of_matches = [fits.len(), indices.len()].iter().all(|length| *length == matches.len());
+    let of_points = [best.len(), places.len(), measures.len()].iter().all(|length| *length == rules.len());
+    if !of_matches || !of_points {
+        let allowed = "three arrays of as many matches and four of as many points".into();
+        return Err(thrown(Error::InvalidInput { what: "matches", got: "arrays of other lengths".into(), allowed }));
+    }
+    let fit = |[correlation, xx, xy, yy, iterations]: [f64; 5]| {
+        (!correlation.is_nan()).then(|| Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })
+    };
+    let matched = matches.iter().zip(fits).zip(indices).map(|((found, fitted), [left, right])| {
+        let [xl, yl, xr, yr, measure] = *found;
+        let right = (*right != u32::MAX).then_some(*right as usize);
+        Match { left: *left as usize, right, left_px: [xl, yl], right_px: [xr, yr], measure, fit: fit(*fitted) }
+    });
+    let verdicts = rules.iter().zip(best).zip(places).zip(measures).map(|(((rule, best), place), [measure, second])| Verdict {
+        rule: Rule::ALL.get(usize::from(*rule)).copied().unwrap_or(Rule::NoCandidate),
+        best: usize::try_from(best).ok(),
+        position: (!place[0].is_nan()).then_some(*place),
+        measure: *measure,
+        second: *second,
+        fit: None,
+    });
+    Ok(MatchSet { matches: matched.collect(), verdicts: verdicts.collect(), counts: read("counts", &field(value, "counts"))? })
+}
+
+/// The opposite of `pack_orientation`.
+fn read_orientation(value: &JsValue) -> JsResult<RelativeOrientation> {
+    let points = floats(value, "points");
+    let statistics = |row: &[f64; 9]| {
+        let [parallax_mm, redundancy, w, detectable_mm, influence, weight, x, y, z] = *row;
+        let model_mm = (!x.is_nan()).then_some([x, y, z]);
+        (!parallax_mm.is_nan()).then_some(PointStatistics { parallax_mm, redundancy, w, detectable_mm, influence, weight, model_mm })
+    };
+    let points = rows::<9>("points", &points)?.iter().map(statistics).collect();
+    let plain = Object::assign(&Object::new(), value.unchecked_ref());
+    set(&plain, "points", &Array::new());
+    Ok(RelativeOrientation { points, ..read("orientation", &plain)? })
+}

@@ -1,0 +1,74 @@
+/** The project file of a pair: saved, opened, and joined with the files of its images. */
+import type { Engine } from '../engine/engine';
+import { save } from '../../shared/files/save';
+import type { Overview } from '../state/data';
+import { projectOf } from '../state/project';
+import type { OpenedProject } from '../state/project';
+import { SIDES } from '../state/state';
+import type { GivenImage, GivenMask, Side, State } from '../state/state';
+import type { Store } from '../state/store';
+import { baseName } from './export';
+
+/** Longest side of what stands for an image that is not there, px. */
+const STANDING_SIDE = 256;
+/** Its grey value. */
+const STANDING_GREY = 0x80;
+
+/** Writes all that is known of the pair. */
+export async function exportProject(store: Store, engine: Engine): Promise<void> {
+  const { state } = store;
+  const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
+  const project = projectOf(state, { left: left ?? null, right: right ?? null });
+  if (project === null) throw new Error('the pair is not matched with the present settings yet');
+  const text = await engine.client('pair').call('projectWrite', project);
+  save(new Blob([text], { type: 'application/octet-stream' }), `${baseName(state)}.tiepoint`);
+}
+
+/** The digest of an image's file; null for an image that was simulated. */
+async function contentOf({ images }: State, engine: Engine, side: Side): Promise<string | null> {
+  const source = images[side]?.source;
+  switch (source?.kind) {
+    case 'file':
+      return engine.client('pair').call('digest', { file: source.file });
+    case 'project':
+      return source.content;
+    default:
+      return null;
+  }
+}
+
+/** Reads a project; what stands for its images has their names and sizes. `nextId` numbers images and masks. */
+export async function readProject(engine: Engine, file: Blob, nextId: () => number): Promise<OpenedProject> {
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const { project, estimated } = await engine.client('pair').call('projectOpen', { bytes }, [bytes.buffer]);
+  const [left, right] = project.images;
+  const of = { left, right };
+  const image = (side: Side): GivenImage => ({ id: nextId(), name: of[side].name, source: { kind: 'project', content: of[side].content ?? null } });
+  const overviews = { left: await standingFor(left.width_px, left.height_px), right: await standingFor(right.width_px, right.height_px) };
+  const mask = (side: Side): GivenMask | null => {
+    const { mask: name, width_px: width, height_px: height } = of[side];
+    return name == null ? null : { id: nextId(), name, width, height, grey: new Uint8Array(), leftOut: NaN, overlay: overviews[side].clear };
+  };
+  return { project, estimated, overviews, images: { left: image('left'), right: image('right') }, masks: { left: mask('left'), right: mask('right') } };
+}
+
+/** A grey area of the size of an image, and a clear one. */
+async function standingFor(width: number, height: number): Promise<Overview & { clear: ImageBitmap }> {
+  const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / STANDING_SIDE)));
+  const data = new ImageData(Math.ceil(width / 2 ** halvings), Math.ceil(height / 2 ** halvings));
+  const clear = await createImageBitmap(data);
+  data.data.fill(STANDING_GREY).forEach((_, i) => {
+    if (i % 4 === 3) data.data[i] = 0xff;
+  });
+  return { bitmap: await createImageBitmap(data), halvings, clear };
+}
+
+/** The side of a project that was opened to which this very file belongs; null where there is none. */
+export async function sideOfFile({ images }: State, engine: Engine, file: File): Promise<Side | null> {
+  for (const side of SIDES) {
+    const image = images[side];
+    if (image?.source.kind !== 'project' || image.name !== file.name || image.source.content === null) continue;
+    if ((await engine.client('pair').call('digest', { file })) === image.source.content) return side;
+  }
+  return null;
+}

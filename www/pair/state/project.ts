@@ -1,0 +1,153 @@
+/** A pair as a project file holds it: of the state, and back. */
+import type { NoOrientation, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import { interiorInUse } from './interior';
+import { isCurrent, pairCameras, wantedKeys } from './keys';
+import { SIDES } from './state';
+import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
+import type { Overview } from './data';
+import { truthOf } from './truth';
+
+/** A project, and what of it the page makes for itself. */
+export interface OpenedProject {
+  project: PairProject;
+  /** In place of the images, whose files are not there. */
+  images: Record<Side, GivenImage>;
+  overviews: Record<Side, Overview>;
+  masks: Record<Side, GivenMask | null>;
+  /** The interior orientations that the matches tell. */
+  estimated: PairInterior | null;
+}
+
+/** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
+export function projectOf(state: State, contents: Record<Side, string | null>): PairProject | null {
+  const { settings, camera, offset, photos, fiducialModel, results } = state;
+  const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
+  const whole = (['pointsLeft', 'pointsRight', 'match'] as const).every((stage) => isCurrent(state, stage));
+  if (!whole || settings === null || openLeft === undefined || openRight === undefined) return null;
+  if (pointsLeft === undefined || pointsRight === undefined || match === undefined) return null;
+  const opened = { left: openLeft, right: openRight };
+  const photo = (side: Side) => {
+    const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
+    const name = state.images[side]?.name ?? '';
+    const mask = state.masks[side]?.name ?? null;
+    return { name, content: contents[side], width_px: width, height_px: height, format, bits_per_sample, mask, camera: named };
+  };
+  const oriented = isCurrent(state, 'orientation') ? (orientation?.value ?? null) : null;
+  const interior = interiorInUse(state);
+  const points = ({ counts, threshold, points: at, frames }: StageValues['pointsLeft']) => ({ counts, threshold, points: at, frames });
+  const given = (side: Side) => ({ ...photos[side], model: fiducialModel });
+  return {
+    images: [photo('left'), photo('right')],
+    input: { camera, offset, left: given('left'), right: given('right') },
+    settings,
+    output: {
+      left: points(pointsLeft.value),
+      right: points(pointsRight.value),
+      offset: isCurrent(state, 'offset') ? (results.offset?.value ?? null) : null,
+      match: match.value,
+      interior,
+      pixel_mm: null,
+      orientation: oriented,
+      no_orientation: oriented === null ? whyNone(state) : null,
+    },
+    truth: truthFor(state),
+  };
+}
+
+/** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
+function whyNone(state: State): NoOrientation {
+  const cameras = pairCameras(state);
+  const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
+  if ('missing' in cameras && interiorInUse(state) === null) return cameras.missing;
+  if (no_geometry !== null) return { kind: 'no_geometry', no_geometry };
+  if (geometry?.degenerate === 'pure-rotation') return { kind: 'pure_rotation' };
+  const failures = (['interiorLeft', 'interiorRight', 'orientation'] as const).map((stage) => state.failures[stage]);
+  const error = failures.find((failure) => failure?.error != null)?.error;
+  return error == null ? { kind: 'no_camera', side: 'left' } : { kind: 'refused', error };
+}
+
+function truthFor(state: State): PairTruth | null {
+  const truth = truthOf(state);
+  const score = isCurrent(state, 'score') ? state.results.score?.value : undefined;
+  return truth === null || score === undefined ? null : { orientation: truth.orientation, base_mm: truth.baseMm, score };
+}
+
+/** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
+export function withProject(state: State, { project, images, overviews, masks, estimated }: OpenedProject): State {
+  const { input, settings, output, truth } = project;
+  const [left, right] = project.images;
+  const photo = (side: Side) => ({ fiducials: input[side]?.fiducials ?? [], origin: input[side]?.origin ?? null });
+  let next: State = {
+    ...state,
+    // What is read back is whole.
+    settings: settings as State['settings'],
+    camera: (input.camera ?? null) as State['camera'],
+    photos: { left: photo('left'), right: photo('right') },
+    fiducialModel: input.left?.model ?? 'affine',
+    offset: input.offset ?? null,
+    images,
+    masks,
+    truth:
+      truth === null
+        ? null
+        : {
+            leftId: images.left.id,
+            rightId: images.right.id,
+            orientation: truth.orientation,
+            baseMm: truth.base_mm,
+            // Its score is known, and the images to compute another one are not there.
+            rightPosition: new Float32Array(),
+            leftWidth: left.width_px,
+            leftHeight: left.height_px,
+          },
+    refused: {},
+    results: {},
+    failures: {},
+    paused: false,
+    selection: null,
+    views: { left: null, right: null },
+  };
+  const put = <S extends StageName>(stage: S, value: StageValues[S] | null) => {
+    const key = wantedKeys(next)[stage];
+    if (value !== null && key !== null) next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: 0 } } };
+  };
+  const info = ({ width_px, height_px, format, bits_per_sample, camera }: typeof left) => ({
+    width: width_px,
+    height: height_px,
+    format,
+    bits_per_sample,
+    camera: camera ?? null,
+  });
+  const nothing = () => ({ moments: new Float64Array(), gradients: new Uint8Array() });
+  put('openLeft', { info: info(left), overview: overviews.left });
+  put('openRight', { info: info(right), overview: overviews.right });
+  put('pointsLeft', { ...output.left, gradients: new Uint8Array() });
+  put('pointsRight', { ...output.right, gradients: new Uint8Array() });
+  put('descriptorsLeft', nothing());
+  put('descriptorsRight', nothing());
+  put('offset', output.offset);
+  put('match', { ...output.match, estimated });
+  put('orientation', output.orientation);
+  put('score', truth?.score ?? null);
+  return next;
+}
+
+/** The state with the files of images that a project names: their pixels are read, and what the project does not hold of their points is made. */
+export function withFiles(state: State, images: Partial<Record<Side, GivenImage>>): State {
+  const results: Results = { ...state.results };
+  for (const side of SIDES.filter((one) => images[one] !== undefined)) {
+    const [open, points, descriptors] = OF_IMAGE[side];
+    delete results[open];
+    // Without its mask an image would have other points.
+    if (state.masks[side] === null) {
+      delete results[points];
+      delete results[descriptors];
+    }
+  }
+  return { ...state, results, failures: {}, images: { ...state.images, ...images } };
+}
+
+const OF_IMAGE = {
+  left: ['openLeft', 'pointsLeft', 'descriptorsLeft'],
+  right: ['openRight', 'pointsRight', 'descriptorsRight'],
+} as const;
