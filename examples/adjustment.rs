@@ -6,13 +6,16 @@
 use std::error::Error;
 use std::fs;
 use std::time::Instant;
-use tiepoint::{AdjustmentOptions, Block, NetworkFlight, adjust_block, simulate_network, with_defaults};
+use tiepoint::{AdjustmentOptions, Block, BlockFlight, BlockPreset, adjust_block, simulate_network, with_defaults};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["simulate", flight, block, truth] => {
-            let flight: NetworkFlight = with_defaults(serde_json::from_str(&fs::read_to_string(flight)?)?)?;
+            let mut fields = serde_json::to_value(BlockPreset::Network.flight())?;
+            let given: serde_json::Map<String, serde_json::Value> = serde_json::from_str(&fs::read_to_string(flight)?)?;
+            given.into_iter().for_each(|(name, value)| fields[name] = value);
+            let flight: BlockFlight = serde_json::from_value(fields)?;
             let simulated = simulate_network(&flight)?;
             fs::write(block, serde_json::to_vec(&simulated.observed)?)?;
             fs::write(truth, serde_json::to_vec(&simulated.truth)?)?;

@@ -1,6 +1,9 @@
 //! Time and memory of multi-ray points and their selection for blocks of 1,000 and 5,000 images:
 //! `cargo run --release --example block_scale [IMAGES…]`.
 
+mod memory;
+
+use memory::peak_mb;
 use std::time::Instant;
 use tiepoint::{BlockFlight, BlockOptions, SelectOptions, select_points, simulate_block, tie_points};
 
@@ -35,11 +38,4 @@ fn main() -> Result<(), tiepoint::Error> {
         );
     }
     Ok(())
-}
-
-/// The most memory that the process has had, where the system tells.
-fn peak_mb() -> u64 {
-    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
-    line.and_then(|rest| rest.split_whitespace().next()?.parse::<u64>().ok()).unwrap_or(0) / 1024
 }

@@ -9,9 +9,8 @@ mod normal;
 use normal::Normal;
 use std::error::Error;
 use tiepoint::{
-    BlockDescription, BlockFlight, BlockOptions, BlockView, Conflicts, KnownCamera, KnownImage, ObservationVerdict, ObservedPosition,
-    PointSource, Reconstruction, ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints, angles_from_rotation, reconstruct_block,
-    simulate_block, tie_points,
+    BlockDescription, BlockFlight, BlockOptions, BlockView, Conflicts, ObservationVerdict, ObservedPosition, PointSource, Reconstruction,
+    ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints, angles_from_rotation, reconstruct_block, simulate_block, tie_points,
 };
 
 /// Standard error in m of the positions that place the blocks.
@@ -216,20 +215,11 @@ fn right_rays(block: &SimulatedBlock, points: &TiePoints) -> usize {
 }
 
 fn describe(block: &SimulatedBlock, seed: u32) -> BlockDescription {
-    let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap_or(0);
-    let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).map(|e| e.focal_px);
     let mut normal = Normal(u64::from(seed) << 32);
-    let images = block.exposures.iter().enumerate().map(|(k, exposure)| KnownImage {
-        name: format!("{k}.jpg"),
-        camera: exposure.camera as usize,
-        position: Some(ObservedPosition::Local {
-            position: exposure.centre.map(|v| v + GNSS_SIGMA_M * normal.next()),
-            sigma: [GNSS_SIGMA_M; 3],
-        }),
-    });
-    BlockDescription {
-        images: images.collect(),
-        cameras: (0..cameras).map(|camera| KnownCamera::of_size(block.width_px, block.height_px, focal(camera))).collect(),
-        control: Vec::new(),
+    let mut description = block.description(Some(1.0));
+    for (image, exposure) in description.images.iter_mut().zip(&block.exposures) {
+        let position = exposure.centre.map(|v| v + GNSS_SIGMA_M * normal.next());
+        image.position = Some(ObservedPosition::Local { position, sigma: [GNSS_SIGMA_M; 3] });
     }
+    description
 }

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 use tiepoint::{
-    BlockFlight, BlockModel, BlockOptions, BlockView, Camera, Error, ExportFormat, GeographicOrigin, ModelImage, Pose, SelectOptions,
-    SimulatedBlock, TiePoints, export_block, select_points, simulate_block, tie_points,
+    BlockFlight, BlockModel, BlockOptions, BlockView, Error, ExportFormat, GeographicOrigin, SelectOptions, SimulatedBlock, TiePoints,
+    export_block, select_points, simulate_block, tie_points,
 };
 
 fn main() -> Result<(), Error> {
@@ -28,23 +28,9 @@ fn main() -> Result<(), Error> {
 
 /// The block with its true orientations and points.
 fn model_of(block: &SimulatedBlock, points: &TiePoints, chosen: &[u32]) -> Result<BlockModel, Error> {
-    let (width_px, height_px) = (block.width_px, block.height_px);
-    let count = block.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
-    let camera = |number: u32| {
-        let focal_px = block.exposures.iter().find(|exposure| exposure.camera == number).map_or(1.0, |exposure| exposure.focal_px);
-        Camera { pixel_mm: Some(0.009), ..Camera::without_distortion(width_px, height_px, focal_px) }
-    };
-    let image = |(index, exposure): (usize, &tiepoint::Exposure)| ModelImage {
-        name: format!("photo_{index:04}.jpg"),
-        camera: exposure.camera as usize,
-        pose: Some(Pose::new(&exposure.rotation, exposure.centre)),
-    };
-    let mut model = BlockModel {
-        cameras: (0..count).map(camera).collect(),
-        images: block.exposures.iter().enumerate().map(image).collect(),
-        points: Vec::new(),
-        origin: Some(GeographicOrigin { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 0.0 }),
-    };
+    let origin = Some(GeographicOrigin { longitude_deg: 8.0, latitude_deg: 50.0, height_m: 0.0 });
+    let mut model = BlockModel { origin, ..block.truth.clone() };
+    model.images.iter_mut().for_each(|image| image.name += ".jpg");
     model.add_points(points, chosen, &block.image_features())?;
     for (point, index) in model.points.iter_mut().zip(chosen) {
         let owner = points.rays(*index as usize).iter().find_map(|ray| block.owners[ray.image as usize][ray.feature as usize]);

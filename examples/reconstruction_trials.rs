@@ -2,8 +2,7 @@
 
 use std::time::Instant;
 use tiepoint::{
-    BlockDescription, BlockFlight, BlockOptions, BlockView, KnownCamera, KnownImage, ReconstructionOptions, SelectOptions, Similarity,
-    SimulatedBlock, reconstruct_block, simulate_block, tie_points,
+    BlockFlight, BlockOptions, BlockView, ReconstructionOptions, SelectOptions, reconstruct_block, score_block, simulate_block, tie_points,
 };
 
 /// A kind of block: its name, its flight, and the focal length that is given by the true one; none where it is not known.
@@ -17,33 +16,25 @@ fn main() -> Result<(), tiepoint::Error> {
             let block = simulate_block(&BlockFlight { seed, ..flight.clone() })?;
             let (points, _) = tie_points(&block.matches()?, &BlockOptions::default())?;
             let options = ReconstructionOptions { selection: Some(SelectOptions::default()), ..ReconstructionOptions::default() };
+            let description = block.description(focal);
             let start = Instant::now();
-            let reconstruction = reconstruct_block(&describe(&block, focal), &points, &block.image_features(), &options)?;
+            let reconstruction = reconstruct_block(&description, &points, &block.image_features(), &options)?;
             let seconds = start.elapsed().as_secs_f64();
             let Some(model) = reconstruction.models.first() else {
                 println!("{name}: {seed}, nothing oriented");
                 continue;
             };
-            let pairs: Vec<_> = (model.images.iter().zip(&model.adjusted.block.images))
-                .map(|(k, image)| (image.pose.position, block.exposures[*k].centre))
-                .collect();
-            let square = |onto: Similarity| {
-                let off = |(from, to): &([f64; 3], [f64; 3])| {
-                    let at = onto.point(from);
-                    (0..3).map(|i| (at[i] - to[i]) * (at[i] - to[i])).sum::<f64>()
-                };
-                (pairs.iter().map(off).sum::<f64>() / pairs.len() as f64).sqrt()
-            };
+            let score = score_block(&reconstruction.block_model(0, &description, &points)?, &block.truth)?;
+            let position_m = score.position_rmse_m.map_or(f64::NAN, |rmse| rmse.iter().map(|m| m * m).sum::<f64>().sqrt());
             let focal = model.adjusted.block.cameras[0].focal_px / block.exposures[model.images[0]].focal_px;
             println!(
-                "{name}: {seed}, {} of {}, {}, {}, {:.3}, {:.3}, {focal:.4}, {:.3}, {seconds:.1}",
+                "{name}: {seed}, {} of {}, {}, {}, {:.3}, {:.3}, {focal:.4}, {position_m:.3}, {seconds:.1}",
                 model.images.len(),
                 block.exposures.len(),
                 reconstruction.models.len(),
                 model.adjusted.points.iter().flatten().count(),
                 model.adjusted.rmse_px,
                 model.adjusted.sigma0_px.unwrap_or(f64::NAN),
-                Similarity::between(&pairs).map_or(f64::NAN, square),
             );
             reconstruction.unoriented.iter().take(3).for_each(|image| println!("  {}: {}", image.image, image.reason));
         }
@@ -70,20 +61,4 @@ fn kinds() -> Vec<Kind> {
         ("oblique, focal lengths 4 % too long", oblique.clone(), Some(1.04)),
         ("oblique, 40 % wrong", BlockFlight { wrong: 0.4, ..oblique }, Some(1.0)),
     ]
-}
-
-fn describe(block: &SimulatedBlock, focal: Option<f64>) -> BlockDescription {
-    let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap_or(0);
-    let true_focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).map_or(1.0, |e| e.focal_px);
-    let camera = |camera| KnownCamera::of_size(block.width_px, block.height_px, focal.map(|factor| factor * true_focal(camera)));
-    let image = |(k, exposure): (usize, &tiepoint::Exposure)| KnownImage {
-        name: format!("{k}.jpg"),
-        camera: exposure.camera as usize,
-        position: None,
-    };
-    BlockDescription {
-        cameras: (0..cameras).map(camera).collect(),
-        images: block.exposures.iter().enumerate().map(image).collect(),
-        control: Vec::new(),
-    }
 }

@@ -1,22 +1,33 @@
 //! JSON texts and values read into plain data; where one is refused, the field is named.
+//!
+//! All goes through one reader of texts: for each other one the module would hold the code of every type once more.
 
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer};
 use serde_json::Value;
+use serde_path_to_error::Track;
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
 /// Reads a JSON text; or says which field is wrong, and why.
 pub(crate) fn from_text<T: DeserializeOwned>(text: &str) -> Result<T, String> {
-    let mut deserializer = serde_json::Deserializer::from_str(text);
-    let read = serde_path_to_error::deserialize(&mut deserializer).map_err(in_words)?;
-    deserializer.end().map(|()| read).map_err(|error| error.to_string())
+    read(text).map_err(in_words)
 }
 
-/// Reads a JSON value that stands in no text.
-#[cfg_attr(not(target_arch = "wasm32"), allow(dead_code, reason = "values come from JavaScript"))]
-pub(crate) fn from_value<T: DeserializeOwned>(value: Value) -> Result<T, String> {
-    serde_path_to_error::deserialize(value).map_err(in_words)
+/// Reads a JSON value that stands in no text: nobody could look up the place of what is refused.
+pub(crate) fn from_value<T: DeserializeOwned>(value: &Value) -> Result<T, String> {
+    read(&value.to_string()).map_err(|error| {
+        let place = format!(" at line {} column {}", error.inner().line(), error.inner().column());
+        let reason = in_words(error);
+        reason.strip_suffix(&place).map_or(reason.clone(), str::to_string)
+    })
+}
+
+fn read<T: DeserializeOwned>(text: &str) -> Result<T, serde_path_to_error::Error<serde_json::Error>> {
+    let mut deserializer = serde_json::Deserializer::from_str(text);
+    let mut track = Track::new();
+    let read = T::deserialize(serde_path_to_error::Deserializer::new(&mut deserializer, &mut track));
+    read.and_then(|read| deserializer.end().map(|()| read)).map_err(|error| serde_path_to_error::Error::new(track.path(), error))
 }
 
 fn in_words(error: serde_path_to_error::Error<serde_json::Error>) -> String {
@@ -96,7 +107,7 @@ mod tests {
             let reason = from_text::<File>(&whole.replacen(from, to, 1)).unwrap_err();
             assert!(reason.starts_with(told), "{told}: {reason}");
         }
-        let reason = from_value::<File>(serde_json::json!({"cameras": [{"name": "a", "place": [1, null], "reach": 3}]})).unwrap_err();
+        let reason = from_value::<File>(&serde_json::json!({"cameras": [{"name": "a", "place": [1, null], "reach": 3}]})).unwrap_err();
         assert_eq!(reason, "cameras[0].place[1]: invalid type: null, expected f64");
     }
 }

@@ -4,13 +4,13 @@ mod sampling;
 
 use sampling::{about_one, runs};
 use tiepoint::{
-    AdjustmentOptions, AdjustmentResult, Block, Datum, FreeParameters, Loss, NetworkFlight, NetworkKind, ObservationVerdict,
+    AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockPreset, BlockView, Datum, FreeParameters, Loss, ObservationVerdict,
     SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,
 };
 
 /// A block that starts from the truth: the errors of a free network then lie in its own datum.
-fn from_truth(flight: &NetworkFlight) -> SimulatedNetwork {
-    simulate_network(&NetworkFlight { approximate_m: 0.0, ..flight.clone() }).unwrap()
+fn from_truth(flight: &BlockFlight) -> SimulatedNetwork {
+    simulate_network(&BlockFlight { approximate_m: 0.0, ..flight.clone() }).unwrap()
 }
 
 fn squares() -> AdjustmentOptions {
@@ -51,10 +51,10 @@ fn mean_square(values: &[f64]) -> f64 {
 const RUNS: u64 = 30;
 
 /// Mean squares of the standardised errors of many simulations of a block.
-fn mean_squares(flight: &NetworkFlight, options: &AdjustmentOptions, all_runs: u64) -> [f64; 3] {
+fn mean_squares(flight: &BlockFlight, options: &AdjustmentOptions, all_runs: u64) -> [f64; 3] {
     let mut all: [Vec<f64>; 3] = Default::default();
     for seed in 1..=runs(all_runs) {
-        let simulated = from_truth(&NetworkFlight { seed: seed as u32, ..flight.clone() });
+        let simulated = from_truth(&BlockFlight { seed: seed as u32, ..flight.clone() });
         let result = adjust_block(&simulated.observed, options).unwrap();
         for (all, own) in all.iter_mut().zip(standardised(&result, &simulated.truth)) {
             all.extend(own);
@@ -70,28 +70,28 @@ fn within(what: &str, values: [f64; 3]) {
 
 #[test]
 fn errors_of_a_free_nadir_block_are_as_large_as_told() {
-    within("nadir", mean_squares(&NetworkFlight::default(), &squares(), 24 * RUNS));
+    within("nadir", mean_squares(&BlockPreset::Network.flight(), &squares(), 24 * RUNS));
 }
 
 #[test]
 fn errors_of_a_free_oblique_block_are_as_large_as_told() {
-    let flight = NetworkFlight { kind: NetworkKind::Oblique, strips: 3, stations: 4, points_per_image: 25.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { view: BlockView::Oblique, strips: 3, exposures: 4, points_per_image: 25.0, ..BlockPreset::Network.flight() };
     within("oblique", mean_squares(&flight, &squares(), 12 * RUNS));
 }
 
 #[test]
 fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
-    let flight = NetworkFlight {
-        kind: NetworkKind::TwoHeights,
+    let flight = BlockFlight {
+        view: BlockView::TwoHeights,
         radial: [-0.05, 0.02, 0.0],
         tangential: [0.001, -0.0005],
-        gnss_sigma_m: 0.03,
-        ..NetworkFlight::default()
+        receiver_m: 0.03,
+        ..BlockPreset::Network.flight()
     };
     let options = AdjustmentOptions { datum: Datum::GnssAndControl, sigma0_px: Some(flight.noise_px), ..squares() };
     let mut all: [Vec<f64>; 4] = Default::default();
     for seed in 1..=runs(4 * RUNS) {
-        let flight = NetworkFlight { seed: seed as u32, control_points: 5, ..flight.clone() };
+        let flight = BlockFlight { seed: seed as u32, control_points: 5, ..flight.clone() };
         let mut simulated = simulate_network(&flight).unwrap();
         let camera = &mut simulated.observed.cameras[0];
         camera.focal_px *= 1.01;
@@ -124,7 +124,7 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
 
 #[test]
 fn redundancies_sum_up_to_the_degrees_of_freedom() {
-    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, gnss_sigma_m: 0.05, control_points: 4, ..NetworkFlight::default() };
+    let flight = BlockFlight { view: BlockView::TwoHeights, receiver_m: 0.05, control_points: 4, ..BlockPreset::Network.flight() };
     let mut simulated = simulate_network(&flight).unwrap();
     simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: true, radial: 1, tangential: false };
     for datum in [Datum::Free, Datum::Gnss, Datum::Control, Datum::GnssAndControl] {
@@ -141,9 +141,9 @@ fn redundancies_sum_up_to_the_degrees_of_freedom() {
 
 #[test]
 fn a_free_network_keeps_its_shape_whatever_the_start() {
-    let flight = NetworkFlight::default();
+    let flight = BlockPreset::Network.flight();
     let near = adjust_block(&from_truth(&flight).observed, &squares()).unwrap();
-    let far = adjust_block(&simulate_network(&NetworkFlight { approximate_m: 2.0, ..flight }).unwrap().observed, &squares()).unwrap();
+    let far = adjust_block(&simulate_network(&BlockFlight { approximate_m: 2.0, ..flight }).unwrap().observed, &squares()).unwrap();
     assert!((near.rmse_px - far.rmse_px).abs() < 1e-9);
     let largest = near.rays.iter().zip(&far.rays).flat_map(|(a, b)| [0, 1].map(|k| (a.residual_px[k] - b.residual_px[k]).abs()));
     assert!(largest.fold(0.0, f64::max) < 1e-4);
@@ -160,7 +160,7 @@ fn a_free_network_keeps_its_shape_whatever_the_start() {
 
 #[test]
 fn a_free_network_stays_in_the_middle_of_its_start() {
-    let simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let simulated = simulate_network(&BlockPreset::Network.flight()).unwrap();
     let result = adjust_block(&simulated.observed, &squares()).unwrap();
     for k in 0..3 {
         let mean = |block: &Block| block.images.iter().map(|image| image.pose.position[k]).sum::<f64>() / 30.0;
@@ -170,21 +170,21 @@ fn a_free_network_stays_in_the_middle_of_its_start() {
 
 #[test]
 fn errors_of_a_block_held_by_gps_are_as_large_as_told() {
-    let flight = NetworkFlight { gnss_sigma_m: 0.05, ..NetworkFlight::default() };
+    let flight = BlockFlight { receiver_m: 0.05, ..BlockPreset::Network.flight() };
     let options = AdjustmentOptions { datum: Datum::Gnss, ..squares() };
     within("GNSS", mean_squares(&flight, &options, 60));
 }
 
 #[test]
 fn errors_of_a_block_held_by_control_points_are_as_large_as_told() {
-    let flight = NetworkFlight { control_points: 6, approximate_m: 1.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { control_points: 6, approximate_m: 1.0, ..BlockPreset::Network.flight() };
     let options = AdjustmentOptions { datum: Datum::Control, ..squares() };
     within("control", mean_squares(&flight, &options, 200));
 }
 
 #[test]
 fn gnss_with_a_gross_error_shows_it_in_its_test() {
-    let mut simulated = simulate_network(&NetworkFlight { gnss_sigma_m: 0.05, ..NetworkFlight::default() }).unwrap();
+    let mut simulated = simulate_network(&BlockFlight { receiver_m: 0.05, ..BlockPreset::Network.flight() }).unwrap();
     simulated.observed.images[11].gnss.as_mut().unwrap().position[2] += 0.6;
     let result = adjust_block(&simulated.observed, &AdjustmentOptions { datum: Datum::Gnss, ..squares() }).unwrap();
     let size = |image: usize| result.images[image].gnss.unwrap().w.unwrap().iter().fold(0.0_f64, |most, w| most.max(w.abs()));
@@ -194,7 +194,7 @@ fn gnss_with_a_gross_error_shows_it_in_its_test() {
 
 #[test]
 fn a_surveyed_point_with_one_ray_still_counts() {
-    let mut simulated = simulate_network(&NetworkFlight { control_points: 6, ..NetworkFlight::default() }).unwrap();
+    let mut simulated = simulate_network(&BlockFlight { control_points: 6, ..BlockPreset::Network.flight() }).unwrap();
     let block = &mut simulated.observed;
     let point = block.control[5].point;
     let first = block.rays.iter().position(|ray| ray.point == point).unwrap();
@@ -212,7 +212,7 @@ fn a_surveyed_point_with_one_ray_still_counts() {
 
 #[test]
 fn one_ray_in_five_may_be_wrong() {
-    let flight = NetworkFlight { gross_share: 0.2, points_per_image: 80.0, end_lap: 0.8, ..NetworkFlight::default() };
+    let flight = BlockFlight { gross_share: 0.2, points_per_image: 80.0, forward_overlap: 0.8, ..BlockPreset::Network.flight() };
     let simulated = simulate_network(&flight).unwrap();
     let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     let sigma0 = result.sigma0_px.unwrap();
@@ -229,7 +229,7 @@ fn one_ray_in_five_may_be_wrong() {
 
 #[test]
 fn gross_errors_are_found_and_good_rays_kept() {
-    let flight = NetworkFlight { gross_share: 0.05, points_per_image: 80.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { gross_share: 0.05, points_per_image: 80.0, ..BlockPreset::Network.flight() };
     let simulated = simulate_network(&flight).unwrap();
     let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     let mut is_gross = vec![false; result.rays.len()];
@@ -254,7 +254,7 @@ fn gross_errors_are_found_and_good_rays_kept() {
 #[test]
 fn rays_of_two_photos_are_kept() {
     // Along the base nothing can be told of a point's rays: residuals there are no measure of what is good.
-    let flight = NetworkFlight { strips: 1, stations: 2, points_per_image: 300.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { strips: 1, exposures: 2, points_per_image: 300.0, ..BlockPreset::Network.flight() };
     let simulated = simulate_network(&flight).unwrap();
     let result = adjust_block(&simulated.observed, &AdjustmentOptions::default()).unwrap();
     let lost = result.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count();
@@ -265,7 +265,7 @@ fn rays_of_two_photos_are_kept() {
 
 #[test]
 fn a_rejected_ray_is_told_the_test_it_had() {
-    let flight = NetworkFlight { gnss_sigma_m: 3.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { receiver_m: 3.0, ..BlockPreset::Network.flight() };
     let mut simulated = simulate_network(&flight).unwrap();
     let rays_of = |point: usize| simulated.observed.rays.iter().filter(|ray| ray.point == point).count();
     let wrong = simulated.observed.rays.iter().position(|ray| rays_of(ray.point) >= 4).unwrap();
@@ -298,20 +298,20 @@ fn error_of(simulated: &SimulatedNetwork, ray: usize) -> f64 {
 #[test]
 fn what_a_block_does_not_determine_is_fixed_and_named() {
     // Flat ground, one height, no control: focal length and flying height cannot be told apart.
-    let flight = NetworkFlight { relief_m: 0.0, ..NetworkFlight::default() };
+    let flight = BlockFlight { relief_m: 0.0, ..BlockPreset::Network.flight() };
     let mut simulated = simulate_network(&flight).unwrap();
     simulated.observed.cameras[0].free = FreeParameters { focal: true, principal_point: false, radial: 1, tangential: false };
     let result = adjust_block(&simulated.observed, &squares()).unwrap();
     let fixed: Vec<_> = result.cameras[0].fixed.iter().map(|f| f.parameter).collect();
     println!("{:?}", result.cameras[0]);
     assert_eq!(fixed, [tiepoint::CameraParameter::Focal]);
-    assert_eq!(result.block.cameras[0].focal_px, flight.focal_px);
+    assert_eq!(result.block.cameras[0].focal_px, flight.focal_px());
     assert!(result.cameras[0].standard_errors[3].is_some());
 }
 
 #[test]
 fn a_lens_that_bends_is_calibrated_by_a_free_network() {
-    let flight = NetworkFlight { kind: NetworkKind::TwoHeights, radial: [-0.06, 0.03, -0.005], ..NetworkFlight::default() };
+    let flight = BlockFlight { view: BlockView::TwoHeights, radial: [-0.06, 0.03, -0.005], ..BlockPreset::Network.flight() };
     let mut simulated = simulate_network(&flight).unwrap();
     let camera = &mut simulated.observed.cameras[0];
     camera.radial = [0.0; 3];
@@ -326,7 +326,7 @@ fn a_lens_that_bends_is_calibrated_by_a_free_network() {
 #[test]
 fn gnss_in_a_single_strip_does_not_hold_a_block() {
     let mut simulated =
-        simulate_network(&NetworkFlight { strips: 1, stations: 8, gnss_sigma_m: 0.02, ..NetworkFlight::default() }).unwrap();
+        simulate_network(&BlockFlight { strips: 1, exposures: 8, receiver_m: 0.02, ..BlockPreset::Network.flight() }).unwrap();
     for (k, image) in simulated.observed.images.iter_mut().enumerate() {
         image.gnss.as_mut().unwrap().position = [k as f64 * 20.0, 0.0, 100.0];
     }
@@ -336,12 +336,12 @@ fn gnss_in_a_single_strip_does_not_hold_a_block() {
 
 #[test]
 fn a_single_strip_is_a_free_network_too() {
-    within("one strip", mean_squares(&NetworkFlight { strips: 1, stations: 8, ..NetworkFlight::default() }, &squares(), 240));
+    within("one strip", mean_squares(&BlockFlight { strips: 1, exposures: 8, ..BlockPreset::Network.flight() }, &squares(), 240));
 }
 
 #[test]
 fn rays_without_errors_give_the_truth() {
-    let simulated = simulate_network(&NetworkFlight { noise_px: 0.0, ..NetworkFlight::default() }).unwrap();
+    let simulated = simulate_network(&BlockFlight { noise_px: 0.0, ..BlockPreset::Network.flight() }).unwrap();
     for options in [squares(), AdjustmentOptions::default()] {
         let result = adjust_block(&simulated.observed, &options).unwrap();
         assert!(result.rmse_px < 1e-6, "{}", result.rmse_px);
@@ -351,7 +351,7 @@ fn rays_without_errors_give_the_truth() {
 
 #[test]
 fn a_block_that_falls_apart_is_refused() {
-    let mut simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let mut simulated = simulate_network(&BlockPreset::Network.flight()).unwrap();
     let side: Vec<bool> = simulated.observed.points.iter().map(|p| p[1] < 0.0).collect();
     simulated.observed.rays.retain(|ray| (ray.image < 15) == side[ray.point]);
     let error = adjust_block(&simulated.observed, &squares()).unwrap_err();
@@ -360,7 +360,7 @@ fn a_block_that_falls_apart_is_refused() {
 
 #[test]
 fn wrong_blocks_are_refused_by_what_is_wrong() {
-    let block = simulate_network(&NetworkFlight::default()).unwrap().observed;
+    let block = simulate_network(&BlockPreset::Network.flight()).unwrap().observed;
     let refused = |change: &dyn Fn(&mut Block)| {
         let mut block = block.clone();
         change(&mut block);
@@ -387,7 +387,7 @@ fn wrong_blocks_are_refused_by_what_is_wrong() {
 
 #[test]
 fn the_same_block_gives_the_same_bits_in_any_order_of_its_rays() {
-    let simulated = simulate_network(&NetworkFlight::default()).unwrap();
+    let simulated = simulate_network(&BlockPreset::Network.flight()).unwrap();
     let mut turned = simulated.observed.clone();
     turned.rays.reverse();
     let (a, b) = (adjust_block(&simulated.observed, &squares()).unwrap(), adjust_block(&turned, &squares()).unwrap());

@@ -26,7 +26,7 @@ fn photos() -> &'static BTreeMap<String, Vec<u8>> {
         let file = |index| {
             let photo = scene.photo(index).unwrap();
             let bytes = [format!("P5 {} {} 255\n", photo.width(), photo.height()).as_bytes(), photo.data()].concat();
-            (format!("{}.pgm", BlockScene::name(index)), bytes)
+            (format!("photo_{index:05}.pgm"), bytes)
         };
         (0..scene.photos()).map(file).collect()
     })

@@ -234,7 +234,7 @@ fn what_does_not_fit_together_is_refused() {
     };
     let local = |z: f64| Some(ObservedPosition::Local { position: [0.0, 0.0, z], sigma: [1.0; 3] });
     let geographic = ObservedPosition::Geographic { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(0.0), sigma_m: [1.0; 3] };
-    refused(&|d, _| d.images[2].camera = 1, "index 1 for 0002.jpg");
+    refused(&|d, _| d.images[2].camera = 1, "index 1 for photo_00002");
     refused(&|d, _| d.cameras[0].focal_px = Some(f64::NAN), "focal length of a camera: got NaN");
     refused(&|d, _| d.cameras[0].focal_px = Some(0.0), "focal length of a camera: got 0");
     refused(&|d, _| d.cameras[0].radial[1] = f64::INFINITY, "distortion");
@@ -252,11 +252,11 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of GCP a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
         let ray = ImageObservation { image: 1, x_px, y_px, confidence: 1.0 };
-        let got = format!("got ({x_px}, {y_px}) for a in 0001.jpg, outside the image; allowed: positions within its 4000 x 3000 px");
+        let got = format!("got ({x_px}, {y_px}) for a in photo_00001, outside the image; allowed: positions within its 4000 x 3000 px");
         refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray], ..control.clone() }), &got);
     }
     let ray = ImageObservation { image: 1, x_px: 4000.0, y_px: 0.0, confidence: 1.0 };
-    refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray; 2], ..control.clone() }), "two for a in 0001.jpg");
+    refused(&|d, _| d.control.push(GroundControlPoint { measurements: vec![ray; 2], ..control.clone() }), "two for a in photo_00001");
     let earth = GroundControlPoint { position: geographic, measurements: Vec::new(), ..control.clone() };
     refused(&|d, _| (d.images[0].position, d.control) = (local(1.0), vec![earth.clone(); 2]), "2 geographic and 1 local");
 }

@@ -106,7 +106,7 @@ fn a_wrong_recorded_position_is_left_out_and_told() {
         scene.shift_position(6, by);
         let reconstruction = scene.assert_all(&format!("a position {by:?} off"), 1.5);
         let model = &reconstruction.models[0];
-        assert!(model.in_system && says(&reconstruction, &["GNSS position", "0006.jpg", told]), "{:?}", model.warnings);
+        assert!(model.in_system && says(&reconstruction, &["GNSS position", "photo_00006", told]), "{:?}", model.warnings);
         let gnss = model.adjusted.images[6].gnss.unwrap();
         let size = by.iter().map(|v| v * v).sum::<f64>().sqrt();
         let residual = gnss.residual.iter().map(|v| v * v).sum::<f64>().sqrt();
@@ -128,7 +128,7 @@ fn a_receiver_without_a_fix_does_not_move_the_block() {
         *position = Some(ObservedPosition::Geographic { longitude_deg: 0.0, latitude_deg: 0.0, height_m: Some(0.0), sigma_m: [3.0; 3] });
     }
     let reconstruction = scene.assert_all("two without a fix", 2.0);
-    assert!(reconstruction.models[0].in_system && says(&reconstruction, &["2 GNSS positions", "0000.jpg", "0009.jpg"]));
+    assert!(reconstruction.models[0].in_system && says(&reconstruction, &["2 GNSS positions", "photo_00000", "photo_00009"]));
     let origin = reconstruction.origin.unwrap();
     assert!((origin.latitude_deg - ORIGIN[1]).abs() < 0.1 && (origin.longitude_deg - ORIGIN[0]).abs() < 0.1, "{origin:?}");
 }
@@ -216,7 +216,7 @@ fn marks_that_do_not_fit_are_told_by_name() {
     }
     let reconstruction = scene.assert_all("wrong marks", 1.5);
     let warnings = &reconstruction.models[0].warnings;
-    assert!(says(&reconstruction, &["1 of the", "gcp 2", &format!("{image:04}.jpg")]), "{warnings:?}");
+    assert!(says(&reconstruction, &["1 of the", "gcp 2", &format!("photo_{image:05}")]), "{warnings:?}");
     assert!(says(&reconstruction, &["gcp 3"]), "{warnings:?}");
     assert!(!says(&reconstruction, &["gcp 1"]), "{warnings:?}");
 }
@@ -319,7 +319,7 @@ fn cameras_are_named_by_their_images() {
     scene.description.images[5..].iter_mut().for_each(|image| image.camera = 1);
     let reconstruction = scene.reconstruct(&selected());
     assert!(
-        says(&reconstruction, &["The focal length of camera 2 (0005.jpg and 4 more images)"]),
+        says(&reconstruction, &["The focal length of camera 2 (photo_00005 and 4 more images)"]),
         "{:?}",
         reconstruction.models[0].warnings
     );

@@ -5,8 +5,8 @@ import { writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import {
-  block_flight_defaults,
   block_flight_parameters,
+  block_flight_preset,
   block_parameters,
   block_settings,
   defaults,
@@ -78,7 +78,7 @@ export function optionsPage() {
         'Simulated blocks',
         '`tiepoint simulate --block`; in the package and the crate: `BlockFlight`. The command has other defaults for the size of the photos.',
         block_flight_parameters(),
-        block_flight_defaults(),
+        block_flight_preset('features'),
       ),
     ]
       .join('\n')

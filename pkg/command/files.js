@@ -127,7 +127,7 @@ let drafts = 0;
 const draftOf = (path) => join(dirname(path), `${++drafts}.tiepoint-${process.pid}.part`);
 
 /** Waits until the disk has what was written to a file, or the names of a folder.  @param {string} path */
-export function toDisk(path) {
+function toDisk(path) {
   const file = openSync(path, 'r');
   try {
     fsyncSync(file);

@@ -66,7 +66,7 @@ const PLACEHOLDERS = { '': 'N', mm: 'MM', m: 'M', px: 'PX', '°': 'DEG', 'grey v
  * An option that stands for a parameter; `standard` is its default. A flag that is on by default is one that switches it off.
  * @param {Parameter} p @param {unknown} standard @param {string} [called] in place of its own name @returns {Option}
  */
-export function parameterOption(p, standard, called) {
+function parameterOption(p, standard, called) {
   const { key, section } = p;
   const negates = standard === true;
   const name = called ?? (p.named || `${negates ? 'no-' : ''}${key.replace(/^.*\./, '').replaceAll('_', '-')}`);

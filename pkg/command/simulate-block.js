@@ -1,6 +1,6 @@
 // @ts-check
 import { join } from 'node:path';
-import { block_flight_defaults, block_flight_parameters, BlockScene } from '../node.js';
+import { block_flight_parameters, block_flight_preset, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
 import { makeFolder, removeUnfinished, replaceInto } from './files.js';
 import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, settingsOf, workersOption } from './options.js';
@@ -12,10 +12,7 @@ import { timed } from '../block/timed.js';
 
 /** @typedef {import('../node.js').BlockFlight} BlockFlight */
 
-/** Photos of a size that is soon rendered, by a wide angle: block geometry is strong where bases are long against heights. */
-const PHOTO = { width_px: 1600, height_px: 1200, pixel_mm: 0.045, relief_m: 40 };
-
-const DEFAULTS = { ...block_flight_defaults(), ...PHOTO };
+const DEFAULTS = block_flight_preset('photos');
 const OPTIONS = optionsOf(block_flight_parameters(), DEFAULTS);
 
 /** @type {import('./args.js').Command} */

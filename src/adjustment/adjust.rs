@@ -21,9 +21,9 @@ use crate::math::normal_spread_within;
 /// taken into their system first.
 ///
 /// ```
-/// use tiepoint::{NetworkFlight, AdjustmentOptions, adjust_block, simulate_network};
+/// use tiepoint::{AdjustmentOptions, BlockPreset, adjust_block, simulate_network};
 ///
-/// let simulated = simulate_network(&NetworkFlight::default())?;
+/// let simulated = simulate_network(&BlockPreset::Network.flight())?;
 /// let adjusted = adjust_block(&simulated.observed, &AdjustmentOptions::default())?;
 /// let height = adjusted.images[0].position_errors.map(|errors| errors[2]);
 /// println!("RMSE {} px, height of image 0 ± {height:?} m", adjusted.rmse_px);

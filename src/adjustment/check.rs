@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
-use crate::camera::orthonormal;
+use crate::camera::is_rotation;
 use crate::catalogue::check_values;
 use crate::{Cause, Computation, Error};
 
@@ -22,8 +22,14 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
     for (index, image) in block.images.iter().enumerate() {
         let place = |what: &str| format!("{what} of image {index} (counted from 0)");
         check_index("camera of an image", image.camera, block.cameras.len(), || place("camera"))?;
-        check_values("rotation of an image", image.pose.rotation.as_flattened(), -1.01..=1.01, || place("rotation"))?;
-        check_rotation(&image.pose.rotation, || place("rotation"))?;
+        if !is_rotation(&image.pose.rotation) {
+            let got = format!("{:?} as {}", image.pose.rotation, place("rotation"));
+            return Err(Error::InvalidInput {
+                what: "rotation of an image",
+                got,
+                allowed: "rows at right angles, of length 1, right-handed".into(),
+            });
+        }
         check_position(&image.pose.position, || place("position"))?;
         if let Some(gnss) = image.gnss {
             for (value, sigma) in gnss.position.iter().zip(gnss.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
@@ -88,18 +94,6 @@ fn check_index(what: &'static str, index: usize, number: usize, place: impl Fn()
 
 fn check_position(position: &[f64; 3], place: impl Fn() -> String) -> Result<(), Error> {
     check_values("position", position, -LARGEST..=LARGEST, place)
-}
-
-/// Refuses rows that are not at right angles and of length 1, and a reflection.
-fn check_rotation(m: &[[f64; 3]; 3], place: impl Fn() -> String) -> Result<(), Error> {
-    let right = orthonormal(*m);
-    let off = m.iter().flatten().zip(right.iter().flatten()).map(|(a, b)| (a - b).abs());
-    if off.clone().all(|off| off < 1e-3) {
-        return Ok(());
-    }
-    let difference = off.fold(0.0, f64::max);
-    let got = format!("{m:?}, {difference:.1e} off a rotation, in {}", place());
-    Err(Error::InvalidInput { what: "rotation of an image", got, allowed: "rows at right angles, of length 1, right-handed".into() })
 }
 
 /// Refuses images with too few rays, and a block that falls apart where nothing else holds it together.

@@ -58,10 +58,10 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
 mod tests {
     use super::*;
     use crate::camera::FreeParameters;
-    use crate::{NetworkFlight, SimulatedNetwork, simulate_network};
+    use crate::{BlockFlight, BlockPreset, SimulatedNetwork, simulate_network};
 
     fn simulated() -> SimulatedNetwork {
-        simulate_network(&NetworkFlight { gross_share: 0.05, ..NetworkFlight::default() }).unwrap()
+        simulate_network(&BlockFlight { gross_share: 0.05, ..BlockPreset::Network.flight() }).unwrap()
     }
 
     fn distance(a: &Block, b: &Block, image: usize) -> f64 {

@@ -17,7 +17,7 @@ pub(super) const MOST_STEPS: usize = 100;
 const SETTLED: f64 = 1e-14;
 
 /// 1 + k₁r² + k₂r⁴ + k₃r⁶.
-pub(super) fn radial_factor([k1, k2, k3]: [f64; 3], r2: f64) -> f64 {
+pub(crate) fn radial_factor([k1, k2, k3]: [f64; 3], r2: f64) -> f64 {
     1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))
 }
 
@@ -70,7 +70,7 @@ pub(crate) fn linearised_lens(camera: &CameraValues, x: f64, y: f64) -> Linearis
 
 /// The direction (x, y), y down, that the distortion moves to `measured`, by fixed-point iteration. `None` where the distortion folds the
 /// image at that place.
-pub(super) fn undistorted(measured: [f64; 2], radial: [f64; 3], [p1, p2]: [f64; 2]) -> Option<[f64; 2]> {
+pub(crate) fn undistorted(measured: [f64; 2], radial: [f64; 3], [p1, p2]: [f64; 2]) -> Option<[f64; 2]> {
     let [mut x, mut y] = measured;
     if radial == [0.0; 3] && [p1, p2] == [0.0; 2] {
         return Some(measured);

@@ -10,12 +10,12 @@ mod pose;
 mod px;
 mod rotation;
 
-pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens};
+pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens, radial_factor, undistorted};
 pub use exif::{ExifCamera, ExifImage, ExifPosition};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
 pub use interior::Interior;
 pub use mm::CameraMm;
 pub use pose::Pose;
-pub(crate) use pose::{matrix, orthonormal, product, turn_of};
+pub(crate) use pose::{is_rotation, matrix, orthonormal, product, turn_of};
 pub use px::{Camera, FreeParameters};
 pub use rotation::{angles_from_rotation, rotation_from_angles};

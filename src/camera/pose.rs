@@ -66,6 +66,14 @@ pub(crate) fn product(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
     a.map(|row| [0, 1, 2].map(|k| row[0] * b[0][k] + row[1] * b[1][k] + row[2] * b[2][k]))
 }
 
+/// How far elements may be from those of the nearest rotation.
+const ROTATION_TOLERANCE: f64 = 1e-6;
+
+/// Whether rows are at right angles, of length 1, and right-handed.
+pub(crate) fn is_rotation(m: &[[f64; 3]; 3]) -> bool {
+    m.iter().flatten().zip(orthonormal(*m).iter().flatten()).all(|(a, b)| (a - b).abs() < ROTATION_TOLERANCE)
+}
+
 /// Rows made orthonormal again, so that rounding does not add up over many steps.
 pub(crate) fn orthonormal([first, second, _]: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
     let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

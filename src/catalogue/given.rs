@@ -1,5 +1,6 @@
 //! Settings of which some are given: the others take their defaults.
 
+use crate::json;
 use serde::de::{DeserializeOwned, Error};
 use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
@@ -13,7 +14,7 @@ use serde_json::Value;
 pub fn with_defaults<T: DeserializeOwned + Serialize + Default>(given: Value) -> serde_json::Result<T> {
     let mut settings = serde_json::to_value(T::default())?;
     overlay(&mut settings, given);
-    serde_json::from_value(settings)
+    json::from_value(&settings).map_err(serde_json::Error::custom)
 }
 
 /// Reads options inside a file: those that it was written without take their defaults.

@@ -3,12 +3,9 @@
 use super::block::seen_twice;
 use super::{BlockModel, GeographicOrigin, ObjectPoint};
 use crate::Error;
-use crate::camera::Pose;
+use crate::camera::{Pose, is_rotation};
 use crate::error::refuse;
 use std::collections::BTreeMap;
-
-/// How far rows of a rotation may be from unit length and right angles.
-const ROTATION_TOLERANCE: f64 = 1e-6;
 
 impl BlockModel {
     /// Refuses what no file should hold.
@@ -87,12 +84,8 @@ impl BlockModel {
 
 fn check_pose(name: &str, pose: &Pose) -> Result<(), Error> {
     let what = "image of the block";
-    let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     let m = &pose.rotation;
-    let cross = [m[0][1] * m[1][2] - m[0][2] * m[1][1], m[0][2] * m[1][0] - m[0][0] * m[1][2], m[0][0] * m[1][1] - m[0][1] * m[1][0]];
-    let near = |value: f64, wanted: f64| (value - wanted).abs() <= ROTATION_TOLERANCE;
-    let square = (0..3).all(|i| (i..3).all(|j| near(dot(&m[i], &m[j]), if i == j { 1.0 } else { 0.0 })));
-    if !square || !near(dot(&cross, &m[2]), 1.0) {
+    if !is_rotation(m) {
         return refuse(what, format!("{m:?} as rotation of '{name}'"), "a rotation matrix");
     }
     if !pose.position.iter().all(|v| v.is_finite()) {

@@ -25,9 +25,8 @@ pub struct InitialCamera {
 impl InitialCamera {
     /// As a model holds it; absent where its focal length is not known.
     pub fn known(&self) -> Option<Camera> {
-        let Self { width_px, height_px, focal_px, principal_point_px, radial, tangential, pixel_mm, .. } = *self;
-        let plain = Camera::without_distortion(width_px, height_px, focal_px?);
-        Some(Camera { principal_point_px, radial, tangential, pixel_mm, ..plain })
+        self.focal_px?;
+        Some(Camera { free: FreeParameters::default(), ..self.to_be_calibrated().approximate() })
     }
 
     /// As the reconstruction takes it.

@@ -8,7 +8,7 @@ use super::state::State;
 use super::task::{RefineTask, Task};
 use super::windows::Windows;
 use super::{RefinedObservation, RefinementTable};
-use crate::{Error, Failure, ObservationWindows, PointRefiner, WindowCentre, WindowedObservation};
+use crate::{Error, Failure, ObservationWindows, PointRefiner, WindowCentre, WindowedObservation, json};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::ops::Range;
 
@@ -216,7 +216,7 @@ impl Stage for Refinement {
                 false
             }
             Item::Refine(first, _) => {
-                let Ok(refined) = serde_json::from_slice(&bytes) else { return Ok(None) };
+                let Some(refined) = str::from_utf8(&bytes).ok().and_then(|text| json::from_text(text).ok()) else { return Ok(None) };
                 self.refined.insert(first, refined);
                 true
             }

@@ -1,6 +1,7 @@
 //! What is flown, over what, with which camera: the parameters of a simulated pair.
 
-use super::SAMPLE_SEED;
+use super::limits::check_length;
+use super::random::SAMPLE_SEED;
 use crate::Error;
 use crate::catalogue::{options, refuse};
 use crate::orientation::FiveParameters;
@@ -220,19 +221,9 @@ impl Flight {
         within("flight.width_px", self.width_px as f64, 16.0, fits(FRAME_MM - self.base_mm))?;
         within("flight.height_px", self.height_px as f64, 16.0, fits(FRAME_MM))?;
         let longest_m = self.width_px.max(self.height_px) as f64 * self.pixel_mm * self.scale_m_per_mm();
-        if longest_m > LONGEST_GROUND_M {
-            let allowed = format!(
-                "up to {:.0} m, so that the patch shows at most {LONGEST_GROUND_M} m of ground",
-                self.flying_height_m * LONGEST_GROUND_M / longest_m
-            );
-            return Err(refuse("flight.flying_height_m", self.flying_height_m, allowed));
-        }
-        Ok(())
+        check_length("flight.flying_height_m", "patch", self.flying_height_m, longest_m)
     }
 }
-
-/// The longest side of ground that is built, in m.
-const LONGEST_GROUND_M: f64 = 5000.0;
 
 /// Refuses a value outside `low..=high`.
 fn within(field: &'static str, value: f64, low: f64, high: f64) -> Result<(), Error> {

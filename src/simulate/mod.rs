@@ -12,7 +12,9 @@
 mod block;
 mod buckets;
 mod flight;
+mod ground_area;
 mod lattice;
+mod limits;
 mod mounting;
 mod network;
 mod photo;
@@ -25,9 +27,11 @@ mod sensor;
 mod truth;
 mod view;
 
-pub use block::{BlockFlight, BlockScene, BlockScore, BlockView, Exposure, SimulatedBlock, check_truth, score_block, simulate_block};
+pub use block::{
+    BlockFlight, BlockPreset, BlockScene, BlockScore, BlockView, Exposure, SimulatedBlock, check_truth, score_block, simulate_block,
+};
 pub use flight::{Flight, Preset};
-pub use network::{NetworkFlight, NetworkKind, SimulatedNetwork, simulate_network};
+pub use network::{SimulatedNetwork, simulate_network};
 pub use random::SAMPLE_SEED;
 pub use sample::{Sample, check_flight, sample_pair, simulate};
 pub use score::{DenseTruth, MatchScore, RIGHT_WITHIN_PX, Rightness, score_matches};

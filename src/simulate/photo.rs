@@ -2,7 +2,7 @@
 
 use super::flight::{FRAME_MM, Flight};
 use super::random::Random;
-use crate::camera::{Fiducial, rotation_from_angles};
+use crate::camera::{Fiducial, radial_factor, rotation_from_angles, undistorted};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
 /// A half-line in ground coordinates. Its direction has length 1 along the optical axis, so that `t` is a depth in m.
@@ -38,7 +38,7 @@ impl Photo {
         let seen = self.photo_from_ground * (point - self.centre);
         let scale = -self.focal_mm / seen.z;
         let [x0, y0] = self.principal_point_mm;
-        let mm = distorted(Vector2::new(scale * seen.x, scale * seen.y), self.distortion);
+        let mm = measured(Vector2::new(scale * seen.x, scale * seen.y), self.distortion, self.focal_mm);
         let [col, row] = self.scan.to_px(Vector2::new(x0 + mm.x, y0 + mm.y));
         [col - self.origin_px[0], row - self.origin_px[1]]
     }
@@ -67,16 +67,14 @@ impl Photo {
     }
 }
 
-/// Where a lens puts what belongs at ideal photo coordinates in mm: measured ones times 1 + k₁ r² are the ideal ones.
-fn distorted(ideal: Vector2<f64>, k1: f64) -> Vector2<f64> {
-    let mut measured = ideal;
-    if k1 != 0.0 {
-        // Each round gains two digits at the strongest distortion that is allowed.
-        for _ in 0..12 {
-            measured = ideal / (1.0 + k1 * measured.norm_squared());
-        }
+/// Where a lens puts what belongs at ideal photo coordinates in mm: measured ones times 1 + k₁ r² are the ideal ones. Not a number far
+/// outside the frame, where a lens that bends so much shows nothing.
+fn measured(ideal: Vector2<f64>, k1: f64, focal_mm: f64) -> Vector2<f64> {
+    if k1 == 0.0 {
+        return ideal;
     }
-    measured
+    let found = undistorted((ideal / focal_mm).into(), [k1 * focal_mm * focal_mm, 0.0, 0.0], [0.0; 2]);
+    Vector2::from(found.unwrap_or([f64::NAN; 2])) * focal_mm
 }
 
 /// The rays of a photo's patch.
@@ -98,7 +96,7 @@ impl RayField {
         let mut direction = self.corner + self.per_col * x + self.per_row * y;
         if self.distortion != 0.0 {
             let across = direction - self.axis;
-            direction = self.axis + across * (1.0 + self.distortion * across.norm_squared());
+            direction = self.axis + across * radial_factor([self.distortion, 0.0, 0.0], across.norm_squared());
         }
         Ray { origin: self.centre, direction }
     }

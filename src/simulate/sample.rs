@@ -2,6 +2,7 @@
 
 use super::buckets::Rectangle;
 use super::flight::Flight;
+use super::ground_area::{seen_ground, with_surroundings};
 use super::photo::{Photo, Scan, photos};
 use super::random::{Random, Stream};
 use super::render::render;
@@ -116,7 +117,12 @@ impl Placed {
         let mut scan_random = [Stream::LeftScan, Stream::RightScan].map(|stream| Random::new(flight.seed, stream));
         let scans = scan_random.each_mut().map(|random| Scan::new(flight.pixel_mm, random));
         let photos = photos(flight, scans, cut_px(&mut Random::new(flight.seed, Stream::Cut)));
-        let area = ground_area(flight, photos.each_ref())?;
+        let size = [flight.width_px as f64, flight.height_px as f64];
+        let Some(seen) = seen_ground(photos.iter().map(Photo::rays), size, flight.relief_m) else {
+            let allowed = "long enough that, with these tilts, all rays fall at 24 degrees or steeper";
+            return Err(refuse("flight.focal_mm", flight.focal_mm, allowed));
+        };
+        let area = with_surroundings(seen, flight.highest_building_m);
         Ok(Self { photos, scan_random, area })
     }
 }
@@ -133,27 +139,4 @@ fn camera(flight: &Flight) -> CameraMm {
         radial_distortion: [flight.distortion, 0.0, 0.0],
         ..CameraMm::without_distortion(flight.focal_mm, None)
     }
-}
-
-/// The flattest ray that is allowed, as height over length.
-const FLATTEST: f64 = 0.4;
-
-/// The ground under both patches, and around it as far as a building may lean into the picture or throw its shadow.
-fn ground_area(flight: &Flight, photos: [&Photo; 2]) -> Result<Rectangle, Error> {
-    let (width, height) = (flight.width_px as f64, flight.height_px as f64);
-    let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-    for photo in photos {
-        let rays = photo.rays();
-        for [x, y] in [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]] {
-            let ray = rays.ray(x, y);
-            if -ray.direction.z < FLATTEST * ray.direction.norm() {
-                let allowed = "long enough that, with these tilts, all rays fall at 24 degrees or steeper";
-                return Err(refuse("flight.focal_mm", flight.focal_mm, allowed));
-            }
-            let foot = ray.at((-0.5 * flight.relief_m - ray.origin.z) / ray.direction.z);
-            area = [area[0].min(foot.x), area[1].min(foot.y), area[2].max(foot.x), area[3].max(foot.y)];
-        }
-    }
-    let around = 15.0 + 2.5 * flight.highest_building_m;
-    Ok([area[0] - around, area[1] - around, area[2] + around, area[3] + around])
 }

@@ -1,7 +1,7 @@
 //! What the module says of itself: version, defaults, parameters.
 
 use super::convert::{JsResult, pack, read_options};
-use crate::{PairSettings, SAMPLE_SEED, acting};
+use crate::{PairSettings, acting};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -65,10 +65,4 @@ pub fn parameters() -> JsValue {
 pub fn acting_parameters(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue) -> JsResult<JsValue> {
     let settings = read_options::<PairSettings>("settings", settings)?.resolved();
     Ok(pack(&acting(PairSettings::parameters(), &settings)))
-}
-
-/// The seed of the built-in sample pair.
-#[wasm_bindgen]
-pub fn sample_seed() -> u32 {
-    SAMPLE_SEED
 }

@@ -1,7 +1,7 @@
 //! What a block is set by, and where its images are.
 
 use super::convert::{JsResult, pack, read_options, rows, thrown};
-use crate::{BlockSettings, ReconstructionOptions, RefinementOutcome, acting, local_from_geographic};
+use crate::{BlockSettings, acting, local_from_geographic};
 use js_sys::Float64Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -32,16 +32,4 @@ pub fn local_positions(geographic: &[f64]) -> JsResult<Float64Array> {
     let origin = places.iter().find(|p| p.iter().all(|v| v.is_finite()));
     let local = |p: &[f64; 3]| origin.map_or([f64::NAN; 3], |origin| local_from_geographic(*p, *origin));
     Ok(Float64Array::from(&places.iter().flat_map(local).collect::<Vec<f64>>()[..]))
-}
-
-/// The defaults of the options of the reconstruction.
-#[wasm_bindgen(unchecked_return_type = "ReconstructionOptions")]
-pub fn reconstruction_defaults() -> JsValue {
-    pack(&ReconstructionOptions::default())
-}
-
-/// What can become of a ray that is refined, in the order of its codes.
-#[wasm_bindgen(unchecked_return_type = "RefinementOutcome[]")]
-pub fn refinement_outcomes() -> JsValue {
-    pack(&RefinementOutcome::ALL)
 }

@@ -1,7 +1,7 @@
 //! Simulated photos of a block, one at a time, and the score of what is made of them.
 
 use super::convert::{JsResult, numbers, object, pack, read, read_options, rows, thrown};
-use crate::{BlockFlight, BlockModel, BlockScene as Scene, score_block as score_by_truth};
+use crate::{BlockFlight, BlockModel, BlockPreset, BlockScene as Scene, score_block as score_by_truth};
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -54,11 +54,6 @@ impl BlockScene {
         let places = self.scene.surface_at(index, rows::<2>("positions", positions)?).map_err(thrown)?;
         Ok(numbers(places.into_iter().flatten()).into())
     }
-
-    /// Longitude and latitude in degrees and height in m as the receiver recorded them.
-    pub fn recorded_position(&self, index: usize) -> JsResult<Vec<f64>> {
-        self.scene.recorded_position(index).map(Vec::from).map_err(thrown)
-    }
 }
 
 /// Scores an oriented block by the truth of its photos, which have the same names.
@@ -77,8 +72,8 @@ pub fn block_flight_parameters() -> JsValue {
     pack(&BlockFlight::photo_parameters().collect::<Vec<_>>())
 }
 
-/// The default flight of a block.
+/// A ready-made flight of a block.
 #[wasm_bindgen(unchecked_return_type = "BlockFlight")]
-pub fn block_flight_defaults() -> JsValue {
-    pack(&BlockFlight::default())
+pub fn block_flight_preset(#[wasm_bindgen(unchecked_param_type = "BlockPreset")] name: &JsValue) -> JsResult<JsValue> {
+    Ok(pack(&read::<BlockPreset>("preset", name)?.flight()))
 }

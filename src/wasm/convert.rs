@@ -23,7 +23,7 @@ pub fn thrown(error: Error) -> JsValue {
 
 /// Reads a value. It goes through text, so that unknown fields are refused.
 pub fn read<T: DeserializeOwned>(what: &'static str, value: &JsValue) -> JsResult<T> {
-    parsed(value).map_err(|e| e.to_string()).and_then(json::from_value).map_err(|reason| refused(what, reason))
+    parsed(value).map_err(|e| e.to_string()).and_then(|value| json::from_value(&value)).map_err(|reason| refused(what, reason))
 }
 
 /// Reads options: the fields that are given, the others from the defaults.

@@ -1,8 +1,8 @@
 //! Simulated blocks with what is known of them, for tests of their reconstruction.
 
 use tiepoint::{
-    BlockDescription, BlockFlight, BlockOptions, KnownCamera, KnownImage, Reconstruction, ReconstructionOptions, SelectOptions, Similarity,
-    SimulatedBlock, TiePoints, reconstruct_block, simulate_block, tie_points,
+    BlockDescription, BlockFlight, BlockOptions, Reconstruction, ReconstructionOptions, SelectOptions, SimulatedBlock, TiePoints,
+    reconstruct_block, score_block, simulate_block, tie_points,
 };
 
 pub struct Scene {
@@ -15,19 +15,7 @@ pub struct Scene {
 pub fn scene(flight: &BlockFlight, focal_factor: f64) -> Scene {
     let block = simulate_block(flight).unwrap();
     let (points, _) = tie_points(&block.matches().unwrap(), &BlockOptions::default()).unwrap();
-    let cameras = block.exposures.iter().map(|exposure| exposure.camera as usize + 1).max().unwrap();
-    let focal = |camera: usize| block.exposures.iter().find(|e| e.camera as usize == camera).unwrap().focal_px * focal_factor;
-    let camera = |camera: usize| KnownCamera::of_size(block.width_px, block.height_px, Some(focal(camera)));
-    let image = |(index, e): (usize, &tiepoint::Exposure)| KnownImage {
-        name: format!("{index:04}.jpg"),
-        camera: e.camera as usize,
-        position: None,
-    };
-    let description = BlockDescription {
-        cameras: (0..cameras).map(camera).collect(),
-        images: block.exposures.iter().enumerate().map(image).collect(),
-        control: Vec::new(),
-    };
+    let description = block.description(Some(focal_factor));
     Scene { block, points, description }
 }
 
@@ -38,21 +26,10 @@ impl Scene {
 
     /// Root mean square error of the positions in m after a similarity, and of the rotations in degrees.
     pub fn errors(&self, reconstruction: &Reconstruction, model: usize) -> (f64, f64) {
-        let model = &reconstruction.models[model];
-        let images = || model.images.iter().zip(&model.adjusted.block.images);
-        let pairs: Vec<_> = images().map(|(k, image)| (image.pose.position, self.block.exposures[*k].centre)).collect();
-        let onto = Similarity::between(&pairs).unwrap();
-        let (mut square, mut turns) = (0.0, 0.0);
-        for (k, image) in images() {
-            let (at, exposure) = (onto.point(&image.pose.position), &self.block.exposures[*k]);
-            square += (0..3).map(|i| (at[i] - exposure.centre[i]) * (at[i] - exposure.centre[i])).sum::<f64>();
-            // The angle of M Rᵀ against the true rotation, by the trace.
-            let turned = image.pose.rotation.map(|row| [0, 1, 2].map(|c| (0..3).map(|j| row[j] * onto.rotation[c][j]).sum::<f64>()));
-            let trace: f64 = (0..3).flat_map(|r| (0..3).map(move |c| (r, c))).map(|(r, c)| turned[r][c] * exposure.rotation[(r, c)]).sum();
-            turns += (0.5 * (trace - 1.0)).clamp(-1.0, 1.0).acos().to_degrees().powi(2);
-        }
-        let n = model.images.len() as f64;
-        ((square / n).sqrt(), (turns / n).sqrt())
+        let model = reconstruction.block_model(model, &self.description, &self.points).unwrap();
+        let score = score_block(&model, &self.block.truth).unwrap();
+        let squares = score.position_rmse_m.unwrap().map(|rmse_m| rmse_m * rmse_m);
+        (squares.iter().sum::<f64>().sqrt(), score.angle_rmse_deg.unwrap())
     }
 
     pub fn report(&self, what: &str, reconstruction: &Reconstruction) {

@@ -7,7 +7,7 @@ import { have, posed, simulated } from './data.mjs';
 /** @typedef {import('../../pkg/node.js').PairSettings} PairSettings @typedef {import('../../pkg/node.js').RelativeOrientation} RelativeOrientation */
 
 /** The paper's setting: 14.8 % candidates in each image. */
-export const PAPER_FRACTION = 0.148;
+const PAPER_FRACTION = 0.148;
 
 /** @param {(settings: PairSettings) => void} change @returns {PairSettings} */
 export function settingsWith(change) {

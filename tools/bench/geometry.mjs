@@ -1,22 +1,14 @@
 /** Matching by descriptors and two-view geometry: how fast the wasm module is in Node, one thread, warm, medians. */
 
 import { join_nearest, match_descriptors, match_guided_descriptors, nearest_piece, orient_relative, two_view } from '../../pkg/node.js';
-import { medianMs } from './speed.mjs';
+import { dice } from './dice.mjs';
+import { medianMs, spoiled } from './speed.mjs';
 
 const DESCRIPTOR_BYTES = 128;
 const [WIDTH, HEIGHT, FOCAL] = [4000, 3000, 3500];
 
 /** @param {string} what @param {number} ms */
 const tell = (what, ms) => console.log(`  ${what}: ${ms.toFixed(1)} ms`);
-
-/** Uniform numbers from 0 to 1.  @param {number} seed */
-function dice(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
-}
 
 export function geometry() {
   console.log('Matching by descriptors and two-view geometry (wasm in Node, one thread, warm, medians)');
@@ -88,16 +80,7 @@ function match(uniform, normal, wrong) {
 /** The whole relative orientation with its statistics, of observations in mm. */
 function orientations() {
   for (const share of [0, 0.3, 0.6]) {
-    const uniform = dice(12345);
-    const noise = () => 0.02 * (uniform() + uniform() + uniform() + uniform() - 2) * Math.sqrt(3);
-    const observations = Float64Array.from(
-      Array.from({ length: 2000 }, (_, i) => {
-        const [x, y] = [uniform() * 130 - 20, uniform() * 200 - 100];
-        const scale = 1 + 0.08 * (2 * uniform() - 1);
-        const off = i < 2000 * share ? [6 * uniform() - 3, 6 * uniform() - 3] : [0, 0];
-        return [x + noise(), y + noise(), x - 92 / scale + (off[0] ?? 0) + noise(), y - 1.2 / scale + (off[1] ?? 0) + noise()];
-      }).flat(),
-    );
+    const observations = spoiled(share);
     tell(
       `robust orientation of 2,000 observations, ${100 * share} % blunders`,
       medianMs(15, () => orient_relative(observations, 153.38, {}, null)),

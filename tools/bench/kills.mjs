@@ -6,6 +6,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { ROOT } from '../lib/paths.mjs';
 import { must } from '../lib/process.mjs';
+import { dice } from './dice.mjs';
 import { numberOption } from './options.mjs';
 
 const PROGRAM = join(ROOT, 'pkg/bin/tiepoint.js');
@@ -38,15 +39,6 @@ export async function kills() {
   } finally {
     rmSync(folder, { recursive: true });
   }
-}
-
-/** Uniform numbers from 0 to 1.  @param {number} seed */
-function dice(seed) {
-  let state = seed;
-  return () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
 }
 
 /** Whether the command was killed before its end.  @param {string[]} args @param {number} afterMs @returns {Promise<boolean>} */

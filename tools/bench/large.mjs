@@ -3,7 +3,7 @@
 import { existsSync, mkdirSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { photoFile } from '../../pkg/block/photo.js';
-import { block_flight_defaults, BlockScene, grey_png } from '../../pkg/node.js';
+import { block_flight_preset, BlockScene, grey_png } from '../../pkg/node.js';
 import { DATA, TARGET } from '../lib/paths.mjs';
 import { processOfPage, watchMemory } from './page-memory.mjs';
 
@@ -15,7 +15,7 @@ import { processOfPage, watchMemory } from './page-memory.mjs';
 
 const PHOTOGRAPHS = ['IMG_9401.jpg', 'IMG_9402.jpg'].map((name) => join(DATA, 'pair_full_caliterra', name));
 /** Of the pair that stands in where there are no photographs. */
-const FLIGHT = { ...block_flight_defaults(), strips: 1, exposures: 2, width_px: 4000, height_px: 3000, pixel_mm: 0.018 };
+const FLIGHT = { ...block_flight_preset('features'), strips: 1, exposures: 2, width_px: 4000, height_px: 3000, pixel_mm: 0.018 };
 /** What the bench makes is kept: rendering takes its time. */
 const MADE = join(TARGET, 'bench');
 /** Of the large image, px, and of the picture that fills it. */

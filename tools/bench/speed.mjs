@@ -3,6 +3,7 @@
 import { constant_offset, defaults, estimate_offset, match_photos, match_points, orient_relative, Photo, simulate } from '../../pkg/node.js';
 import { settingsWith } from './accuracy.mjs';
 import { bytesOf, have, photoOf, simulated } from './data.mjs';
+import { dice } from './dice.mjs';
 
 /**
  * The median time of an action in ms after a warm-up.
@@ -97,12 +98,8 @@ function windows(name, left, right) {
 }
 
 /** Observations of relief over 60 % overlap with noise of 0.02 mm, of which a share has right points anywhere within 3 mm.  @param {number} share */
-function spoiled(share) {
-  let state = 12345;
-  const uniform = () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state / 2 ** 32;
-  };
+export function spoiled(share) {
+  const uniform = dice(12345);
   const noise = () => 0.02 * (uniform() + uniform() + uniform() + uniform() - 2) * Math.sqrt(3);
   return Float64Array.from(
     Array.from({ length: 2000 }, (_, i) => {

@@ -8,7 +8,7 @@ import { must, run } from './process.mjs';
 export const WASM_TARGET = 'wasm32-unknown-unknown';
 
 /** The version rust-toolchain.toml names.  @returns {string} */
-export function wantedVersion() {
+function wantedVersion() {
   const found = /channel\s*=\s*"([^"]+)"/.exec(readFileSync(join(ROOT, 'rust-toolchain.toml'), 'utf8'));
   if (!found?.[1]) throw new Error('rust-toolchain.toml names no channel');
   return found[1];
@@ -33,7 +33,7 @@ async function describe(name) {
 }
 
 /** The wanted toolchain if it is on this machine, under its number or as `stable`.  @returns {Promise<Toolchain | null>} */
-export async function findToolchain() {
+async function findToolchain() {
   const version = wantedVersion();
   for (const name of [version, 'stable']) {
     const toolchain = await describe(name);

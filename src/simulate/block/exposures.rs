@@ -2,7 +2,7 @@
 
 use super::flight::{BlockFlight, BlockView};
 use crate::rotation_from_angles;
-use crate::simulate::mounting::{Mounting, NADIR_MM, five, nadir};
+use crate::simulate::mounting::{Mounting, NADIR_MM};
 use crate::simulate::random::{Random, Stream};
 use nalgebra::{Matrix3, Vector3};
 
@@ -62,7 +62,7 @@ pub(super) fn exposures(flight: &BlockFlight) -> Vec<Exposure> {
             let mut turn = |angle: f64| (angle + random.between(-TURNING_DEG, TURNING_DEG)).to_radians();
             let heading = if back { 180.0 } else { 0.0 };
             let body = rotation_from_angles(turn(0.0), turn(0.0), turn(heading));
-            photos.extend(cameras(flight.view).iter().enumerate().map(|(camera, Mounting { rotation, focal_mm })| Exposure {
+            photos.extend(flight.mountings().iter().enumerate().map(|(camera, Mounting { rotation, focal_mm })| Exposure {
                 rotation: rotation * body,
                 centre,
                 focal_px: focal_mm / flight.pixel_mm,
@@ -71,8 +71,4 @@ pub(super) fn exposures(flight: &BlockFlight) -> Vec<Exposure> {
         }
     }
     photos
-}
-
-fn cameras(view: BlockView) -> Vec<Mounting> {
-    if view == BlockView::Oblique { five().to_vec() } else { vec![nadir()] }
 }

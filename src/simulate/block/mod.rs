@@ -15,9 +15,10 @@ mod matches;
 mod photos;
 mod score;
 mod simulated;
+mod truth;
 
 pub use exposures::Exposure;
-pub use flight::{BlockFlight, BlockView};
+pub use flight::{BlockFlight, BlockPreset, BlockView};
 pub use photos::BlockScene;
 pub use score::{BlockScore, check_truth, score_block};
 pub use simulated::{SimulatedBlock, simulate_block};

@@ -1,19 +1,20 @@
 //! Photos of a block over the made scene, one at a time, with what is known of each.
 
-use super::{BlockFlight, BlockView, Exposure, exposures};
+use super::exposures::{Exposure, exposures};
+use super::flight::{BlockFlight, BlockView};
+use super::truth::true_block;
 use crate::catalogue::refuse;
 use crate::simulate::buckets::Rectangle;
 use crate::simulate::flight::Flight;
+use crate::simulate::ground_area::{seen_ground, with_surroundings};
+use crate::simulate::limits::check_length;
 use crate::simulate::photo::{Photo, Scan};
 use crate::simulate::random::{Random, Stream};
 use crate::simulate::render::render;
 use crate::simulate::scene::{Moment, Scene};
 use crate::simulate::sensor::Sensor;
 use crate::simulate::view::View;
-use crate::{
-    BlockModel, Camera, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, ModelImage, Pose, geographic_from_local,
-    write_png,
-};
+use crate::{BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOrigin, GreyImage, geographic_from_local, write_png};
 
 /// The scene below a block, ready to be photographed.
 ///
@@ -27,12 +28,6 @@ pub struct BlockScene {
 
 /// Where (0, 0, 0) of the ground is on the earth: longitude and latitude in degrees, height in m.
 const PLACE: [f64; 3] = [8.0, 50.0, 100.0];
-
-/// The longest side of ground that is built, in m.
-const LONGEST_GROUND_M: f64 = 5000.0;
-
-/// The flattest ray that is allowed, as height over length.
-const FLATTEST: f64 = 0.4;
 
 /// Larger photos are not rendered.
 const MOST_PIXELS: f64 = 1e8;
@@ -51,7 +46,7 @@ impl BlockScene {
                 format!("up to {:.0} with this width, so that a photo has at most 100 MP", MOST_PIXELS / f64::from(flight.width_px));
             return Err(refuse("block_flight.height_px", f64::from(flight.height_px), allowed));
         }
-        let exposures = exposures::exposures(flight);
+        let exposures = exposures(flight);
         let area = ground_area(flight, &exposures)?;
         let town = town(flight, area)?;
         let scene = Scene::new(&town, area);
@@ -113,29 +108,11 @@ impl BlockScene {
         Ok(positions.iter().map(|[x, y]| view.hit(*x, *y).point.into()).collect())
     }
 
-    /// The true cameras and exterior orientations; the images are named as [`name`](Self::name) has it.
+    /// The true cameras and exterior orientations, placed on the earth.
     pub fn truth(&self) -> BlockModel {
-        let BlockFlight { width_px, height_px, pixel_mm, .. } = self.flight;
-        let cameras = self.exposures.iter().map(|exposure| exposure.camera + 1).max().unwrap_or(0);
-        let focal_px = |camera: u32| self.exposures.iter().find(|e| e.camera == camera).map_or(1.0, |e| e.focal_px);
-        let camera = |number: u32| Camera { pixel_mm: Some(pixel_mm), ..Camera::without_distortion(width_px, height_px, focal_px(number)) };
-        let image = |(index, exposure): (usize, &Exposure)| ModelImage {
-            name: Self::name(index),
-            camera: exposure.camera as usize,
-            pose: Some(Pose::new(&exposure.rotation, exposure.centre)),
-        };
         let [longitude_deg, latitude_deg, height_m] = PLACE;
-        BlockModel {
-            cameras: (0..cameras).map(camera).collect(),
-            images: self.exposures.iter().enumerate().map(image).collect(),
-            points: Vec::new(),
-            origin: Some(GeographicOrigin { longitude_deg, latitude_deg, height_m }),
-        }
-    }
-
-    /// The file name of a photo, without the ending.
-    pub fn name(index: usize) -> String {
-        format!("photo_{index:05}")
+        let origin = Some(GeographicOrigin { longitude_deg, latitude_deg, height_m });
+        BlockModel { origin, ..true_block(&self.flight, &self.exposures) }
     }
 
     /// Longitude and latitude in degrees and height in m as the receiver recorded them.
@@ -197,33 +174,17 @@ fn town(flight: &BlockFlight, area: Rectangle) -> Result<Flight, Error> {
 
 /// The ground under all photos, and around it as far as a building may lean into the picture or throw its shadow.
 fn ground_area(flight: &BlockFlight, exposures: &[Exposure]) -> Result<Rectangle, Error> {
-    let (width, height) = (f64::from(flight.width_px), f64::from(flight.height_px));
-    let mut area = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-    for exposure in exposures {
-        let rays = camera(flight, exposure).rays();
-        for [x, y] in [[0.0, 0.0], [width, 0.0], [0.0, height], [width, height]] {
-            let ray = rays.ray(x, y);
-            if -ray.direction.z < FLATTEST * ray.direction.norm() {
-                let allowed = match flight.view {
-                    BlockView::Oblique => "so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images",
-                    BlockView::Nadir | BlockView::TwoHeights => "so small that all rays fall at 24 degrees or steeper",
-                };
-                return Err(refuse("block_flight.pixel_mm", flight.pixel_mm, allowed));
-            }
-            let foot = ray.at((-0.5 * flight.relief_m - ray.origin.z) / ray.direction.z);
-            area = [area[0].min(foot.x), area[1].min(foot.y), area[2].max(foot.x), area[3].max(foot.y)];
-        }
-    }
-    let longest = (area[2] - area[0]).max(area[3] - area[1]);
-    if longest > LONGEST_GROUND_M {
-        let allowed = format!(
-            "up to {:.0} m, so that the block shows at most {LONGEST_GROUND_M} m of ground",
-            flight.flying_height_m * LONGEST_GROUND_M / longest
-        );
-        return Err(refuse("block_flight.flying_height_m", flight.flying_height_m, allowed));
-    }
-    let around = 15.0 + 2.5 * Flight::default().highest_building_m;
-    Ok([area[0] - around, area[1] - around, area[2] + around, area[3] + around])
+    let rays = exposures.iter().map(|exposure| camera(flight, exposure).rays());
+    let Some(seen) = seen_ground(rays, [flight.width_px, flight.height_px].map(f64::from), flight.relief_m) else {
+        let allowed = match flight.view {
+            BlockView::Oblique => "so large that all rays of the tilted cameras fall at 24 degrees or steeper: smaller images",
+            BlockView::Nadir | BlockView::TwoHeights => "so small that all rays fall at 24 degrees or steeper",
+        };
+        return Err(refuse("block_flight.pixel_mm", flight.pixel_mm, allowed));
+    };
+    let longest = (seen[2] - seen[0]).max(seen[3] - seen[1]);
+    check_length("block_flight.flying_height_m", "block", flight.flying_height_m, longest)?;
+    Ok(with_surroundings(seen, Flight::default().highest_building_m))
 }
 
 #[cfg(test)]

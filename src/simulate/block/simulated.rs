@@ -4,7 +4,8 @@ use super::exposures::{Exposure, exposures};
 use super::features::{Seen, features};
 use super::flight::BlockFlight;
 use super::matches::matches;
-use crate::{BlockMatches, Error, FeatureMatch, ImageFeatures};
+use super::truth::true_block;
+use crate::{BlockDescription, BlockMatches, BlockModel, Camera, Error, FeatureMatch, ImageFeatures, KnownCamera, KnownImage, ModelImage};
 
 /// A block of which everything is known.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,9 +21,22 @@ pub struct SimulatedBlock {
     pub pairs: Vec<([u32; 2], Vec<FeatureMatch>)>,
     pub width_px: u32,
     pub height_px: u32,
+    /// The true cameras and exterior orientations; no points.
+    pub truth: BlockModel,
 }
 
 impl SimulatedBlock {
+    /// What is known of it before its orientation: true focal lengths times a factor, or none; no positions.
+    pub fn description(&self, focal_factor: Option<f64>) -> BlockDescription {
+        let camera = |camera: &Camera| KnownCamera::of_size(self.width_px, self.height_px, focal_factor.map(|k| k * camera.focal_px));
+        let image = |image: &ModelImage| KnownImage { name: image.name.clone(), camera: image.camera, position: None };
+        BlockDescription {
+            cameras: self.truth.cameras.iter().map(camera).collect(),
+            images: self.truth.images.iter().map(image).collect(),
+            control: Vec::new(),
+        }
+    }
+
     /// All matches, ready to be joined.
     ///
     /// # Errors
@@ -55,8 +69,9 @@ pub fn simulate_block(flight: &BlockFlight) -> Result<SimulatedBlock, Error> {
     let exposures = exposures(flight);
     let seen = features(flight, &exposures);
     let pairs = matches(flight, &seen);
+    let truth = true_block(flight, &exposures);
     let Seen { features, owners, ground } = seen;
-    Ok(SimulatedBlock { exposures, features, owners, ground, pairs, width_px: flight.width_px, height_px: flight.height_px })
+    Ok(SimulatedBlock { exposures, features, owners, ground, pairs, width_px: flight.width_px, height_px: flight.height_px, truth })
 }
 
 #[cfg(test)]

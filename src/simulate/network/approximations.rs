@@ -1,12 +1,12 @@
 //! What is known of a simulated block before its adjustment: control points, GNSS positions, approximate values.
 
-use super::flight::NetworkFlight;
 use crate::camera::rotation_from_angles;
+use crate::simulate::block::BlockFlight;
 use crate::simulate::random::{Random, Stream};
 use crate::{Block, ControlPoint, Pose, PositionPrior};
 
 /// Makes control points of those that most images see, far from each other: the first, then always the one farthest from all so far.
-pub(super) fn add_control(flight: &NetworkFlight, truth: &mut Block) {
+pub(super) fn add_control(flight: &BlockFlight, truth: &mut Block) {
     let mut rays = vec![0; truth.points.len()];
     truth.rays.iter().for_each(|ray| rays[ray.point] += 1);
     let candidates: Vec<usize> = (0..truth.points.len()).filter(|p| rays[*p] >= 3).collect();
@@ -23,7 +23,7 @@ pub(super) fn add_control(flight: &NetworkFlight, truth: &mut Block) {
 }
 
 /// What is known before the adjustment: the truth with errors.
-pub(super) fn approximate(flight: &NetworkFlight, truth: &Block) -> Block {
+pub(super) fn approximate(flight: &BlockFlight, truth: &Block) -> Block {
     let mut random = Random::new(flight.seed, Stream::NetworkApproximations);
     let mut errors = |sigma: f64| {
         let (a, b) = (random.normal_pair(), random.normal_pair());
@@ -32,10 +32,10 @@ pub(super) fn approximate(flight: &NetworkFlight, truth: &Block) -> Block {
     let moved = |position: [f64; 3], by: [f64; 3]| [0, 1, 2].map(|k| position[k] + by[k]);
     let mut block = truth.clone();
     for image in &mut block.images {
-        if flight.gnss_sigma_m > 0.0 {
+        if flight.receiver_m > 0.0 {
             image.gnss = Some(PositionPrior {
-                position: moved(image.pose.position, errors(flight.gnss_sigma_m)),
-                sigma: [Some(flight.gnss_sigma_m); 3],
+                position: moved(image.pose.position, errors(flight.receiver_m)),
+                sigma: [Some(flight.receiver_m); 3],
             });
         }
         let position = moved(image.pose.position, errors(flight.approximate_m));

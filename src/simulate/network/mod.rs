@@ -3,20 +3,20 @@
 //! It is for the bundle adjustment: it gives what that takes, joined rays of distorted cameras with gross errors, approximate values, GNSS
 //! positions and control points, and the noise of each can be chosen. What comes before, features, matches and photos, is simulated in `block`.
 //!
-//! Data flow: [`NetworkFlight`] → `orientations` → `rays` (points, observed rays) → `approximations` (what is known before) →
+//! Data flow: [`BlockFlight`] → `orientations` → `rays` (points, observed rays) → `approximations` (what is known before) →
 //! [`SimulatedNetwork`].
 
 mod approximations;
-mod flight;
 mod orientations;
 mod rays;
 
-pub use flight::{NetworkFlight, NetworkKind};
-
+use super::block::BlockFlight;
 use super::random::{Random, Stream};
+use crate::catalogue::refuse;
 use crate::{Block, Error};
 use approximations::{add_control, approximate};
-use rays::observe;
+use orientations::{cameras, images};
+use rays::{observe, points};
 
 /// A simulated block with its truth.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,41 +29,58 @@ pub struct SimulatedNetwork {
     pub gross: Vec<usize>,
 }
 
-/// Simulates a block.
+/// Simulates the network of a flight, as [`BlockPreset::Network`](crate::BlockPreset::Network) is one. The ground's mean height is 0.
 ///
 /// # Errors
 /// [`Error::InvalidOption`], naming the field and its range.
-pub fn simulate_network(flight: &NetworkFlight) -> Result<SimulatedNetwork, Error> {
-    flight.check()?;
+pub fn simulate_network(flight: &BlockFlight) -> Result<SimulatedNetwork, Error> {
+    check(flight)?;
     let mut random = Random::new(flight.seed, Stream::NetworkOrientations);
-    let mut truth = Block { cameras: flight.cameras(), images: flight.images(&mut random), ..Block::default() };
-    truth.points = flight.points(&mut Random::new(flight.seed, Stream::NetworkPoints));
+    let mut truth = Block { cameras: cameras(flight), images: images(flight, &mut random), ..Block::default() };
+    truth.points = points(flight, &mut Random::new(flight.seed, Stream::NetworkPoints));
     let gross = observe(flight, &mut truth);
     add_control(flight, &mut truth);
     let observed = approximate(flight, &truth);
     Ok(SimulatedNetwork { observed, truth, gross })
 }
 
+/// Refuses values outside their ranges.
+fn check(flight: &BlockFlight) -> Result<(), Error> {
+    flight.check_ranges()?;
+    for (field, value, most) in [("block_flight.relief_m", flight.relief_m, 0.5), ("block_flight.approximate_m", flight.approximate_m, 0.2)]
+    {
+        let most = most * flight.flying_height_m;
+        if !(value <= most) {
+            return Err(refuse(field, value, format!("0 to {most}")));
+        }
+    }
+    let mut lens = flight.radial.iter().chain(&flight.tangential);
+    match lens.find(|k| !(k.abs() <= 1.0)) {
+        Some(wrong) => Err(refuse("block_flight.radial, block_flight.tangential", wrong, "numbers from -1 to 1")),
+        None => Ok(()),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::BlockImage;
+    use crate::{BlockImage, BlockPreset, BlockView};
 
     #[test]
     fn a_block_sees_its_points_often_enough() {
-        let simulated = simulate_network(&NetworkFlight::default()).unwrap();
+        let simulated = simulate_network(&BlockPreset::Network.flight()).unwrap();
         let block = &simulated.observed;
         assert_eq!(block.images.len(), 30);
         let mean = block.rays.len() as f64 / block.points.len() as f64;
         assert!(block.points.len() > 300 && mean > 4.0, "{} points, {mean} rays each", block.points.len());
         let sideways = |image: &BlockImage| image.pose.rotation[2][2];
         assert!(block.images.iter().all(|image| sideways(image) > 0.99));
-        assert_eq!(simulated, simulate_network(&NetworkFlight::default()).unwrap());
+        assert_eq!(simulated, simulate_network(&BlockPreset::Network.flight()).unwrap());
     }
 
     #[test]
     fn an_oblique_block_looks_to_all_sides() {
-        let flight = NetworkFlight { kind: NetworkKind::Oblique, ..NetworkFlight::default() };
+        let flight = BlockFlight { view: BlockView::Oblique, ..BlockPreset::Network.flight() };
         let block = simulate_network(&flight).unwrap().truth;
         assert_eq!(block.images.len(), 150);
         for camera in 1..5 {
@@ -77,9 +94,9 @@ mod tests {
     #[test]
     fn wrong_flights_are_refused() {
         for flight in [
-            NetworkFlight { strips: 0, ..NetworkFlight::default() },
-            NetworkFlight { noise_px: f64::NAN, ..NetworkFlight::default() },
-            NetworkFlight { end_lap: 1.0, ..NetworkFlight::default() },
+            BlockFlight { strips: 0, ..BlockPreset::Network.flight() },
+            BlockFlight { noise_px: f64::NAN, ..BlockPreset::Network.flight() },
+            BlockFlight { forward_overlap: 1.0, ..BlockPreset::Network.flight() },
         ] {
             assert_eq!(simulate_network(&flight).unwrap_err().code(), "invalid-option");
         }

@@ -12,7 +12,7 @@ import type { BlockView } from '../state/view';
 let held: FinishedBlock | null = null;
 
 /** The block that was run or opened last. */
-export function heldBlock(): FinishedBlock {
+function heldBlock(): FinishedBlock {
   if (held === null) throw new Error('no block is held: run it again');
   return held;
 }

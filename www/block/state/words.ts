@@ -8,7 +8,7 @@ export function connectionOf(view: BlockView, [a, b]: readonly [number, number])
   return connectionsOf(view).get(pairKey(a, b));
 }
 
-export function pairKey(a: number, b: number): string {
+function pairKey(a: number, b: number): string {
   return a < b ? `${String(a)},${String(b)}` : `${String(b)},${String(a)}`;
 }
 

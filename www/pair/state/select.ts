@@ -1,6 +1,6 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
-import type { GivenImage, Side, StageName, State } from './state';
+import type { Side, StageName, State } from './state';
 import { STAGES } from './stages';
 import { GROSS_ERROR, MATCHED, UNDECIDED } from './codes';
 import { isStale, wantedKeys } from './keys';
@@ -145,9 +145,4 @@ export function currentFailure(state: State): { stage: StageName; message: strin
 /** Whether any result on the screen was made by other settings than the wanted ones. */
 export function anyStale(state: State): boolean {
   return RUN_STAGES.some((stage) => isStale(state, stage));
-}
-
-/** "sample-left.png, sample-right.png", or what is missing. */
-export function pairName(images: Record<Side, GivenImage | null>): string {
-  return [images.left?.name, images.right?.name].filter((name) => name !== undefined).join(' – ');
 }

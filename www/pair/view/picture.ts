@@ -21,7 +21,7 @@ function visiblePart(picture: Picture, t: Transform, clip: Rect): [number, numbe
 }
 
 /** The reduction whose pixels are nearest to, and not larger than, device pixels. */
-export function wantedLevel(scale: number, ratio: number): number {
+function wantedLevel(scale: number, ratio: number): number {
   return Math.max(0, Math.floor(Math.log2(1 / (scale * ratio))));
 }
 

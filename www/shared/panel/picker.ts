@@ -11,7 +11,7 @@ export interface Picked {
 }
 
 /** The field of files; `take` gets what was chosen, and the same file can be chosen again. */
-export function fileInput({ testid, label, accept, multiple = false, folder = false }: Picked, take: (files: File[]) => void): HTMLInputElement {
+function fileInput({ testid, label, accept, multiple = false, folder = false }: Picked, take: (files: File[]) => void): HTMLInputElement {
   const input = h('input', { type: 'file', class: 'visually-hidden', tabindex: -1, testid: `${testid}-input`, aria: { label } });
   if (accept !== undefined) input.accept = accept;
   input.multiple = multiple || folder;
