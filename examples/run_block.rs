@@ -1,7 +1,7 @@
 //! From a folder of images to the files of a block, the same bytes as the command's: `cargo run --release --example run_block -- FOLDER OUT`.
 
 use std::path::Path;
-use tiepoint::{Error, News, RunInput, block_files, images_in, run_block};
+use tiepoint::{News, RunInput, block_files, images_in, replace_file, run_block};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let folders: Vec<String> = std::env::args().skip(1).collect();
@@ -14,8 +14,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     };
     let run = run_block(&images_in(Path::new(images))?, &[], RunInput::default(), &out.join("work"), threads, tell)?;
-    block_files(&run, &[], None, &mut |path, text| {
-        std::fs::write(out.join(path), text).map_err(|_| Error::NotWritten { what: "a file of the block" })
-    })?;
+    block_files(&run, &[], None, &mut |path, text| replace_file(&out.join(path), text.as_bytes()))?;
     Ok(())
 }

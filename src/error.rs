@@ -17,7 +17,7 @@ messages! {
         /// Array lengths or coordinates that do not fit together.
         InvalidInput { #[serde(deserialize_with = "constant")] what: Constant, got: String, allowed: String },
         /// A file that is no image of a known format, or a damaged one.
-        UnreadableImage { reason: String },
+        UnreadableImage { image_fault: ImageFault },
         /// A format or a pixel type that is not decoded.
         UnsupportedImage { what: String, #[serde(deserialize_with = "constant")] allowed: Constant },
         /// More pixels than the limit, found in the header.
@@ -39,11 +39,11 @@ messages! {
         /// An adjustment that did not converge.
         NotConverged { computation: Computation, iterations: usize, cause: Cause },
         /// A file that is not what it should be, is damaged, or is of a newer version.
-        UnreadableFile { #[serde(deserialize_with = "constant")] what: Constant, place: String, reason: String },
+        UnreadableFile { #[serde(deserialize_with = "constant")] what: Constant, place: String, file_fault: FileFault },
         /// Images whose names formats cannot hold.
         NotExportable { formats: String, reason: String },
         /// A run of a block that no image and no pair stops, but what goes on around it.
-        Interrupted { reason: String },
+        Interrupted { interruption: Interruption },
         /// A sink that takes no more text.
         NotWritten { #[serde(deserialize_with = "constant")] what: Constant },
     }
@@ -82,6 +82,65 @@ impl Error {
     /// Whether the caller's options are at fault rather than the data: a command exits with 2 for these, with 1 for the rest.
     pub fn is_usage(&self) -> bool {
         matches!(self, Error::InvalidOption { .. } | Error::InvalidJson { .. })
+    }
+}
+
+messages! {
+    /// What is wrong with an image file.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    pub enum ImageFault as "image_fault" {
+        Empty,
+        /// It contradicts its format, in the words of the decoder.
+        Damaged { format: String, message: String },
+        /// The mask of an image.
+        Mask { name: String, error: Box<Error> },
+    }
+}
+
+messages! {
+    /// What is wrong with a file or a folder.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    pub enum FileFault as "file_fault" {
+        /// The system refuses it, in its words.
+        System { message: String },
+        /// It is not UTF-8.
+        NotText,
+        /// A line or a field is not as it should be, in the words of the reader.
+        Content { message: String },
+        /// Its first line is not that of a project.
+        NoProject { line: String },
+        /// The same; `message`: why, in the words of the reader.
+        NoHeader { line: String, message: String },
+        OtherFormat { format: String, wanted: String },
+        OtherVersion { version: u32, newest: u32 },
+        /// So many bytes follow the first line, and so many it declares.
+        OtherLength { bytes: usize, declared: usize },
+        OtherChecksum,
+        /// A project of a pair where a block is wanted, or the reverse.
+        HoldsPair,
+        HoldsBlock,
+        /// A kept record.
+        RecordChanged,
+        /// Another run works on the folder.
+        InUse { owner: String },
+    }
+}
+
+messages! {
+    /// Why a run cannot go on.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+    pub enum Interruption as "interruption" {
+        /// An image is another one than at the start of the run.
+        ImageChanged { name: String },
+        /// What came of a job.
+        UnreadableWork,
+        /// It was ended before all of its jobs were done.
+        Unfinished,
+        Job { failure: Failure },
+        Refinement { name: String, failure: Failure },
     }
 }
 
@@ -135,6 +194,8 @@ messages! {
         LargeErrors { #[serde(with = "crate::json::infinite")] largest_deg: f64 },
         /// Matches agree with the orientation no better than wrong ones do; in px of the left photo.
         LargeResiduals { #[serde(with = "crate::json::infinite")] sigma0_px: f64, most_px: f64 },
+        /// Too few observations agree for an orientation, and all together have none.
+        WeakSupport { agreeing: usize, observations: usize },
         /// Too many points lie behind the cameras.
         BehindCameras { in_front: usize, points: usize },
         /// `share`: 1 - R² of the unknown that hardly anything determines.

@@ -45,7 +45,7 @@ pub use descriptors::{
     Brightness, Descriptor, Feature, FeatureOptions, GradientOptions, Measure, WindowMoments, WindowOptions, WindowShape, describe,
     features, gradient_features, window_moments,
 };
-pub use error::{CameraParameter, Cause, Computation, Error, Failure, Side, Unsettled};
+pub use error::{CameraParameter, Cause, Computation, Error, Failure, FileFault, ImageFault, Interruption, Side, Unsettled};
 pub use formats::{
     CameraRule, ColmapFeature, ExportFormat, GroundControlRow, ImageMeasurementRow, colmap_features, colmap_matches, export_block,
     parse_camera_rules, parse_ground_control_points, parse_image_measurements, read_colmap_model,
@@ -68,9 +68,9 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageRow, PROJECT_VERSION, PairPhoto, PairRow, PairRun,
-    PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, block_files, coverage, planned_files, project_kind, read_project,
-    write_block_project, write_pair_project,
+    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow, OverviewWarning, PROJECT_VERSION,
+    PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, WithText, block_files, coverage,
+    planned_files, project_kind, read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
@@ -83,7 +83,7 @@ pub use pipeline::{
     masks_of,
 };
 #[cfg(not(target_arch = "wasm32"))]
-pub use pipeline::{images_in, run_block};
+pub use pipeline::{images_in, replace_file, run_block};
 pub use points::{
     Candidates, InterestPoint, LEAST_FRACTION, LocalFrame, MultiscaleOptions, Operator, PointCounts, PointOptions, PointPosition, PointSet,
     ScalePoint, ScaleSpace, Selection, Ties, detect, forstner, ground1, ground2, moravec, multiscale_points, suppress_non_maxima,

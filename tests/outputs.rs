@@ -81,7 +81,11 @@ fn all_files_give_the_same_numbers_of_points_and_observations() {
     assert_eq!(coverage(&run.model).iter().map(|image| image.observations).sum::<usize>(), observations);
     assert_eq!((overview.oriented, overview.skipped.len()), (3, 1));
     assert!(overview.by_rays.iter().map(|group| group.points).sum::<usize>() >= rows("points.csv"));
-    assert!(overview.images[0].reason == "it has no tie points" && overview.images[1].reason.is_empty(), "{:?}", overview.images[0]);
+    assert!(
+        overview.images[0].reason.as_ref().unwrap().text == "it has no tie points" && overview.images[1].reason.is_none(),
+        "{:?}",
+        overview.images[0]
+    );
     // Spreadsheets take the name for a text.
     assert!(files["images.csv"].contains("\n0,\"'=other, \"\"d\"\".pgm\",0,480,360,"), "{}", files["images.csv"]);
     let refined = files["rays.csv"].lines().filter(|line| line.contains(",refined,0.")).count();

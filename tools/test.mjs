@@ -14,6 +14,9 @@ import { cargo, ensureBindgen, ensureToolchain, WASM_TARGET } from './lib/rust.m
 import { ensureChromium, ensurePackages } from './lib/setup.mjs';
 import { Steps } from './lib/steps.mjs';
 
+/** Files of tests of the command that run at the same time: as many as the processors of a small machine. */
+const COMMAND_FILES = 2;
+
 const GROUPS = ['rust', 'wasm', 'build', 'types', 'package', 'command', 'page'];
 
 /** @typedef {import('./lib/rust.mjs').Toolchain} Toolchain @typedef {import('./lib/rust.mjs').BindgenPrograms} BindgenPrograms */
@@ -97,22 +100,22 @@ async function typeChecks(steps) {
   await steps.check('types', 'format and lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'ci', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
-  await steps.check('types', 'layers of the page', () => nodeTest([join(ROOT, 'tests', 'layers.test.js')]));
+  await steps.check('types', 'layers and texts of the page', () => nodeTest(['layers', 'words'].map((name) => join(ROOT, 'tests', `${name}.test.js`))));
 }
 
-/** @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
-async function nodeTests(steps, group, name, env) {
+/** `concurrency`: so many files at the same time.  @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */
+async function nodeTests(steps, group, name, env, concurrency = 1) {
   const folder = join(ROOT, 'tests', group);
   const files = readdirSync(folder)
     .filter((file) => file.endsWith('.test.js'))
     .sort()
     .map((file) => join(folder, file));
-  await steps.check(group, name, () => nodeTest(files, env));
+  await steps.check(group, name, () => nodeTest(files, env, concurrency));
 }
 
 /** Runs Node's tests without their chatter; a failure shows all of it.  @param {string[]} files @param {Record<string, string>} [env] */
-async function nodeTest(files, env = {}) {
-  const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', '--test-concurrency=1', ...files], { env, quiet: true });
+async function nodeTest(files, env = {}, concurrency = 1) {
+  const { code, output } = await run(process.execPath, ['--test', '--test-reporter=tap', `--test-concurrency=${concurrency}`, ...files], { env, quiet: true });
   console.log(
     code === 0
       ? output
@@ -156,7 +159,8 @@ async function everything(steps) {
   if (toolchain && programs) await wasmTests(steps, toolchain, programs);
   if (packages) await typeChecks(steps);
   if (toolchain) await nodeTests(steps, 'package', 'tests, contents of crate and package', { CARGO_TOOLCHAIN: toolchain.name });
-  await nodeTests(steps, 'command', 'tests, command', {});
+  // The files of its tests share nothing, and each waits for one process at a time.
+  await nodeTests(steps, 'command', 'tests, command', {}, COMMAND_FILES);
   const chromium = needs('page') ? await steps.prepare('Chromium', ensureChromium) : null;
   if (packages) await nodeTests(steps, 'page', 'tests, page in Chromium', { CHROMIUM: chromium?.path ?? '', NO_CHROMIUM: chromium?.reason ?? '' });
 }

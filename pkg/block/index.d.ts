@@ -3,8 +3,7 @@ import type { RunOptions, Source, Surroundings } from './types.js';
 
 export type * from './types.js';
 
-/** Names of the errors of a module or of a host without memory. */
-export const MEMORY: readonly string[];
+export { breakdownOf } from './faults.js';
 
 /**
  * Runs a block from its image files to its orientation. What the store holds from an earlier run with the same images and settings is not

@@ -1,4 +1,5 @@
 // @ts-check
 /** A block from its image files to its orientation, on any kind of workers and any kind of store. */
 
-export { MEMORY, runBlock } from './run.js';
+export { breakdownOf } from './faults.js';
+export { runBlock } from './run.js';

@@ -2,10 +2,8 @@
 /** A block from its image files to its orientation: the crate says what is to be done, a pool does it, and a store keeps it. */
 
 import { Run, sha256 } from '../wasm/tiepoint.js';
+import { breakdownOf } from './faults.js';
 import { timed } from './timed.js';
-
-/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
-export const MEMORY = ['RuntimeError', 'RangeError'];
 
 /**
  * @typedef {import('./types.js').Source} Source
@@ -66,7 +64,7 @@ export async function runBlock(sources, { settings = {}, cameras, gps, control, 
     // Nothing goes on behind the caller's back.
     await Promise.all(underway);
     // After a trap the module is not to be called again.
-    if (!['Panic', ...MEMORY].includes(error instanceof Error ? error.name : '')) run.free();
+    if (breakdownOf(error) === null) run.free();
     throw error;
   }
   return run.finish();
@@ -124,9 +122,9 @@ function failureOf(error) {
   const { name, code = '', usage = false } = /** @type {{ name?: string, code?: string, usage?: boolean }} */ (error instanceof Error ? error : {});
   if (name === 'TiepointError') return { kind: 'refused', code, message: messageOf(error), usage };
   // The worker was replaced.
-  if (MEMORY.includes(name ?? '')) return { kind: 'out_of_memory', message: messageOf(error) };
-  if (['Panic', 'WorkerError'].includes(name ?? '')) return { kind: 'broke_off', message: messageOf(error) };
-  throw error;
+  const breakdown = breakdownOf(error);
+  if (breakdown === null) throw error;
+  return { kind: breakdown === 'memory' ? 'out_of_memory' : 'broke_off', message: messageOf(error) };
 }
 
 const messageOf = (/** @type {unknown} */ error) => (error instanceof Error ? error.message : String(error));

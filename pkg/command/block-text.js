@@ -68,7 +68,7 @@ const warning = ({ text }) => `warning: ${text}`;
 /** @param {Summary['orientation']} orientation @returns {string[]} */
 const reasons = (orientation) =>
   'reason' in orientation
-    ? ['', `not oriented: ${orientation.reason}`]
+    ? ['', `not oriented: ${orientation.reason.text}`]
     : orientation.unoriented.map(({ name, reason: { text } }) => `not oriented: ${name}: ${text}`);
 
 /** @param {string[]} names */
@@ -78,5 +78,5 @@ const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAM
 export function failureOf({ pairs, orientation }) {
   if (orientation.oriented > 0) return null;
   if (pairs.connected === 0) return 'no two images could be connected; see pairs.csv';
-  return `no image could be oriented: ${'reason' in orientation ? orientation.reason : 'summary.json says why of each'}`;
+  return `no image could be oriented: ${'reason' in orientation ? orientation.reason.text : 'summary.json says why of each'}`;
 }

@@ -112,10 +112,10 @@ async function run(call) {
     written.finish();
     for (const { path: was, kept } of written.setAside) note(`${was} was changed while the run went on: what it held is now ${kept}`);
     const { images, remarks } = summary;
-    for (const { name, reason } of images.left_out) note(`${name} is left out: ${reason}`);
+    for (const { name, reason } of images.left_out) note(`${name} is left out: ${reason.text}`);
     for (const name of images.stray_masks) note(`the mask ${name} belongs to none of the images`);
     for (const name of images.stray_marks) note(`the marks name ${name}, which is none of the images`);
-    for (const remark of remarks) note(remark);
+    for (const { text } of remarks) note(text);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
     const failure = failureOf(summary);

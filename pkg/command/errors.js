@@ -1,7 +1,7 @@
 // @ts-check
 /** The two ways a command fails, each told in one line. */
 
-import { MEMORY } from '../block/index.js';
+import { breakdownOf } from '../block/index.js';
 
 /** A bad call: exit code 2. */
 export class UsageError extends Error {}
@@ -39,10 +39,14 @@ export function explain(error, rename) {
   if (error instanceof UsageError) return { line: message, code: 2 };
   if (isRefusal(error)) return { line: rename(message), code: error.usage ? 2 : 1 };
   if (error instanceof DataError) return { line: message, code: 1 };
-  const name = error instanceof Error ? error.name : '';
-  if (MEMORY.includes(name)) return { line: `there is not enough memory for this (${message}): reduce the images`, code: 1 };
-  if (name === 'Panic') return { line: `the computation broke off at a fault of the program (${message}): please report it`, code: 1 };
-  return { line: `unexpected: ${message}`, code: 1 };
+  switch (breakdownOf(error)) {
+    case 'memory':
+      return { line: `there is not enough memory for this (${message}): reduce the images`, code: 1 };
+    case 'fault':
+      return { line: `the computation broke off at a fault of the program (${message}): please report it`, code: 1 };
+    default:
+      return { line: `unexpected: ${message}`, code: 1 };
+  }
 }
 
 /** One line, whatever the message holds.  @param {string} text */

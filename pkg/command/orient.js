@@ -20,8 +20,8 @@ export const orient = {
   options: OPTIONS,
   details:
     'OBSERVATIONS.csv: columns x_left_mm,y_left_mm,x_right_mm,y_right_mm, x to the right and y up, principal point at 0, 0. ' +
-    '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), sigma0_mm, degrees_of_freedom, ' +
-    'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
+    '--focal-mm and --base-mm are required. JSON: omega_deg, phi_deg, kappa_deg, by_mm, bz_mm, standard_errors, total_standard_errors (with what neighbouring matches share and the interior orientations add, null where not known), half_widths_95 (of the intervals that hold the unknowns in 95 % of cases), sigma0_mm, degrees_of_freedom, ' +
+    'iterations, cofactors and correlations (of omega, phi, kappa, by, bz), condition, warnings, global_test, base_ellipse_mm, base_ellipse_95_mm, noncentrality (delta0 of the minimal detectable size), residuals_mm [[vxl, vyl, vxr, vyr], …], ' +
     'points [[y-parallax mm, redundancy, w, detectable mm, external reliability, weight, X, Y, Z mm], …], rejected (indices from 0).',
   run({ positionals: [file = ''], values }) {
     const focal = values.get('focal-mm');
@@ -52,6 +52,10 @@ export const orientationOf = (o) => ({ ...o, points: rows(o.points, 9), warnings
 const globalTest = ({ statistic, lower, upper, passed }) =>
   `global test ${passed ? 'passed' : 'FAILED'}: ${fixed(statistic, 1)}, expected between ${fixed(lower, 1)} and ${fixed(upper, 1)}`;
 
+/** @param {import('../node.js').ErrorEllipse} e */
+const ellipse = ({ semi_major: major, semi_minor: minor, bearing_deg: bearing }) =>
+  `by and bz together lie in an ellipse of ${significant(major)} x ${significant(minor)} mm, ${fixed(bearing, 0)} deg from by to bz, in 95 % of cases`;
+
 /**
  * The orientation in text.
  * @param {RelativeOrientation} o @param {number | null} pixelMm the pixel's size at photo scale, where it is known @returns {string[]}
@@ -59,14 +63,15 @@ const globalTest = ({ statistic, lower, upper, passed }) =>
 export function describeOrientation(o, pixelMm) {
   const rows = UNKNOWNS.map(({ name, unit, field }) => {
     const total = o.total_standard_errors ? [fixed(o.total_standard_errors[field], 4)] : [];
-    return [`${name} [${unit}]`, fixed(o[field], 4), fixed(o.standard_errors?.[field], 4), ...total];
+    return [`${name} [${unit}]`, fixed(o[field], 4), fixed(o.standard_errors?.[field], 4), ...total, fixed(o.half_widths_95?.[field], 4)];
   });
   const sigma = pixelMm === null || o.sigma0_mm === null ? '' : ` = ${fixed(o.sigma0_mm / pixelMm, 3)} px`;
   return [
-    table([['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : [])], ...rows]),
+    table([['', 'value', 'std. error', ...(o.total_standard_errors ? ['in total'] : []), '95 % ±'], ...rows]),
     '',
     `base ${fixed(o.base_mm, 3)} mm, focal length ${fixed(o.focal_mm, 3)} mm, ${o.method}`,
     `sigma0 ${fixed(o.sigma0_mm, 5)} mm${sigma}, ${o.degrees_of_freedom} degrees of freedom, ${o.iterations} iterations, ${o.rejected.length} rejected`,
+    ...(o.base_ellipse_95_mm ? [ellipse(o.base_ellipse_95_mm)] : []),
     `condition ${significant(o.condition)}, plane misfit ${fixed(o.plane_misfit, 1)} sigma0, parallax beside a rotation ${significant(o.parallax_beside_rotation_mm)} mm`,
     ...(o.cameras ? [estimatedCamera(o.cameras[0], pixelMm)] : []),
     ...(o.global_test ? [globalTest(o.global_test)] : []),

@@ -2,6 +2,7 @@
 /** Worker threads that run named jobs. */
 
 import { Worker } from 'node:worker_threads';
+import { breakdownOf } from '../block/faults.js';
 
 /**
  * @typedef {{ name: string, input: unknown, transfer: readonly ArrayBufferLike[], resolve: (output: any) => void, reject: (error: Error) => void }} Job
@@ -61,7 +62,7 @@ export class ThreadPool {
       if (error) job?.reject(Object.assign(new Error(error.message), error));
       else job?.resolve(output);
       // The module is not to be trusted after a trap or a panic.
-      if (['RuntimeError', 'Panic'].includes(error?.name)) this.#drop(lane);
+      if (error && breakdownOf(Object.assign(new Error(error.message), { name: error.name })) !== null) this.#drop(lane);
       this.#start();
     });
     lane.worker.on('messageerror', (error) => this.#broken(lane, `the answer of the worker cannot be read: ${error.message}`));

@@ -8,7 +8,7 @@
 error-invalid-option = { $field } is { $got }; allowed: { $allowed }
 error-invalid-json = { $what }: { $reason }
 error-invalid-input = { $what }: got { $got }; allowed: { $allowed }
-error-unreadable-image = the image cannot be read: { $reason }
+error-unreadable-image = the image cannot be read: { $image_fault }
 error-unsupported-image = { $what } is not supported; allowed: { $allowed }
 error-too-many-pixels = the image declares { $width } x { $height } px = { FIXED($megapixels, digits: 1) } MP; allowed: up to { FIXED($max_megapixels, digits: 1) } MP
 error-too-much-memory = decoding { $width } x { $height } px needs about { $needed_mb } MB; allowed: up to { $max_mb } MB
@@ -20,9 +20,33 @@ error-degenerate = the observations do not determine { $computation }: { $cause 
 error-undetermined-image = { $computation } does not determine image { $image } (counted from 0): { $cause }
 error-not-converged = { $computation } does not converge in { $iterations } iterations: { $cause }
 error-not-exportable = these images cannot be exported as { $formats } ({ $reason }): rename them, or leave out what cannot hold their names
-error-interrupted = the run cannot go on: { $reason }
-error-unreadable-file = { $what } cannot be read: { $place }: { $reason }
-error-not-written = { $what } cannot be written: its sink takes no more text
+error-interrupted = the run cannot go on: { $interruption }
+error-unreadable-file = { $what } cannot be read: { $place }: { $file_fault }
+error-not-written = { $what } cannot be written: the output takes no more text
+
+image-fault-empty = the file is empty
+image-fault-damaged = { $format }: { $message }
+image-fault-mask = its mask { $name }: { $error }
+
+file-fault-system = { $message }
+file-fault-not-text = it is not text (UTF-8)
+file-fault-content = { $message }
+file-fault-no-project = '{ $line }' is not the first line of a project, or the only one
+file-fault-no-header = '{ $line }' is not the first line of a project ({ $message })
+file-fault-other-format = its format is '{ $format }', not '{ $wanted }'
+file-fault-other-version = it is of version { $version }; this program reads versions 1 to { $newest }
+file-fault-other-length = { $bytes } bytes follow the first line, which declares { $declared }: the file is cut off or was changed
+file-fault-other-checksum = the checksum of the first line does not fit the rest: the file is damaged or was changed by hand
+file-fault-holds-pair = it holds a pair, not a block
+file-fault-holds-block = it holds a block, not a pair
+file-fault-record-changed = it was removed or changed while the run went on: start the run again
+file-fault-in-use = it is in use by { $owner }: wait for that, or remove the lock if no such process runs
+
+interruption-image-changed = { $name } was changed while the run went on: start the run again
+interruption-unreadable-work = what came of a job does not read as it was written
+interruption-unfinished = it was ended before all of its jobs were done
+interruption-job = { $failure }
+interruption-refinement = the observations of { $name } cannot be refined: { $failure }
 
 ## What is computed.
 
@@ -52,9 +76,10 @@ cause-no-extent = the approximate positions have no extent
 cause-one-position = all images have the same position
 cause-no-parallax = both photos have the same coordinates, so there is no parallax
 cause-no-base = no base (pure rotation): the median parallax beside a rotation is { FIXED($parallax, digits: 1) } standard errors of a photo coordinate; more than { $least } are needed
-cause-inseparable = the unknowns can hardly be told apart, as over a critical cylinder or without a base (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound)
+cause-inseparable = the unknowns are hardly separable, as over a critical cylinder or without a base (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound)
 cause-large-errors = the standard error of an angle or of the direction of the base is { FIXED($largest_deg, digits: 0) }°
 cause-large-residuals = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px: the matches are wrong, as those of photos that lie upside down or do not overlap, or the camera is
+cause-weak-support = only { $agreeing } of { $observations } observations agree, too few to show which are right: measure more points, or adjust all without robustness
 cause-behind-cameras = only { $in_front } of { $points } points would lie in front of both cameras
 cause-singular-normals = the normal equations are singular (1 - R² = { POWER($share, digits: 1) }; more than { POWER($least, digits: 0) } is needed)
 cause-base-across-x = the base has { POWER($along_x, digits: 1) } of its length along x (at least { $least } is needed), so by and bz have no size in units of b; turn both photos by 90°
@@ -66,14 +91,14 @@ cause-too-many-on-line = too many of the points lie on a line
 cause-turned-away = it leaves the start: the right photo turns by more than 60°; the robust start takes any rotation
 cause-rising-base = it leaves the start: the base rises by more than 60°; the robust start takes any base
 cause-long-steps = the last step is { POWER($ratio, digits: 1) } times as long as one that counts as converged
-cause-stalled = no step lowers the residuals any more, and the last one is { POWER($last_step, digits: 1) } standard errors long
+cause-stalled = no step reduces the residuals any further, and the last one is { POWER($last_step, digits: 1) } standard errors long
 cause-unsettled = { $unsettled } still changes after { $rounds } rounds
 cause-point-in-plane = a point lies in the plane of a projection centre
-cause-no-rotation = its rotation follows from nothing
-cause-no-position = its position follows from nothing
+cause-no-rotation = nothing determines its rotation
+cause-no-position = nothing determines its position
 cause-few-observations = it has { $observations } observations of points that others see; at least { $needed } are needed
-cause-no-camera-parameter = { $camera_parameter } of camera { $camera } (counted from 0) follows from nothing
-cause-parts = the block falls into { $parts } parts without common points; images { $first } and { $second } (counted from 0) are in different ones
+cause-no-camera-parameter = nothing determines { $camera_parameter } of camera { $camera } (counted from 0)
+cause-parts = the block falls into { $parts } parts that share no points; images { $first } and { $second } (counted from 0) are in different ones
 cause-folded-at = the camera's distortion has no inverse at ({ $x_px }, { $y_px }) px
 cause-folded-beyond = the camera's distortion has no inverse { FIXED($radius_px, digits: 0) } px from the principal point
 
@@ -109,11 +134,11 @@ two-view-model-fundamental = epipolar geometry of unknown cameras
 two-view-model-homography = homography of a plane
     .label = homography of a plane
     .short = plane
-    .help = All points lie in a plane: each point of one image has one place in the other.
+    .help = All points lie in a plane: each point of one image has one position in the other.
 two-view-model-rotation = rotation without a base
     .label = rotation
     .short = pure rotation
-    .help = No base (pure rotation): each point of one image has one place in the other, whatever its distance.
+    .help = No base (pure rotation): each point of one image has one position in the other, whatever its distance.
 
 degeneracy-plane = Nearly all points lie in a plane: without known cameras the orientation is not determined; with them, its warnings say whether that matters.
     .short = ground nearly plane
@@ -124,8 +149,20 @@ degeneracy-pure-rotation = No base (pure rotation): the photos differ by a rotat
 
 warning-plane = All points lie in a plane within their precision: a second orientation fits nearly as well (misfit { FIXED($misfit, digits: 1) } σ0; from { $least } on a plane is excluded).
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
-warning-rotation = The photos hardly differ but by a rotation: the base is too short to be told from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
-warning-ill-conditioned = The unknowns can hardly be told apart, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
+warning-rotation = The photos hardly differ but by a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
+warning-ill-conditioned = The unknowns are hardly separable, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
+warning-identical =
+    { $copies ->
+        [one] 1 observation is the same as another
+       *[other] { $copies } observations are the same as others
+    } to the last digit: each counts once.
+warning-behind =
+    { $points ->
+        [one] 1 point is
+       *[other] { $points } points are
+    } left out: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
+warning-sigma = The residuals contradict the given σ0: it is { SIGNIFICANT($estimated_um, digits: 3) } µm, not { SIGNIFICANT($given_um, digits: 3) } µm. Standard errors and tests use the estimated one.
+warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.
 
@@ -138,9 +175,9 @@ outcome-not-oriented = not connected: { $no_geometry }
 outcome-failed = not connected: { $failure }
 
 rule-all = all pairs are tried
-rule-near = chosen as near each other
-rule-sequence = chosen as following each other
-rule-alike = chosen as similar
+rule-near = chosen because the images are near each other
+rule-sequence = chosen because the images follow each other
+rule-alike = chosen because the images are similar
 
 ## Why a file was skipped, or a job of a run failed.
 
@@ -157,11 +194,11 @@ unoriented-too-few-points =
         [one] 1 of its tie points is intersected
        *[other] { $points } of its tie points are intersected
     } by oriented images; at least { $needed } are needed
-unoriented-no-agreement = { $agreeing } of its { $points } observations of intersected points agree on one orientation; at least { $needed } must, and a fifth
+unoriented-no-agreement = { $agreeing } of its { $points } observations of intersected points agree on one orientation; at least { $needed } and a fifth of them must
 unoriented-narrow = its { $agreeing } observations that agree lie on a line or in one spot of the image
-unoriented-no-partner = it has too few points in common with any image, or no base to one
+unoriented-no-partner = it shares too few tie points with every other image, or has no base to one
 unoriented-lost =
-    it was oriented and kept only { $rays ->
+    it was oriented, but kept only { $rays ->
         [one] 1 observation
        *[other] { $rays } observations
     }
@@ -169,7 +206,19 @@ unoriented-undetermined =
     it was oriented with { $rays ->
         [one] 1 observation
        *[other] { $rays } observations
-    }; the bundle adjustment rejected too many of them
+    }; the bundle adjustment rejected too many of these
+
+image-reason-apart = in a model of its own, of { $images } images
+image-reason-unoriented = { $unoriented }
+image-reason-failed = { $failure }
+image-reason-unknown = not oriented
+
+## Warnings about a block at a glance.
+
+overview-warning-model = { $block_warning }
+overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
+overview-warning-none-oriented = No image could be oriented.
+overview-warning-failed = No image could be oriented: { $failure }.
 
 ## Warnings about an adjusted block.
 
@@ -203,7 +252,7 @@ block-warning-scale =
         [none] metres are needed.
        *[other] are they in { $unit }?
     }
-block-warning-degrees = The x and y of the GCPs look like longitude and latitude: metres are needed, not degrees.
+block-warning-degrees = The x and y of the GCPs look like longitude and latitude: coordinates in metres are needed, not degrees.
 block-warning-point-rejected =
     The GCP { $point } is rejected: { $measurements ->
         [one] it has one image measurement in oriented images.
@@ -220,8 +269,8 @@ block-warning-measurements-rejected =
         [0] .
        *[other] {" "}and { $images_more } more.
     }
-block-warning-focal-estimated = The focal length of { $camera } is not known; it is estimated to ± { FIXED($error_px, digits: 1) } px.
-block-warning-focal-undetermined = The focal length of { $camera } is not known, and the block does not determine it: heights are wrong in scale.
+block-warning-focal-estimated = The focal length of { $camera } is not known; it is estimated with a standard error of ± { FIXED($error_px, digits: 1) } px.
+block-warning-focal-undetermined = The focal length of { $camera } is not known, and the block does not determine it: the scale of the heights is wrong.
 block-warning-parameter-fixed = The block does not determine { $camera_parameter } of { $camera }; it stays as it was.
 block-warning-few-observations =
     { $images_count ->
@@ -289,27 +338,116 @@ verdict-matched = Matched: no rule rejects it.
     .label = Matched
 verdict-no-descriptor = Rejected: its window leaves the image or all its grey values are equal, so there is nothing to compare.
     .label = No window
-verdict-no-candidate = Rejected: there is nothing in reach that could be compared with it.
+verdict-no-candidate = Rejected: its search window holds no candidate.
     .label = No candidate
 verdict-threshold = Rejected: its best candidate is not similar enough.
     .label = Threshold
 verdict-ambiguous = Rejected: its second best candidate is nearly as good as its best.
     .label = Ambiguous
-verdict-many-to-one = Rejected: another left point matches the same place better.
+verdict-many-to-one = Rejected: another left point matches the same position better.
     .label = Many to one
 verdict-parallax = Rejected: its y-parallax deviates from that of the nearest matches, or it does not fit the geometry of the two views.
     .label = y-parallax
-verdict-border = Rejected: the best place lies on the border of its search window, so a better one may lie beyond.
+verdict-border = Rejected: the best position lies on the border of its search window; a better one may lie beyond it.
     .label = Border
-verdict-left-right = Rejected: from the right image back, another place of the left image is more similar.
+verdict-left-right = Rejected: matched from the right image back, another position in the left image is more similar.
     .label = Left-right check
 verdict-not-converged = Rejected: least squares matching does not converge within its limits of shape, distance and iterations.
     .label = Not converged
 verdict-imprecise = Rejected: the standard error of its right position is too large, as on an edge along which it can slide.
     .label = Imprecise
-verdict-frame = Rejected: it lies at the same place of both frames, as the border of the film, fiducial marks and data strips do.
+verdict-frame = Rejected: it has the same position in both frames, as the border of the film, fiducial marks and data strips have.
     .label = Frame
 verdict-gross-error = Matched, then rejected from the relative orientation: its standardised residual exceeds the limit that α₀ sets.
     .label = Gross error
 verdict-undecided = No match uses this point.
     .label = Not matched
+
+## The page. COUNT($n) writes a whole number in groups of three.
+
+page-candidate-of = Not matched. It is the best candidate of left point { COUNT($point) }, which is rejected.
+
+# What the rule compared. `second`: the measure of the second best candidate, `ratio`: the best by it.
+page-ratio =
+    { $second ->
+        [none] without a second candidate
+       *[other] { FIXED($ratio, digits: 3) } of the second best ({ FIXED($second, digits: 4) })
+    }
+page-correlation = Correlation { FIXED($correlation, digits: 4) }, measure { FIXED($best, digits: 4) }.
+page-low-correlation = Correlation { FIXED($correlation, digits: 4) }; { $least } or more is allowed.
+page-good-measure = Its best measure { FIXED($best, digits: 4) } is below { $most }, and { page-ratio }.
+page-large-measure = Best measure { FIXED($best, digits: 4) }; below { $most } is allowed.
+page-ambiguous = Its best measure { FIXED($best, digits: 4) } is { page-ratio }; up to { $largest } is allowed.
+page-parallax = Tolerance: { $tolerance } px, or three times the scatter of its neighbours where that is more.
+page-imprecise = Up to { $most } px is allowed.
+page-distance = Distance { FIXED($best, digits: 4) }, { page-ratio }.
+page-only-candidate = Distance { FIXED($best, digits: 4) }, the only candidate that agrees with the geometry of the two views.
+page-clear-candidate = Distance { FIXED($best, digits: 4) }, { page-ratio }. It agrees with the geometry of the two views.
+page-agreeing-candidate = Distance { FIXED($best, digits: 4) }, { page-ratio }: more than { $largest }, but it agrees with the geometry of the two views, which leaves few candidates.
+page-no-geometry =
+    Distance { FIXED($best, digits: 4) }, { page-ratio }. No geometry of the two views was found{ $no_geometry ->
+        [none] .
+       *[other] : { $no_geometry }.
+    }
+page-off-line = Distance { FIXED($best, digits: 4) }, { page-ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its epipolar line is allowed.
+page-off-place = Distance { FIXED($best, digits: 4) }, { page-ratio }; but it does not fit: up to { FIXED($threshold_px, digits: 2) } px from its predicted position is allowed.
+
+page-matched = { COUNT($matches) } matches of { COUNT($points) } left points
+page-step = Step { $step } of { $steps }: { $stages }
+page-worked = { $matched }, { FIXED($seconds, digits: 2) } s of work.
+
+page-estimated-focal = With the focal length estimated from the matches: { FIXED($focal_px, digits: 0) } ± { FIXED($error_px, digits: 0) } px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.
+page-global-test = The weighted sum of squared residuals over the given σ₀²: with good matches between { FIXED($lower, digits: 1) } and { FIXED($upper, digits: 1) } in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.
+page-paper = Paper: its Tables 2 and 3, of its own pair (f = { $focal_mm } mm, pixel { FIXED($pixel_um, digits: 0) } µm, assumed b = { $base_mm } mm).
+page-paper-sigma = σ₀ { FIXED($sigma0_mm, digits: 3) } mm = { FIXED($sigma0_px, digits: 1) } px
+
+page-block-images = { COUNT($images) } images.
+page-block-done =
+    Done: { $images ->
+        [one] 1 image
+       *[other] { COUNT($images) } images
+    }{ $oriented ->
+        [0] {""}
+       *[other] , { $all ->
+            [true] all
+           *[false] { COUNT($oriented) }
+        } oriented
+    }{ $skipped ->
+        [0] {""}
+       *[other] , { COUNT($skipped) } skipped
+    }, { $pairs ->
+        [one] 1 pair
+       *[other] { COUNT($pairs) } pairs
+    } connected, { $found ->
+        [none] { $points ->
+            [one] 1 tie point
+           *[other] { COUNT($points) } tie points
+        }
+       *[other] { COUNT($points) } of { $found ->
+            [one] 1 tie point
+           *[other] { COUNT($found) } tie points
+        } selected
+    }.{ $time ->
+        [none] {""}
+       *[other] {" "}{ $time }.
+    }{ $warnings ->
+        [0] {""}
+        [one] {" "}1 warning, see Results.
+       *[other] {" "}{ COUNT($warnings) } warnings, see Results.
+    }
+page-block-not-oriented =
+    { $why }{ $group ->
+        [none] {""}
+       *[other] {" "}The largest group of connected images has { COUNT($group) } of { COUNT($images) }: do they overlap?
+    } Kept: { COUNT($images) } images with their features, { $pairs ->
+        [one] 1 connected pair
+       *[other] { COUNT($pairs) } connected pairs
+    }, { $points ->
+        [one] 1 tie point
+       *[other] { COUNT($points) } tie points
+    }.
+page-geometry =
+    { $model }{ $weak ->
+        [none] {""}
+       *[other] , { $weak }
+    }, ± { FIXED($sigma_px, digits: 2) } px

@@ -1,7 +1,7 @@
 //! Words of text files: names without blanks, errors of writing, numbers of a line.
 
-use crate::Error;
 use crate::text::shorten;
+use crate::{Error, FileFault};
 use std::fmt;
 
 /// The error of a sink that takes no more text.
@@ -47,7 +47,11 @@ pub(super) struct Line<'a> {
 
 impl<'a> Line<'a> {
     pub(super) fn refused(&self, reason: impl Into<String>) -> Error {
-        Error::UnreadableFile { what: self.what, place: format!("line {}", self.number), reason: reason.into() }
+        Error::UnreadableFile {
+            what: self.what,
+            place: format!("line {}", self.number),
+            file_fault: FileFault::Content { message: reason.into() },
+        }
     }
 
     pub(super) fn words(&self) -> std::str::SplitAsciiWhitespace<'a> {

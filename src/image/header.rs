@@ -3,7 +3,7 @@
 use super::layout::{FileLayout, Format, damaged, truncated};
 use super::tiff::TiffLayout;
 use super::{bmp, jpeg, png, pnm, webp};
-use crate::Error;
+use crate::{Error, ImageFault};
 
 /// What the first bytes of a file tell.
 #[derive(Debug, Clone, PartialEq)]
@@ -51,7 +51,7 @@ fn format_of(bytes: &[u8]) -> Result<Format, Error> {
         [b'B', b'M', ..] => Ok(Format::Bmp),
         [b'P', b'1'..=b'7', b' ' | b'\t' | b'\r' | b'\n' | b'#', ..] => Ok(Format::Pnm),
         [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', ..] => Ok(Format::WebP),
-        [] => Err(Error::UnreadableImage { reason: "the file is empty".into() }),
+        [] => Err(Error::UnreadableImage { image_fault: ImageFault::Empty }),
         _ => Err(Error::UnsupportedImage { what: "this kind of file".into(), allowed: Format::ALL }),
     }
 }

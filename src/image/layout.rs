@@ -1,6 +1,6 @@
 //! What an image file declares about itself.
 
-use crate::Error;
+use crate::{Error, ImageFault};
 
 /// The formats that are decoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,7 +63,7 @@ pub(super) fn truncated(format: Format) -> Error {
 
 /// The error for a file that contradicts its format.
 pub(super) fn damaged(format: Format, reason: impl std::fmt::Display) -> Error {
-    Error::UnreadableImage { reason: format!("{}: {reason}", format.name()) }
+    Error::UnreadableImage { image_fault: ImageFault::Damaged { format: format.name().into(), message: reason.to_string() } }
 }
 
 /// The bytes of a field at a place of the file, where the file reaches that far.

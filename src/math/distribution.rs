@@ -7,6 +7,11 @@ pub(crate) fn normal_probability(x: f64) -> f64 {
     0.5 * libm::erfc(-x * FRAC_1_SQRT_2)
 }
 
+/// The probability that the size of a standard normal variable is above `limit`.
+pub(crate) fn normal_outside(limit: f64) -> f64 {
+    libm::erfc(limit * FRAC_1_SQRT_2)
+}
+
 /// The density of a standard normal variable.
 pub(crate) fn normal_density(x: f64) -> f64 {
     libm::exp(-0.5 * x * x) / (SQRT_2 * PI.sqrt())

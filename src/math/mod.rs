@@ -8,16 +8,20 @@ mod null_space;
 mod polynomial;
 mod random;
 mod statistics;
+mod student;
 mod vector;
 mod whole;
 
 pub(crate) use consensus::{BLOCK, Candidate, Problem, Search, consensus};
-pub(crate) use distribution::{chi_square_quantile, normal_density, normal_median_within, normal_quantile, normal_spread_within};
+pub(crate) use distribution::{
+    chi_square_quantile, normal_density, normal_median_within, normal_outside, normal_quantile, normal_spread_within,
+};
 pub use geodesy::{geographic_from_local, local_from_geographic};
 pub(crate) use lanes::Lanes;
 pub(crate) use null_space::null_space;
 pub(crate) use polynomial::{MAX_DEGREE, real_roots};
 pub(crate) use random::Random;
 pub(crate) use statistics::{MEDIAN_LENGTH, median, smallest, weighted_median};
+pub(crate) use student::{detectable_shift, ln_choices, ln_f_above, student_limit, tau_limit, variance_left};
 pub(crate) use vector::{cross, dot3, minus};
 pub(crate) use whole::Whole;

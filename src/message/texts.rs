@@ -10,19 +10,24 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 13] = [
+pub(super) const NESTED: [&str; 18] = [
+    "block_warning",
     "camera",
     "camera_parameter",
     "cause",
     "computation",
     "error",
     "failure",
+    "file_fault",
+    "image_fault",
+    "interruption",
     "no_geometry",
     "observed",
     "outcome",
     "rule",
     "side",
     "unit",
+    "unoriented",
     "unsettled",
 ];
 
@@ -124,13 +129,21 @@ impl Texts {
 /// How a number is written, by its digits.
 type Format = fn(f64, usize) -> String;
 
-/// The functions of catalogues: digits after the point, significant digits, and powers of ten; a share in per cent.
-const FORMATS: [(&str, Format); 4] = [
+/// The functions of catalogues: whole numbers in groups of three; digits after the point, significant digits, and powers of ten; a share in per cent.
+const FORMATS: [(&str, Format); 5] = [
+    ("COUNT", |value, _| grouped(value)),
     ("FIXED", |value, digits| format!("{value:.digits$}")),
     ("SIGNIFICANT", significant),
     ("POWER", |value, digits| format!("{value:.digits$e}")),
     ("PERCENT", |value, digits| format!("{:.digits$} %", 100.0 * value)),
 ];
+
+/// Narrow spaces set the groups apart.
+fn grouped(value: f64) -> String {
+    let digits = format!("{value:.0}");
+    let place = |k: usize| digits.len() - k;
+    digits.char_indices().flat_map(|(k, c)| (k > 0 && place(k).is_multiple_of(3)).then_some('\u{202f}').into_iter().chain([c])).collect()
+}
 
 fn significant(value: f64, digits: usize) -> String {
     let power = format!("{value:.*e}", digits.max(1) - 1);

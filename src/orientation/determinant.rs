@@ -2,8 +2,8 @@
 
 use super::adjusted::Adjusted;
 use super::adjustment::{move_within_bounds, step_tolerance};
-use super::coplanarity::{Ray, RelativePose};
-use super::normals::Normals;
+use super::coplanarity::{Linearised, Ray, RelativePose};
+use super::normals::{Matrix5, Normals};
 use super::refusal::{check_parallax, diverged, undetermined};
 use crate::{Cause, Computation, Error};
 
@@ -76,6 +76,43 @@ fn determinants(pose: &RelativePose, rays: &[Ray]) -> Result<(Normals<5>, f64), 
         square_gradients += gradient * gradient;
     }
     Ok((normals, square_gradients / rays.len() as f64))
+}
+
+/// The weights that observations have in least squares of determinants, whose mean is 1, where distances from coplanarity are observed.
+///
+/// A determinant is a distance times its gradient, so that its square counts by the square of this.
+pub(super) fn implied_weights(pose: &RelativePose, rays: &[Ray], kept: &[bool]) -> Vec<f64> {
+    let tangents = pose.tangents();
+    let square = |ray: &Ray| pose.linearise(&tangents, ray, &pose.project(ray).0).map_or(0.0, |line| line.gradient * line.gradient);
+    let squares: Vec<f64> = rays.iter().map(square).collect();
+    let number = kept.iter().filter(|kept| **kept).count().max(1) as f64;
+    let mean = squares.iter().zip(kept).filter(|(_, kept)| **kept).map(|(square, _)| square).sum::<f64>() / number;
+    squares.into_iter().map(|square| square / mean.max(f64::MIN_POSITIVE)).collect()
+}
+
+/// The adjustment with the precision of an estimate that weighs equally precise distances by these weights.
+///
+/// With H = A N⁻¹ Aᵀ P, the residuals have the cofactors 1 - 2 h_i + a_iᵀ C a_i and the unknowns C = N⁻¹ Aᵀ P² A N⁻¹; σ² is what makes the
+/// expectation of the weighted square sum, σ² Σ p_i (1 - h_i), the one that was found.
+///
+/// # Errors
+/// [`Error::Degenerate`] where the normal equations are singular.
+pub(super) fn with_precision(adjusted: Adjusted, rays: &[Ray], weights: &[f64]) -> Result<Adjusted, Error> {
+    let pose = adjusted.pose;
+    let tangents = pose.tangents();
+    let lines: Vec<_> = rays.iter().map(|ray| pose.linearise(&tangents, ray, &pose.project(ray).0)).collect();
+    let all = || lines.iter().zip(weights).filter_map(|(line, weight)| line.as_ref().map(|line| (line, *weight)));
+    let mut normals = Normals::new();
+    let mut squared = Matrix5::zeros();
+    for (line, weight) in all() {
+        normals.add(&line.by_unknowns, line.misclosure, weight);
+        squared += line.by_unknowns * line.by_unknowns.transpose() * (weight * weight);
+    }
+    let cofactors = normals.solve().map_err(undetermined)?.cofactors;
+    let share = |line: &Linearised, weight: f64| weight * line.by_unknowns.dot(&(cofactors * line.by_unknowns));
+    let expected: f64 = all().map(|(line, weight)| weight * (1.0 - share(line, weight))).sum();
+    let sigma = if rays.len() > 5 { (normals.square_sum / expected).sqrt() } else { 0.0 };
+    Ok(Adjusted { cofactors, precision: cofactors * squared * cofactors, sensitivity: cofactors, sigma, ..adjusted })
 }
 
 #[cfg(test)]

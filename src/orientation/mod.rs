@@ -2,13 +2,17 @@
 
 mod adjusted;
 mod adjustment;
+mod agreement;
 mod coplanarity;
 mod determinant;
 mod error_model;
 mod field;
 mod five_point;
+mod focal;
+mod identical;
 mod neighbours;
 mod normals;
+mod observed;
 mod options;
 mod precision;
 mod refusal;

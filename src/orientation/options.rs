@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::catalogue::{choices, options, refuse};
-use crate::math::normal_quantile;
+use crate::math::detectable_shift;
 
 choices! {
     /// What is minimised.
@@ -68,13 +68,9 @@ impl OrientationOptions {
         }
     }
 
-    /// The standardised residual beyond which an observation is rejected.
-    pub(super) fn limit(&self) -> f64 {
-        normal_quantile(1.0 - 0.5 * self.alpha0)
-    }
-
-    /// δ₀: the shift of a standardised residual that exceeds the limit with the probability β₀.
-    pub(super) fn noncentrality(&self) -> f64 {
-        self.limit() + normal_quantile(self.beta0)
+    /// δ₀: the shift of a standardised residual that exceeds its limit with the probability β₀: of a σ that `freedom` degrees of freedom
+    /// estimate, or of a known one.
+    pub(super) fn noncentrality(&self, freedom: Option<usize>) -> f64 {
+        detectable_shift(self.alpha0, self.beta0, freedom)
     }
 }

@@ -126,7 +126,8 @@ pub(super) fn undetermined(share: f64) -> Error {
     degenerate(Cause::SingularNormals { share, least: 1e-13 })
 }
 
-fn degenerate(cause: Cause) -> Error {
+/// The error of observations that do not determine the orientation.
+pub(super) fn degenerate(cause: Cause) -> Error {
     Error::Degenerate { computation: Computation::RelativeOrientation, cause }
 }
 

@@ -2,25 +2,16 @@
 
 use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
+use super::agreement::{agreeing, contradicting, is_beyond_chance};
 use super::coplanarity::{Linearised, Ray, RelativePose};
+use super::normals::Normals;
+use super::observed::{Limits, Weighted};
 use super::robust_start::{Consensus, least_agreement};
-use crate::math::{median, normal_median_within, normal_spread_within, smallest};
+use crate::math::{
+    chi_square_quantile, median, normal_median_within, normal_outside, normal_spread_within, smallest, student_limit, tau_limit,
+    variance_left,
+};
 use crate::{Cause, Error, Unsettled};
-
-/// Observations with their weights.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Weighted<'a> {
-    pub rays: &'a [Ray],
-    pub weights: &'a [f64],
-}
-
-impl Weighted<'_> {
-    /// The rays and weights of those that are kept.
-    pub fn kept(&self, accepted: &[bool]) -> (Vec<Ray>, Vec<f64>) {
-        let all = self.rays.iter().zip(self.weights).zip(accepted);
-        all.filter(|(_, kept)| **kept).map(|((ray, weight), _)| (*ray, *weight)).unzip()
-    }
-}
 
 /// An adjustment free of gross errors.
 #[derive(Debug, Clone)]
@@ -28,15 +19,15 @@ pub(super) struct Clean {
     pub adjusted: Adjusted,
     /// One for each observation: whether it took part.
     pub accepted: Vec<bool>,
+    /// How many of those that did not take part have rays that meet behind a camera.
+    pub behind: usize,
 }
 
-/// What is known of σ before, and beyond how many of it an observation is rejected.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
-    /// The limit of a standardised residual of normal errors.
-    pub rejection: f64,
-    /// σ is at least this, in units of the focal length: what was known of it, or the resolution of the coordinates; 0 where neither is.
-    pub least_sigma: f64,
+impl Clean {
+    /// How many were rejected by their residuals.
+    pub fn beyond(&self) -> usize {
+        self.accepted.iter().filter(|accepted| !**accepted).count() - self.behind
+    }
 }
 
 /// In this many rounds, rejected observations may come back; then they may not, so that the rounds end.
@@ -55,25 +46,147 @@ const MANY: usize = 200;
 const START: f64 = 4.0;
 const FURTHEST_START: f64 = 12.0;
 
-/// Below this (in units of the focal length) residuals are rounding, and none is a gross error.
-const LEAST_SCALE: f64 = 1e-11;
+/// Few observations: the order in which they agree is found one by one.
+const FEW: usize = 200;
 
-/// Adjusts, rejects what exceeds the limit of standardised residuals, and adjusts again until nothing changes.
+/// One in so many gross errors is seen by the residuals of all: it has √50 of their σ.
+const HARDLY_ANY: usize = 50;
+
+/// Rays that meet at less than this many standard errors of a coordinate meet at infinity, for all that the observations tell.
+const PARALLEL: f64 = 5.0;
+
+/// Adjusts without the observations that contradict the others, and without those whose rays meet behind a camera.
 ///
-/// The first rounds take residuals to first order, from adjustments that have nearly settled; what these leave is judged by final ones.
+/// First all observations are adjusted. Where none of their residuals exceeds its limit, and no subset agrees so much better that chance does not
+/// explain it, that is the result: least squares of all. Else the largest set whose observations agree is adjusted, and what exceeds the
+/// limit of its residuals is rejected, the largest first, until nothing does.
 ///
-/// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. For a rejected one,
-/// q_vv is that of a new observation. σ is that of those that agree (within 3 σ, more where few of them make σ uncertain),
-/// made consistent; each of these is tested by it as by a σ that it took part in estimating. A least σ that is known holds where the estimated one is
-/// smaller; one that is too small rejects nothing that is good: the global test tells of it. Rays that meet behind a camera are rejected
-/// whatever their residual.
+/// A standardised residual is v / √q_vv; an observation has one condition, so that its four coordinates have the same. It is tested by the σ
+/// that it took part in estimating (τ), or by a known σ, normally. A σ that was known and that the result contradicts is not used.
 ///
 /// # Errors
-/// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain.
+/// Those of [`adjust`]; [`Error::TooFew`] where fewer than five observations remain; [`Error::Degenerate`] where too few agree to carry an
+/// orientation and all together have none, and where most rays meet behind a camera.
 ///
 /// # Source
 /// Baarda 1968, A testing procedure for use in geodetic networks; Pope 1976, The statistics of residuals and the detection of outliers.
 pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
+    let clean = clean_by(observed, start, limits)?;
+    let kept = clean.accepted.iter().filter(|kept| **kept).count();
+    if kept == 5 && kept < observed.rays.len() {
+        // Any five observations agree.
+        return Err(weak_support(kept, observed));
+    }
+    let freedom = kept.saturating_sub(5) as f64;
+    match limits.known_sigma {
+        Some(known) if freedom > 0.0 && freedom * (clean.adjusted.sigma / known).powi(2) > chi_square_quantile(0.975, freedom) => {
+            clean_by(observed, start, Limits { known_sigma: None, ..limits })
+        }
+        _ => Ok(clean),
+    }
+}
+
+fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
+    let number = observed.rays.len();
+    let mut accepted = vec![true; number];
+    let disagreeing = first_agreement(observed, start, limits).into_iter().filter(|agrees| !*agrees).count();
+    if number <= FEW {
+        accepted = agreeing(observed, start, limits);
+    } else if disagreeing * HARDLY_ANY <= number {
+        // So few do not hide behind the σ of all.
+    } else if let Some(found) = by_rounds(observed, start, limits).ok().filter(|found| carries(observed, found, limits)) {
+        return in_front(observed, found, limits);
+    }
+    let is_all = accepted.iter().all(|kept| *kept);
+    match by_residuals(observed, accepted, start.model, limits) {
+        // All together have no orientation, and no part of them agrees well enough to be one.
+        Err(Error::NotConverged { .. }) if is_all => Err(weak_support(number - disagreeing, observed)),
+        found => {
+            let found = found?;
+            let in_doubt = if number <= FEW { contradicting(observed, &found.accepted, start, limits) } else { None };
+            in_doubt.map_or_else(|| in_front(observed, found, limits), |agreeing| Err(weak_support(agreeing, observed)))
+        }
+    }
+}
+
+fn weak_support(agreeing: usize, observed: Weighted<'_>) -> Error {
+    super::refusal::degenerate(Cause::WeakSupport { agreeing, observations: observed.rays.len() })
+}
+
+/// Whether those that were accepted agree better than chance lets any so many of all agree.
+fn carries(observed: Weighted<'_>, found: &Clean, limits: Limits) -> bool {
+    let kept = found.accepted.iter().filter(|kept| **kept).count();
+    let number = observed.rays.len();
+    // Least squares of all, one step from the pose that was found.
+    let (pose, tangents) = (found.adjusted.pose, found.adjusted.pose.tangents());
+    let mut normals = Normals::new();
+    for (ray, weight) in observed.rays.iter().zip(observed.weights) {
+        if let Some(line) = pose.linearise(&tangents, ray, ray) {
+            normals.add(&line.by_unknowns, line.misclosure, *weight);
+        }
+    }
+    let of_all = normals.square_sum - normals.solve().map_or(0.0, |solution| 5.0 * solution.size * solution.size);
+    let inner = found.adjusted.sigma * found.adjusted.sigma * (kept - 5) as f64;
+    kept < number && is_beyond_chance((inner, kept), (of_all, number), limits.beyond_doubt(), limits)
+}
+
+/// Adjusts those that are accepted, and rejects what exceeds the limit, the largest first.
+fn by_residuals(observed: Weighted<'_>, mut accepted: Vec<bool>, start: RelativePose, limits: Limits) -> Result<Clean, Error> {
+    let mut pose = start;
+    let at_once = 1.max(observed.rays.len() / 100);
+    loop {
+        let (kept, weights) = observed.kept(&accepted);
+        let adjusted = adjust(&kept, &weights, pose, SETTLED, |_| Ok(()))?;
+        pose = adjusted.pose;
+        let freedom = kept.len().saturating_sub(5);
+        let rejected = accepted.len() - kept.len();
+        let limit = match limits.known_sigma {
+            Some(known) => limits.normal() * known,
+            None => {
+                let sigma = adjusted.sigma / variance_left(kept.len(), freedom, rejected, limits.alpha0).sqrt();
+                (tau_limit(limits.alpha0, freedom) * sigma).max(limits.normal() * limits.least_sigma())
+            }
+        };
+        let standardised = standardised_residuals(observed, &accepted, &adjusted, true);
+        let mut beyond: Vec<usize> = (0..accepted.len()).filter(|k| accepted[*k] && standardised[*k].size > limit).collect();
+        if beyond.is_empty() || kept.len() <= 5 {
+            return Ok(Clean { adjusted, accepted, behind: 0 });
+        }
+        beyond.sort_by(|a, b| standardised[*b].size.total_cmp(&standardised[*a].size).then(a.cmp(b)));
+        beyond.iter().take(at_once.min(kept.len() - 5)).for_each(|k| accepted[*k] = false);
+    }
+}
+
+/// Leaves out what lies behind a camera: the base is the one that has most points in front.
+fn in_front(observed: Weighted<'_>, mut clean: Clean, limits: Limits) -> Result<Clean, Error> {
+    loop {
+        let least_angle = PARALLEL * clean.adjusted.sigma.max(limits.least_sigma());
+        let pose = clean.adjusted.pose;
+        let [forwards, backwards] = [pose, RelativePose { base: -pose.base, ..pose }].map(|pose| {
+            let lies_in_front = |k: &usize| pose.in_front(&observed.rays[*k], least_angle);
+            (0..clean.accepted.len()).filter(|k| clean.accepted[*k] && !lies_in_front(k)).collect::<Vec<usize>>()
+        });
+        let behind = if backwards.len() < forwards.len() { backwards } else { forwards };
+        if behind.is_empty() {
+            return Ok(clean);
+        }
+        behind.iter().for_each(|k| clean.accepted[*k] = false);
+        clean.behind += behind.len();
+        let (kept, weights) = observed.kept(&clean.accepted);
+        if kept.len() <= clean.behind || kept.len() < 5 {
+            let cause = Cause::BehindCameras { in_front: kept.len(), points: kept.len() + clean.behind };
+            return Err(super::refusal::degenerate(cause));
+        }
+        clean.adjusted = adjust(&kept, &weights, pose, SETTLED, |_| Ok(()))?;
+    }
+}
+
+/// Adjusts, rejects what exceeds the limit of standardised residuals, and adjusts again until nothing changes: many observations.
+///
+/// The first rounds take residuals to first order, from adjustments that have nearly settled; what these leave is judged by final ones. For a
+/// rejected observation, q_vv is that of a new one. σ is that of those that agree (within 3 σ), made consistent; each of these is tested
+/// by it as by a σ that it took part in estimating. A least σ that is known holds where the estimated one is smaller.
+fn by_rounds(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result<Clean, Error> {
     let mut agreeing = first_agreement(observed, start, limits);
     let mut accepted = agreeing.clone();
     let mut pose = start.model;
@@ -86,16 +199,16 @@ pub(super) fn adjust_without_gross_errors(observed: Weighted<'_>, start: &Consen
         let adjusted = adjust(&kept, &weights, pose, if last { SETTLED } else { NEARLY_SETTLED }, |_| Ok(()))?;
         pose = adjusted.pose;
         let standardised = standardised_residuals(observed, &accepted, &adjusted, last);
-        let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma);
+        let sigma = sigma_of_agreeing(&standardised, &mut agreeing, limits.least_sigma());
         let redundancy = agreeing.iter().filter(|agrees| **agrees).count().saturating_sub(5);
-        let within = sigma * internal_limit(limits.rejection, redundancy);
-        let beyond = sigma * student_limit(limits.rejection, redundancy);
+        let within = sigma * tau_limit(limits.alpha0, redundancy);
+        let beyond = sigma * student_limit(limits.alpha0, redundancy);
         let free = round < FREE_ROUNDS;
         let tested = standardised.iter().zip(&agreeing).zip(&accepted);
         let next: Vec<bool> = tested.map(|((t, agrees), was)| t.size <= if *agrees { within } else { beyond } && (*was || free)).collect();
         if next == accepted || kept.len() == 5 {
             if last {
-                return Ok(Clean { adjusted, accepted });
+                return Ok(Clean { adjusted, accepted, behind: 0 });
             }
             last = true;
         } else {
@@ -115,9 +228,9 @@ struct Standardised {
 
 /// σ by the residuals that agree, and which these are: where the two fit each other.
 fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least_sigma: f64) -> f64 {
-    let least = least_sigma.max(LEAST_SCALE);
-    let mut sigma = least;
+    let mut sigma = least_sigma;
     let mut cut = f64::INFINITY;
+    let agreeing_beyond = normal_outside(AGREEING);
     for _ in 0..20 {
         let within = || standardised.iter().zip(&*agreeing).filter(|(_, agrees)| **agrees).map(|(t, _)| *t);
         let number = within().count();
@@ -129,8 +242,8 @@ fn sigma_of_agreeing(standardised: &[Standardised], agreeing: &mut [bool], least
         } else {
             median(&mut within().map(|t| t.size).collect::<Vec<_>>()).unwrap_or(0.0) / normal_median_within(cut)
         };
-        sigma = estimate.max(least);
-        cut = student_limit(AGREEING, number.saturating_sub(5));
+        sigma = estimate.max(least_sigma);
+        cut = student_limit(agreeing_beyond, number.saturating_sub(5));
         let reach = sigma * cut;
         let next = standardised.iter().map(|t| t.size <= reach);
         let settled = next.clone().eq(agreeing.iter().copied());
@@ -148,29 +261,9 @@ fn first_agreement(observed: Weighted<'_>, start: &Consensus, limits: Limits) ->
     let distances: Vec<f64> =
         rays.iter().zip(observed.weights).map(|(ray, weight)| start.model.project(ray).1.abs() * weight.sqrt()).collect();
     let least = smallest(&mut distances.clone(), least_agreement(rays.len()) - 1);
-    let reach = student_limit(START, least_agreement(rays.len()).saturating_sub(5)).min(FURTHEST_START);
-    let threshold = (reach * start.scale.max(limits.least_sigma).max(LEAST_SCALE)).max(least);
+    let reach = student_limit(normal_outside(START), least_agreement(rays.len()).saturating_sub(5)).min(FURTHEST_START);
+    let threshold = (reach * start.scale.max(limits.least_sigma())).max(least);
     distances.iter().map(|d| *d <= threshold).collect()
-}
-
-/// The limit of a standardised residual by a σ that it took part in estimating (Pope's τ), exceeded as rarely as `limit` of the normal one.
-fn internal_limit(limit: f64, redundancy: usize) -> f64 {
-    if redundancy < 2 {
-        return f64::INFINITY;
-    }
-    let freedom = redundancy as f64;
-    let outside = student_limit(limit, redundancy - 1);
-    if outside.is_infinite() { freedom.sqrt() } else { freedom.sqrt() * outside / (freedom - 1.0 + outside * outside).sqrt() }
-}
-
-/// The limit of Student's distribution that is exceeded as rarely as `limit` of the normal one: the σ of few residuals is uncertain.
-///
-/// # Source
-/// Wallace 1959, Bounds on normal approximations to Student's and the chi-square distributions, inverted.
-pub(super) fn student_limit(limit: f64, redundancy: usize) -> f64 {
-    let freedom = redundancy.max(1) as f64;
-    let stretched = limit * (8.0 * freedom + 3.0) / (8.0 * freedom + 1.0);
-    (freedom * libm::expm1(stretched * stretched / freedom)).sqrt()
 }
 
 /// |v| / √q_vv of every observation, in units of the focal length; to first order where not `exact`.
@@ -206,18 +299,4 @@ pub(super) fn corrections(rays: &[Ray], pose: &RelativePose) -> Vec<[f64; 4]> {
             std::array::from_fn(|k| adjusted[k] - ray[k])
         })
         .collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn limits_are_those_of_the_tables_of_student() {
-        // Two-sided probability 0.27 %: that of 3 standard errors.
-        for (freedom, wanted, tolerance) in [(3, 9.22, 0.7), (5, 5.51, 0.15), (10, 3.96, 0.03), (100, 3.08, 0.01)] {
-            let got = student_limit(3.0, freedom);
-            assert!((got - wanted).abs() < tolerance, "{freedom}: {got}");
-        }
-    }
 }

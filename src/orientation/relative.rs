@@ -3,19 +3,22 @@
 use super::adjusted::Adjusted;
 use super::adjustment::{SETTLED, adjust};
 use super::coplanarity::{Ray, RelativePose};
-use super::determinant::adjust_determinants;
+use super::determinant::{adjust_determinants, implied_weights, with_precision};
+use super::focal;
+use super::identical::Different;
 use super::normals::{Matrix5, correlations};
+use super::observed::{Limits, Weighted};
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
 use super::refusal::{check_geometry, check_input, check_result, near_vertical};
-use super::rejection::{Clean, Limits, Weighted, adjust_without_gross_errors, corrections};
+use super::rejection::{Clean, adjust_without_gross_errors, corrections};
 use super::reliability::Judgement;
-use super::result::{ErrorEllipse, GlobalTest, PointStatistics};
+use super::result::{ErrorEllipse, GlobalTest, PointStatistics, Warning};
 use super::robust_start::{median_parallax, robust_start};
 use super::warning::{condition, parallax_beside_rotation, plane_misfit, spread, warnings};
 use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
-use crate::Error;
-use crate::math::{chi_square_quantile, normal_spread_within};
+use crate::math::{chi_square_quantile, normal_quantile, student_limit, variance_left};
+use crate::{Cause, Error};
 
 /// Orients the right photo relative to the left one, which stays fixed: ω φ κ, by and bz for a given b.
 ///
@@ -62,16 +65,23 @@ pub fn orient_relative_with(
     errors.check(observations.len())?;
     options.check()?;
     check_input(observations, focal_mm)?;
-    let rays: Vec<Ray> = observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]].map(|v| v / focal_mm)).collect();
-    let weights: Vec<f64> = observations.iter().map(|o| o.weight).collect();
+    let different = Different::of(observations);
+    let rays: Vec<Ray> =
+        different.observations.iter().map(|o| [o.left[0], o.left[1], o.right[0], o.right[1]].map(|v| v / focal_mm)).collect();
+    let weights: Vec<f64> = different.observations.iter().map(|o| o.weight).collect();
     check_geometry(&rays)?;
     let observed = Weighted { rays: &rays, weights: &weights };
-    let Clean { mut adjusted, accepted } =
-        if options.robust { robust(observed, errors.resolution_mm, focal_mm, options)? } else { plain(observed, options)? };
+    let clean = if options.robust { robust(observed, errors.resolution_mm, focal_mm, options)? } else { plain(observed, options)? };
+    let Clean { mut adjusted, accepted, behind } = clean;
     let (kept, kept_weights) = observed.kept(&accepted);
     face_the_points(&mut adjusted, &kept);
     check_result(&adjusted, &kept)?;
     check_describable(&adjusted.pose)?;
+    let solved = match options.method {
+        OrientationMethod::Rigorous => weights.clone(),
+        OrientationMethod::Determinant => implied_weights(&adjusted.pose, &rays, &accepted),
+    };
+    let (_, kept_solved) = Weighted { rays: &rays, weights: &solved }.kept(&accepted);
     let (adjusted, factors) = match options.method {
         OrientationMethod::Rigorous => {
             let sigma = options.sigma0_mm.map_or(adjusted.sigma, |sigma0_mm| sigma0_mm / focal_mm);
@@ -80,38 +90,72 @@ pub fn orient_relative_with(
         OrientationMethod::Determinant => (adjusted, vec![1.0; kept.len()]),
     };
     let base_mm = signed_base(&adjusted.pose, options.base_mm.unwrap_or_else(|| focal_mm * default_base(&kept)));
-    let by_shared = shared::covariance_of(&errors.shared, &adjusted, (&kept, &kept_weights, &accepted), base_mm, focal_mm);
+    let taken: Vec<bool> = different.spread(&accepted).iter().zip(&different.is_first).map(|(kept, first)| *kept && *first).collect();
+    let by_shared = shared::covariance_of(&errors.shared, &adjusted, (&kept, &kept_solved, &taken), base_mm, focal_mm);
     let by_shared = (!errors.shared.is_empty()).then_some(by_shared);
     let side = errors.neighbourhood_mm / focal_mm;
-    let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_weights, &factors, side, base_mm) } else { None };
-    let outcome = Outcome { adjusted, accepted, factors, by_shared, by_groups, base_mm, focal_mm };
-    Ok(outcome.describe(observed, &kept, options))
+    let by_groups = if side > 0.0 { neighbours::covariance_of(&adjusted, &kept, &kept_solved, &factors, side, base_mm) } else { None };
+    let outcome = Outcome { adjusted, accepted, factors, solved, by_shared, by_groups, behind, base_mm, focal_mm };
+    Ok(for_all(outcome.describe(observed, (&kept, &kept_solved), options), &different))
+}
+
+/// Of the different observations, what is said of each is said of all its copies.
+fn for_all(of_different: RelativeOrientation, different: &Different) -> RelativeOrientation {
+    let mut found = of_different;
+    if different.copies() == 0 {
+        return found;
+    }
+    let mut rejected = vec![false; different.observations.len()];
+    found.rejected.iter().for_each(|k| rejected[*k] = true);
+    found.rejected = different.spread(&rejected).iter().enumerate().filter(|(_, rejected)| **rejected).map(|(k, _)| k).collect();
+    found.residuals_mm = different.spread(&found.residuals_mm);
+    found.points = different.spread(&found.points);
+    found.warnings.push(Warning::Identical { copies: different.copies() });
+    found
 }
 
 fn robust(observed: Weighted<'_>, resolution_mm: f64, focal_mm: f64, options: &OrientationOptions) -> Result<Clean, Error> {
-    let limits = Limits { rejection: options.limit(), least_sigma: options.sigma0_mm.unwrap_or(0.0).max(resolution_mm) / focal_mm };
+    let limits = Limits {
+        alpha0: options.alpha0,
+        known_sigma: options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm),
+        resolution: resolution_mm / focal_mm,
+    };
     let start = robust_start(observed.rays, options.seed);
     let mut clean = adjust_without_gross_errors(observed, &start, limits)?;
     if options.method == OrientationMethod::Determinant {
-        clean.adjusted = adjust_determinants(&observed.kept(&clean.accepted).0, clean.adjusted.pose, |_| Ok(()))?;
+        clean.adjusted = by_determinants(observed.rays, &clean.accepted, clean.adjusted.pose, |_| Ok(()))?;
     }
-    // Where the known σ set the threshold, it cut the residuals further out.
-    let cut = limits.rejection * (limits.least_sigma / clean.adjusted.sigma.max(f64::MIN_POSITIVE)).max(1.0);
-    let spread = normal_spread_within(cut);
-    clean.adjusted.sigma /= spread;
-    // Of normal errors, least squares of those within the cut, repeated until it settles, has this much of the variance that it claims.
-    clean.adjusted.precision /= spread * spread;
-    clean.adjusted.sensitivity /= spread * spread;
+    let kept = clean.accepted.iter().filter(|kept| **kept).count();
+    let left = variance_left(kept, kept.saturating_sub(5), clean.beyond(), limits.share_beyond(clean.adjusted.sigma));
+    clean.adjusted.sigma /= left.sqrt();
+    // The estimate itself loses as much: least squares of those within the cut, repeated until it settles, has this much of the variance that
+    // least squares of all of them would have.
+    clean.adjusted.precision /= left;
+    clean.adjusted.sensitivity /= left;
     Ok(clean)
 }
 
 fn plain(observed: Weighted<'_>, options: &OrientationOptions) -> Result<Clean, Error> {
     let start = RelativePose::vertical(median_parallax(observed.rays));
+    let accepted = vec![true; observed.rays.len()];
     let adjusted = match options.method {
         OrientationMethod::Rigorous => adjust(observed.rays, observed.weights, start, SETTLED, near_vertical)?,
-        OrientationMethod::Determinant => adjust_determinants(observed.rays, start, near_vertical)?,
+        OrientationMethod::Determinant => by_determinants(observed.rays, &accepted, start, near_vertical)?,
     };
-    Ok(Clean { adjusted, accepted: vec![true; observed.rays.len()] })
+    Ok(Clean { adjusted, accepted, behind: 0 })
+}
+
+/// Adjusts the determinants of the accepted observations, with the precision of what these estimate.
+fn by_determinants(
+    rays: &[Ray],
+    accepted: &[bool],
+    start: RelativePose,
+    bounds: impl Fn(&RelativePose) -> Result<(), Cause>,
+) -> Result<Adjusted, Error> {
+    let kept: Vec<Ray> = rays.iter().zip(accepted).filter(|(_, kept)| **kept).map(|(ray, _)| *ray).collect();
+    let adjusted = adjust_determinants(&kept, start, bounds)?;
+    let weights = implied_weights(&adjusted.pose, &kept, &vec![true; kept.len()]);
+    with_precision(adjusted, &kept, &weights)
 }
 
 /// Coplanarity does not know the direction of the base: it is the one that has the points in front of the cameras.
@@ -136,6 +180,10 @@ struct Outcome {
     accepted: Vec<bool>,
     /// What robust weighting made of the weights of the accepted observations.
     factors: Vec<f64>,
+    /// The weights of all in the normal equations, before that.
+    solved: Vec<f64>,
+    /// How many points were left out behind a camera.
+    behind: usize,
     /// Covariance of ω φ κ by bz by errors that all observations share.
     by_shared: Option<Matrix5>,
     /// Covariance as groups of neighbours show it, for the estimated σ.
@@ -145,17 +193,37 @@ struct Outcome {
 }
 
 impl Outcome {
-    fn describe(&self, observed: Weighted<'_>, kept: &[Ray], options: &OrientationOptions) -> RelativeOrientation {
+    fn describe(&self, observed: Weighted<'_>, (kept, kept_solved): (&[Ray], &[f64]), options: &OrientationOptions) -> RelativeOrientation {
         let (adjusted, focal_mm) = (&self.adjusted, self.focal_mm);
         let propagated = propagated(&adjusted.pose, self.base_mm, &adjusted.precision);
         let correlations = correlations(&propagated);
         let degrees_of_freedom = kept.len() - 5;
         let estimated = (degrees_of_freedom > 0).then_some(adjusted.sigma);
-        let sigma = options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm).or(estimated);
+        let given = options.sigma0_mm.map(|sigma0_mm| sigma0_mm / focal_mm);
+        let global_test = estimated.zip(given).map(|(estimated, given)| global_test(estimated / given, degrees_of_freedom));
+        let contradicted = global_test.is_some_and(|test| !test.passed);
+        let known = given.filter(|_| !contradicted);
+        let sigma = known.or(estimated);
+        let freedom = known.is_none().then_some(degrees_of_freedom);
+        let noncentrality = options.noncentrality(freedom);
         let total = sigma.map(|sigma| self.total(&propagated, sigma));
+        let student = freedom.map_or_else(|| normal_quantile(0.975), |freedom| student_limit(0.05, freedom));
         let (condition, spread) = (condition(&correlations), spread(kept));
         let plane_misfit = plane_misfit(kept, adjusted.sigma);
         let beside_rotation = parallax_beside_rotation(kept);
+        let mut warnings = warnings(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma));
+        if self.behind > 0 {
+            warnings.push(Warning::Behind { points: self.behind });
+        }
+        if let Some((estimated, given)) = estimated.zip(given).filter(|_| contradicted) {
+            let [estimated_um, given_um] = [estimated, given].map(|sigma| 1000.0 * focal_mm * sigma);
+            warnings.push(Warning::Sigma { estimated_um, given_um });
+        }
+        let in_normals: Vec<f64> = kept_solved.iter().zip(&self.factors).map(|(weight, factor)| weight * factor).collect();
+        let half_widths = total.map(|covariance| focal::half_widths(&covariance, student));
+        let misfit = half_widths.and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), &widths, self.base_mm, options.alpha0));
+        warnings.extend(misfit.map(|found| Warning::FocalLength { change_percent: 100.0 * found.change, w: found.w }));
+        let ellipse = total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)]));
         let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
         RelativeOrientation {
             parameters: parameters(&adjusted.pose, self.base_mm),
@@ -167,9 +235,10 @@ impl Outcome {
             total_standard_errors: total
                 .filter(|_| self.by_shared.is_some() || self.by_groups.is_some())
                 .map(|covariance| standard_errors(&covariance, 1.0)),
+            half_widths_95: total.map(|covariance| standard_errors(&covariance, student)),
             sigma0_mm: estimated.map(|sigma| sigma * focal_mm),
             sigma0_a_priori_mm: options.sigma0_mm,
-            global_test: estimated.zip(options.sigma0_mm).map(|(sigma, known)| global_test(sigma * focal_mm / known, degrees_of_freedom)),
+            global_test,
             degrees_of_freedom,
             iterations: adjusted.iterations,
             last_step: adjusted.last_step,
@@ -179,10 +248,12 @@ impl Outcome {
             plane_misfit,
             spread,
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
-            warnings: warnings(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma)),
-            base_ellipse_mm: total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)])),
+            warnings,
+            base_ellipse_mm: ellipse,
+            base_ellipse_95_mm: ellipse.map(|ellipse| ellipse.scaled(joint_limit(freedom))),
+            noncentrality: Some(noncentrality).filter(|shift| shift.is_finite()),
             residuals_mm: corrections(observed.rays, &adjusted.pose).into_iter().map(|v| v.map(|v| v * focal_mm)).collect(),
-            points: self.points(observed, sigma.unwrap_or(0.0), &propagated, options.noncentrality()),
+            points: self.points(observed, sigma.unwrap_or(0.0), &propagated, (noncentrality, options.method)),
             rejected: self.accepted.iter().enumerate().filter(|(_, kept)| !**kept).map(|(index, _)| index).collect(),
             cameras: None,
         }
@@ -197,13 +268,41 @@ impl Outcome {
         own + self.by_shared.unwrap_or_else(Matrix5::zeros)
     }
 
-    fn points(&self, observed: Weighted<'_>, sigma: f64, propagated: &Matrix5, noncentrality: f64) -> Vec<Option<PointStatistics>> {
+    fn points(
+        &self,
+        observed: Weighted<'_>,
+        sigma: f64,
+        propagated: &Matrix5,
+        (noncentrality, method): (f64, OrientationMethod),
+    ) -> Vec<Option<PointStatistics>> {
         let Self { adjusted, base_mm, focal_mm, .. } = self;
-        let judgement = Judgement { adjusted, sigma, propagated, base_mm: *base_mm, focal_mm: *focal_mm, noncentrality };
+        let judgement = Judgement {
+            adjusted,
+            covariance: &adjusted.precision,
+            unweighted: method == OrientationMethod::Determinant,
+            sigma,
+            propagated,
+            base_mm: *base_mm,
+            focal_mm: *focal_mm,
+            noncentrality,
+        };
         let mut factors = self.factors.iter();
         let mut factor = |accepted: bool| if accepted { *factors.next().unwrap_or(&1.0) } else { 0.0 };
-        let all = observed.rays.iter().zip(observed.weights).zip(&self.accepted);
-        all.map(|((ray, weight), accepted)| judgement.of(ray, *weight, factor(*accepted))).collect()
+        let all = observed.rays.iter().zip(observed.weights).zip(&self.accepted).zip(&self.solved);
+        all.map(|(((ray, weight), accepted), solved)| judgement.of(ray, *weight, factor(*accepted), *solved)).collect()
+    }
+}
+
+/// By how much the standard error ellipse grows for both unknowns to lie in it with a probability of 95 %: √(2 F), of which with two degrees of freedom
+/// in the numerator the quantile is ν (0.05^(-2/ν) - 1) / 2, and √(-2 ln 0.05) of a known σ.
+fn joint_limit(freedom: Option<usize>) -> f64 {
+    let ln_outside = libm::log(0.05);
+    match freedom {
+        None => (-2.0 * ln_outside).sqrt(),
+        Some(freedom) => {
+            let freedom = freedom as f64;
+            (freedom * libm::expm1(-2.0 * ln_outside / freedom)).sqrt()
+        }
     }
 }
 

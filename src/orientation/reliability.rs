@@ -10,6 +10,10 @@ use super::result::PointStatistics;
 /// What the statistics of all points have in common.
 pub(super) struct Judgement<'a> {
     pub adjusted: &'a Adjusted,
+    /// N⁻¹, or of unweighted determinants the cofactors of what they estimate.
+    pub covariance: &'a Matrix5,
+    /// Whether the observations took part with other weights than their own.
+    pub unweighted: bool,
     /// Standard error of a coordinate of weight 1 in focal lengths: a priori, or estimated; 0 without either.
     pub sigma: f64,
     /// Cofactors of ω φ κ by bz, `b` in mm.
@@ -21,27 +25,40 @@ pub(super) struct Judgement<'a> {
 }
 
 impl Judgement<'_> {
-    /// Statistics of an observation of an own weight, which took part with a factor of it (0: rejected).
+    /// Statistics of an observation of an own weight, which took part with a factor of it (0: rejected) and the weight `solved` in the normal
+    /// equations, which of unweighted determinants is not its own.
     ///
     /// # Source
     /// Baarda 1968, A testing procedure for use in geodetic networks; Förstner & Wrobel 2016, Photogrammetric Computer Vision, 4.6.
-    pub fn of(&self, ray: &Ray, weight: f64, factor: f64) -> Option<PointStatistics> {
+    pub fn of(&self, ray: &Ray, weight: f64, factor: f64, solved: f64) -> Option<PointStatistics> {
         let pose = &self.adjusted.pose;
         let (at, distance) = pose.project(ray);
         let line = pose.linearise(&pose.tangents(), ray, &at)?;
-        let share = weight * if factor > 0.0 { factor } else { 1.0 } * share_of_unknowns(&line, self.adjusted);
+        let accepted = factor > 0.0;
+        let share = solved * if accepted { factor } else { 1.0 } * share_of_unknowns(&line, self.adjusted);
         // A new observation has the whole of its own error and what the unknowns are off.
-        let redundancy = if factor > 0.0 { (1.0 - share).clamp(0.0, 1.0) } else { 1.0 / (1.0 + share) };
-        let spread = if factor > 0.0 { redundancy } else { 1.0 + share };
+        let redundancy = if accepted { (1.0 - share).clamp(0.0, 1.0) } else { 1.0 / (1.0 + share) };
+        // Cofactor of the residual times the weight.
+        let spread = match (self.unweighted, accepted) {
+            (false, true) => redundancy,
+            (false, false) => 1.0 + share,
+            (true, _) => {
+                let of_unknowns = weight * line.by_unknowns.dot(&(self.covariance * line.by_unknowns));
+                if accepted { (1.0 - 2.0 * share + of_unknowns).max(0.0) } else { 1.0 + of_unknowns }
+            }
+        };
         let across_right = (line.by_coordinates[2] * line.by_coordinates[2] + line.by_coordinates[3] * line.by_coordinates[3]).sqrt();
         let standard = self.sigma * (spread / weight).sqrt();
         let w = if standard > 0.0 && spread > 1e-6 { distance / standard } else { 0.0 };
-        let blunder = self.noncentrality * self.sigma / (redundancy * weight).sqrt();
+        // An error shows with the share r in the residual of an accepted observation, wholly in that of a new one.
+        let shown = if accepted { redundancy } else { 1.0 };
+        // Nothing is detectable without redundancy, of the observation or of the adjustment.
+        let blunder = Some(self.noncentrality * standard / shown).filter(|size| !size.is_nan()).unwrap_or(f64::INFINITY);
         // One that is added to the normal equations shares its effect with them.
-        let taking_part = if factor > 0.0 { factor } else { 1.0 / (1.0 + share) };
-        let change = derivatives(pose, self.base_mm) * (self.adjusted.cofactors * line.by_unknowns) * (weight * taking_part * blunder);
+        let taking_part = if accepted { factor } else { 1.0 / (1.0 + share) };
+        let change = derivatives(pose, self.base_mm) * (self.adjusted.cofactors * line.by_unknowns) * (solved * taking_part * blunder);
         let in_errors = |k: usize| change[k].abs() / (self.sigma * self.propagated[(k, k)].sqrt());
-        let influence = (0..5).map(in_errors).filter(|v| v.is_finite()).fold(0.0, f64::max);
+        let influence = (0..5).map(in_errors).filter(|v| !v.is_nan()).fold(0.0, f64::max);
         Some(PointStatistics {
             parallax_mm: distance / across_right * self.focal_mm,
             redundancy,

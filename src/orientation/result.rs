@@ -42,12 +42,14 @@ pub struct PointStatistics {
     pub parallax_mm: f64,
     /// r, 0..1: the share of an error that shows in the residual. For a rejected one that of a new observation.
     pub redundancy: f64,
-    /// Residual divided by its standard error (Baarda's w).
+    /// Residual divided by its standard error: Baarda's w of a known σ₀, Pope's τ of an estimated one.
     pub w: f64,
-    /// The smallest displacement of the right point across its epipolar line, in mm, that data snooping finds with the probability β₀.
+    /// The smallest displacement of the right point across its epipolar line, in mm, that data snooping finds with the probability β₀;
+    /// infinite where one degree of freedom estimates σ₀, by which nothing is found.
     #[serde(with = "crate::json::infinite")]
     pub detectable_mm: f64,
     /// External reliability: the largest change of an unknown, in its standard errors, by an undetected blunder of that size.
+    #[serde(with = "crate::json::infinite")]
     pub influence: f64,
     /// Weight with which it took part: its own times that of the robust weighting, 0 where it was rejected.
     pub weight: f64,
@@ -78,6 +80,11 @@ pub struct ErrorEllipse {
 }
 
 impl ErrorEllipse {
+    /// The ellipse of the same shape with axes `factor` times as long.
+    pub fn scaled(self, factor: f64) -> Self {
+        Self { semi_major: factor * self.semi_major, semi_minor: factor * self.semi_minor, ..self }
+    }
+
     /// From the variances of two unknowns and their covariance.
     pub fn new(first: f64, covariance: f64, second: f64) -> Self {
         let (middle, half) = (0.5 * (first + second), 0.5 * (first - second));
@@ -119,6 +126,14 @@ messages! {
         Rotation { parallax_deg: f64, least_deg: f64 },
         /// The unknowns can hardly be told apart, as over a critical cylinder.
         IllConditioned { #[serde(with = "crate::json::infinite")] condition: f64, most: f64 },
+        /// Observations that are the same as others to the last digit: each counts once.
+        Identical { copies: usize },
+        /// Points whose rays meet behind a camera are left out.
+        Behind { points: usize },
+        /// The residuals contradict the σ₀ that was given: standard errors and tests use the estimated one.
+        Sigma { estimated_um: f64, given_um: f64 },
+        /// The residuals ask for another focal length, which would move unknowns out of their intervals; `w`: in standard errors.
+        FocalLength { change_percent: f64, w: f64 },
     }
 }
 
@@ -135,11 +150,14 @@ pub struct RelativeOrientation {
     pub base_mm: f64,
     pub focal_mm: f64,
     pub method: OrientationMethod,
-    /// With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
+    /// With σ₀ a priori where that is given and the global test does not contradict it; else with the estimated σ₀, and absent without redundancy.
     pub standard_errors: Option<FiveParameters>,
     /// The same with what makes observations depend on each other: the errors of the interior orientations, and what neighbouring matches
     /// share. They are no less than the others; absent where neither is known.
     pub total_standard_errors: Option<FiveParameters>,
+    /// Half-widths of the intervals in which the unknowns lie with a probability of 95 %: the total standard errors, or the others where these are
+    /// absent, times the limit of Student's distribution for the degrees of freedom of σ₀ (1.96 of one that is known).
+    pub half_widths_95: Option<FiveParameters>,
     /// Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
     /// rejection has cut their distribution; absent without redundancy.
     pub sigma0_mm: Option<f64>,
@@ -169,6 +187,11 @@ pub struct RelativeOrientation {
     pub warnings: Vec<Warning>,
     /// Standard error ellipse of by and bz in mm, with what the interior orientations add where that is known.
     pub base_ellipse_mm: Option<ErrorEllipse>,
+    /// The ellipse in which by and bz both lie with a probability of 95 %.
+    pub base_ellipse_95_mm: Option<ErrorEllipse>,
+    /// δ₀: how many standard errors a residual is shifted by an error that its test finds with the probability β₀. Absent where fewer than two
+    /// degrees of freedom estimate σ₀, by which none is found.
+    pub noncentrality: Option<f64>,
     /// Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
     pub residuals_mm: Vec<[f64; 4]>,
     /// One for each observation.

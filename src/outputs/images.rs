@@ -1,7 +1,9 @@
 //! What is known of each image of a finished block.
 
 use super::coverage::{Coverage, coverage};
-use crate::{BlockRun, ExifPosition};
+use super::with_text::WithText;
+use crate::message::messages;
+use crate::{BlockRun, ExifPosition, Failure, UnorientedReason};
 use serde::Serialize;
 
 /// An image of a finished block.
@@ -19,8 +21,8 @@ pub struct ImageRow {
     pub is_oriented: bool,
     /// Its projection centre there.
     pub position: Option<[f64; 3]>,
-    /// Why it is not, in words; empty where it is.
-    pub reason: String,
+    /// Why it is not; absent where it is.
+    pub reason: Option<WithText<ImageReason>>,
     /// Points found and described; absent where an older project file does not say.
     pub features: Option<u32>,
     /// In the model that is written.
@@ -57,7 +59,7 @@ pub(super) fn image_rows(run: &BlockRun) -> Vec<ImageRow> {
         model: model_of[index],
         is_oriented: modelled.pose.is_some(),
         position: modelled.pose.map(|pose| pose.position),
-        reason: if modelled.pose.is_some() { String::new() } else { reason(run, index, model_of[index]) },
+        reason: modelled.pose.is_none().then(|| WithText::of(reason(run, index, model_of[index]))),
         features: image.features,
         observations,
         positions,
@@ -68,17 +70,32 @@ pub(super) fn image_rows(run: &BlockRun) -> Vec<ImageRow> {
     rows.collect()
 }
 
-/// Why an image is not oriented in the model that is written.
-fn reason(run: &BlockRun, image: usize, model: Option<usize>) -> String {
+messages! {
+    /// Why an image is not oriented in the model that is written.
+    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum ImageReason as "image_reason" {
+        /// It is in another model, of so many images.
+        Apart { images: usize },
+        Unoriented { unoriented: UnorientedReason },
+        /// The orientation of the whole block failed.
+        Failed { failure: Failure },
+        /// A project file of version 1 does not say.
+        Unknown,
+    }
+}
+
+fn reason(run: &BlockRun, image: usize, model: Option<usize>) -> ImageReason {
     let assembly = match &run.reconstruction {
         Ok(assembly) => assembly,
-        Err(failure) => return failure.to_string(),
+        Err(failure) => return ImageReason::Failed { failure: failure.clone() },
     };
     match model.and_then(|model| assembly.models.get(model)) {
-        Some(model) => format!("in a model of its own, of {} images", model.images.len()),
+        Some(model) => ImageReason::Apart { images: model.images.len() },
         None => {
             let known = assembly.unoriented.iter().find(|unoriented| unoriented.image == image);
-            known.map_or("not oriented".into(), |unoriented| unoriented.reason.to_string())
+            known.map_or(ImageReason::Unknown, |unoriented| ImageReason::Unoriented { unoriented: unoriented.reason })
         }
     }
 }

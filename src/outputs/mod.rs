@@ -12,12 +12,14 @@ mod project;
 mod refined;
 mod summary;
 mod tables;
+mod with_text;
 
 pub use coverage::{Coverage, coverage};
 pub use files::{BlockFiles, block_files, planned_files};
-pub use images::ImageRow;
-pub use overview::{BlockOverview, CameraRow, FoundPoints, PointColumns, RayCount};
+pub use images::{ImageReason, ImageRow};
+pub use overview::{BlockOverview, CameraRow, FoundPoints, OverviewWarning, PointColumns, RayCount};
 pub use pair::{PairPhoto, PairRun, PairTruth};
 pub use pairs::PairRow;
 pub use project::{PROJECT_VERSION, Project, ProjectKind, project_kind, read_project, write_block_project, write_pair_project};
 pub use summary::{ExportOutcome, Summary};
+pub use with_text::WithText;

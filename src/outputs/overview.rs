@@ -3,7 +3,9 @@
 use super::images::{ImageRow, image_rows};
 use super::pairs::{PairRow, pair_rows};
 use super::summary::{NamedReason, outcome_counts};
-use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome};
+use super::with_text::WithText;
+use crate::message::messages;
+use crate::{BlockModel, BlockRun, BlockWarning, Camera, Error, Failure, ObjectPoint, RefinementOutcome, Remark};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -17,8 +19,8 @@ pub struct BlockOverview {
     pub unused_masks: Vec<String>,
     /// Images that image measurements name and that are not in the block.
     pub unknown_images: Vec<String>,
-    /// What of the input was not taken as it was given, or is hardly right, in words.
-    pub remarks: Vec<String>,
+    /// What of the input was not taken as it was given, or is hardly right.
+    pub remarks: Vec<WithText<Remark>>,
     pub cameras: Vec<CameraRow>,
     pub pairs: Vec<PairRow>,
     /// Images that are connected with each other, the largest group first.
@@ -34,8 +36,24 @@ pub struct BlockOverview {
     /// Root mean square length of the residuals of all observations in px; absent before the adjustment.
     pub rmse_px: Option<f64>,
     pub sigma0_px: Option<f64>,
-    /// What is weak about the block, in words.
-    pub warnings: Vec<String>,
+    /// What is weak about the block.
+    pub warnings: Vec<WithText<OverviewWarning>>,
+}
+
+messages! {
+    /// What is weak about a block at a glance.
+    #[derive(Debug, Clone, PartialEq, Serialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum OverviewWarning as "overview_warning" {
+        /// Of the model that is written.
+        Model { block_warning: BlockWarning },
+        /// Images in a model of their own.
+        Apart { images: usize },
+        NoneOriented,
+        /// The orientation failed.
+        Failed { failure: Failure },
+    }
 }
 
 /// A camera of a finished block.
@@ -103,10 +121,10 @@ impl BlockOverview {
         };
         Ok(Self {
             images: image_rows(run),
-            skipped: run.skipped.iter().map(|image| NamedReason { name: image.name.clone(), reason: image.reason.to_string() }).collect(),
+            skipped: run.skipped.iter().map(NamedReason::of).collect(),
             unused_masks: run.unused_masks.clone(),
             unknown_images: run.unknown_images.clone(),
-            remarks: run.remarks.iter().map(ToString::to_string).collect(),
+            remarks: run.remarks.iter().cloned().map(WithText::of).collect(),
             cameras: camera_rows(run),
             pairs,
             groups,
@@ -116,7 +134,7 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
-            warnings: warnings(run),
+            warnings: warnings(run).into_iter().map(WithText::of).collect(),
         })
     }
 }
@@ -160,19 +178,17 @@ fn camera_rows(run: &BlockRun) -> Vec<CameraRow> {
     rows.collect()
 }
 
-fn warnings(run: &BlockRun) -> Vec<String> {
+fn warnings(run: &BlockRun) -> Vec<OverviewWarning> {
     match &run.reconstruction {
-        Err(failure) => vec![format!("No image could be oriented: {failure}.")],
+        Err(failure) => vec![OverviewWarning::Failed { failure: failure.clone() }],
         Ok(assembly) => match assembly.models.split_first() {
             Some((first, others)) => {
-                let apart = others
-                    .iter()
-                    .map(|model| format!("{} images are oriented apart from the others, in a model of their own.", model.images.len()));
-                first.warnings.iter().map(ToString::to_string).chain(apart).collect()
+                let own = first.warnings.iter().cloned().map(|block_warning| OverviewWarning::Model { block_warning });
+                own.chain(others.iter().map(|model| OverviewWarning::Apart { images: model.images.len() })).collect()
             }
             // A project of version 1 has oriented images, and nothing of their adjustment.
             None if run.model.images.iter().any(|image| image.pose.is_some()) => Vec::new(),
-            None => vec!["No image could be oriented.".into()],
+            None => vec![OverviewWarning::NoneOriented],
         },
     }
 }

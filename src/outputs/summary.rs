@@ -2,22 +2,22 @@
 
 use super::coverage::coverage;
 use super::pairs::PairRow;
+use super::with_text::WithText;
 use crate::{
-    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, GeographicOrigin, InitialCamera, JoinCounts,
-    ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
-    UnorientedReason,
+    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera, JoinCounts,
+    ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable, Remark,
+    SkippedImage, UnorientedReason,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
-use std::fmt::Display;
 
 /// The figures of a finished block.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Summary {
     pub images: ImageCounts,
-    /// What of the input was not taken as it was given, or is hardly right, in words.
-    pub remarks: Vec<String>,
+    /// What of the input was not taken as it was given, or is hardly right.
+    pub remarks: Vec<WithText<Remark>>,
     pub cameras: Vec<CameraSummary>,
     pub pairs: PairCounts,
     /// The names of the images that are connected with each other, the largest group first.
@@ -50,12 +50,18 @@ pub struct ImageCounts {
     pub features: Option<u64>,
 }
 
-/// An image by its name, and why it is not in the block or not oriented.
+/// An image by its name, and why it is not in the block.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct NamedReason {
     pub name: String,
-    pub reason: String,
+    pub reason: WithText<Failure>,
+}
+
+impl NamedReason {
+    pub(super) fn of(image: &SkippedImage) -> Self {
+        Self { name: image.name.clone(), reason: WithText::of(image.reason.clone()) }
+    }
 }
 
 /// An image that is in no model, and why.
@@ -64,20 +70,6 @@ pub struct NamedReason {
 pub struct NotOriented {
     pub name: String,
     pub reason: WithText<UnorientedReason>,
-}
-
-/// A message and its text.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct WithText<M> {
-    #[serde(flatten)]
-    pub message: M,
-    pub text: String,
-}
-
-impl<M: Display> WithText<M> {
-    fn of(message: M) -> Self {
-        Self { text: message.to_string(), message }
-    }
 }
 
 /// A camera before its calibration.
@@ -142,7 +134,7 @@ pub struct RefinementCounts {
 #[serde(untagged)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum OrientationSummary {
-    Failed { oriented: usize, reason: String },
+    Failed { oriented: usize, reason: WithText<Failure> },
     Done(Box<Oriented>),
 }
 
@@ -196,7 +188,7 @@ pub(super) fn summary(
     let name = |image: usize| run.images.get(image).map_or(String::new(), |image| image.name.clone());
     Summary {
         images: image_counts(run),
-        remarks: run.remarks.iter().map(ToString::to_string).collect(),
+        remarks: run.remarks.iter().cloned().map(WithText::of).collect(),
         cameras: cameras(run),
         pairs: pair_counts(pairs),
         groups: groups.iter().map(|group| group.iter().map(|image| name(*image as usize)).collect()).collect(),
@@ -218,7 +210,7 @@ pub(super) fn summary(
 fn image_counts(run: &BlockRun) -> ImageCounts {
     ImageCounts {
         read: run.images.len(),
-        left_out: run.skipped.iter().map(|image| NamedReason { name: image.name.clone(), reason: image.reason.to_string() }).collect(),
+        left_out: run.skipped.iter().map(NamedReason::of).collect(),
         masked: run.images.iter().filter(|image| image.masked).count(),
         stray_masks: run.unused_masks.clone(),
         stray_marks: run.unknown_images.clone(),
@@ -287,7 +279,7 @@ fn orientation(run: &BlockRun, name: impl Fn(usize) -> String) -> OrientationSum
     let oriented = run.model.images.iter().filter(|image| image.pose.is_some()).count();
     let assembly = match &run.reconstruction {
         Ok(assembly) => assembly,
-        Err(failure) => return OrientationSummary::Failed { oriented: 0, reason: failure.to_string() },
+        Err(failure) => return OrientationSummary::Failed { oriented: 0, reason: WithText::of(failure.clone()) },
     };
     let unoriented = assembly.unoriented.iter().map(|image| NotOriented { name: name(image.image), reason: WithText::of(image.reason) });
     OrientationSummary::Done(Box::new(Oriented {

@@ -40,7 +40,13 @@ impl ControlTables {
         let named: BTreeSet<&String> = self.marks.iter().map(|mark| &mark.image).collect();
         let named: Vec<String> = if images.len() < 2 { named.into_iter().cloned().collect() } else { images.to_vec() };
         let (control, _) = self.join(&named, placing)?;
-        // How large the images are, and with it whether a measurement is outside its own, only the run knows.
+        // How large an image is, and with it whether a measurement is outside it, only the run knows, which names the size.
+        for (point, seen) in control.iter().flat_map(|point| point.measurements.iter().map(move |seen| (point, seen))) {
+            if ![seen.x_px, seen.y_px].iter().all(|place| (0.0..=f64::from(MOST_PX)).contains(place)) {
+                let got = format!("({}, {}) for {} in {}, outside any image", seen.x_px, seen.y_px, point.name, named[seen.image]);
+                return Err(Error::InvalidInput { what: "image measurements", got, allowed: "positions within the image".into() });
+            }
+        }
         let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, Some(f64::from(MOST_PX)))];
         let images = named.into_iter().map(|name| KnownImage { name, camera: 0, position: None }).collect();
         BlockDescription { cameras, images, control }.check()
@@ -125,6 +131,22 @@ mod tests {
         );
         assert!(matches!(joined[0].position, ObservedPosition::Local { sigma: [0.02, 0.02, 0.03], .. }));
         assert!(matches!(joined[1].position, ObservedPosition::Local { sigma: [0.5, 0.5, 0.7], .. }));
+    }
+
+    #[test]
+    fn a_measurement_outside_its_image_is_refused_without_a_size_that_nobody_knows() {
+        let marks = |x: &str| format!("1.png,a,{x},20\n2.png,a,1,2\n1.png,b,3,4\n2.png,b,3,4\n1.png,c,5,6\n2.png,c,5,6\n");
+        let images = ["1.png", "2.png"].map(String::from);
+        let check = |x: &str| ControlTables::read(POINTS, &marks(x)).unwrap().check(&images, &GeoreferencingOptions::default());
+        for x in ["-1", "1e9"] {
+            let told = check(x).unwrap_err().to_string();
+            assert!(
+                told.contains("for a in 1.png, outside any image; allowed: positions within the image") && !told.contains(" x "),
+                "{told}"
+            );
+        }
+        // The run, which knows the size, refuses what is outside it.
+        check("9000").unwrap();
     }
 
     #[test]

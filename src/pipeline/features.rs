@@ -2,7 +2,7 @@
 
 use super::records::{column, is_whole, kept, read_record, rows_of, write_record};
 use super::task::FeatureTask;
-use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, decode, features as find};
+use crate::{DESCRIPTOR_BYTES, DecodeLimits, Decoded, Error, ExifImage, GreyImage, ImageFault, decode, features as find};
 use serde::{Deserialize, Serialize};
 
 /// Bytes of a feature's position, and of its shape: scale, direction and weight.
@@ -70,7 +70,7 @@ fn decoded_mask(name: &str, bytes: &[u8], image: &GreyImage) -> Result<GreyImage
         allowed: format!("the image's {} x {} px", image.width(), image.height()),
     };
     let mask = decode(bytes, &DecodeLimits::default())
-        .map_err(|error| Error::UnreadableImage { reason: format!("its mask {name}: {error}") })?
+        .map_err(|error| Error::UnreadableImage { image_fault: ImageFault::Mask { name: name.to_string(), error: Box::new(error) } })?
         .grey;
     if (mask.width(), mask.height()) == (image.width(), image.height()) {
         return Ok(mask);

@@ -1,9 +1,10 @@
 //! The run of a block on this machine: threads that do its jobs, and a folder that keeps its records.
 
+use super::folder::{FolderLock, replace};
 use super::records::digest;
 use super::{BlockRun, FileNeeded, Job, News, Run, RunInput, execute};
 use crate::text::by_numbers;
-use crate::{Error, Failure};
+use crate::{Error, Failure, FileFault};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::{Condvar, Mutex};
@@ -31,10 +32,10 @@ pub fn images_in(folder: &Path) -> Result<Vec<PathBuf>, Error> {
 
 /// Runs a block of image files, with masks perhaps, on so many threads; `options.images` and `options.masks` are taken from the names of
 /// the files. What an earlier run has kept in the folder `kept` is not done again; the result is the same for any number of threads, and the
-/// same as that of the command and of the page. `tell` hears what is found.
+/// same as that of the command and of the page. `tell` hears what is found. The folder is locked while the run works on it, as the command's is.
 ///
 /// # Errors
-/// As [`Run`]; [`Error::UnreadableFile`] and [`Error::NotWritten`] for the folder.
+/// As [`Run`]; [`Error::UnreadableFile`] and [`Error::NotWritten`] for the folder, also where another run works on it.
 pub fn run_block(
     images: &[PathBuf],
     masks: &[PathBuf],
@@ -43,6 +44,7 @@ pub fn run_block(
     threads: usize,
     tell: impl FnMut(News) + Send,
 ) -> Result<BlockRun, Error> {
+    let _lock = FolderLock::take(kept)?;
     let names = |paths: &[PathBuf]| paths.iter().map(|path| name_of(path)).collect();
     let run = Run::new(RunInput { images: names(images), masks: names(masks), ..options })?;
     let host = Host { images, masks, kept, shared: Mutex::new(Shared { run, tell, busy: 0, ended: Ok(()) }), changed: Condvar::new() };
@@ -60,7 +62,7 @@ fn name_of(path: &Path) -> String {
 }
 
 fn unreadable(what: &'static str, path: &Path, error: &std::io::Error) -> Error {
-    Error::UnreadableFile { what, place: path.display().to_string(), reason: error.to_string() }
+    Error::UnreadableFile { what, place: path.display().to_string(), file_fault: FileFault::System { message: error.to_string() } }
 }
 
 /// What came of a job.
@@ -158,7 +160,7 @@ impl<T: FnMut(News)> Host<'_, T> {
             Err(error) => return Ok(Outcome::Failed(Failure::from(&error))),
         };
         if let Some(key) = &work.key {
-            self.keep(key, job.id, &bytes)?;
+            self.keep(key, &bytes)?;
         }
         Ok(Outcome::Made(bytes))
     }
@@ -167,14 +169,8 @@ impl<T: FnMut(News)> Host<'_, T> {
         self.kept.join(format!("{key}.record"))
     }
 
-    /// Whole or not at all: under another name first.
-    fn keep(&self, key: &str, id: u32, bytes: &[u8]) -> Result<(), Error> {
-        let path = self.place(key);
-        let unfinished = path.with_extension(format!("{id}.part"));
-        let folder = path.parent().map_or(Ok(()), fs::create_dir_all);
-        folder
-            .and_then(|()| fs::write(&unfinished, bytes))
-            .and_then(|()| fs::rename(&unfinished, &path))
-            .map_err(|_| Error::NotWritten { what: "a record" })
+    /// A record holds its own checksum.
+    fn keep(&self, key: &str, bytes: &[u8]) -> Result<(), Error> {
+        replace(&self.place(key), bytes, false).map_err(|_| Error::NotWritten { what: "a record" })
     }
 }

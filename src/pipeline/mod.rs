@@ -9,6 +9,8 @@ mod control;
 mod execute;
 mod features;
 #[cfg(not(target_arch = "wasm32"))]
+mod folder;
+#[cfg(not(target_arch = "wasm32"))]
 mod host;
 mod images;
 mod input;
@@ -30,6 +32,8 @@ mod windows;
 pub use cameras::{CameraRules, InitialCamera};
 pub use control::ControlTables;
 pub use execute::execute;
+#[cfg(not(target_arch = "wasm32"))]
+pub use folder::replace_file;
 #[cfg(not(target_arch = "wasm32"))]
 pub use host::{images_in, run_block};
 pub use input::{ControlTexts, RunInput};

@@ -3,7 +3,7 @@
 //! A record is little-endian: the letters TPRC; 32 bits of version; 32 bits each of the length of its head and of its number of rows;
 //! SHA-256 of all that follows; the head, JSON of the key and what the kind has; its columns, one after the other.
 
-use crate::{Error, json};
+use crate::{Error, FileFault, json};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use sha2::{Digest, Sha256};
@@ -95,11 +95,7 @@ pub(super) fn read_record<'a, H: DeserializeOwned>(
 
 /// A record that the run itself has made or found, and that must read.
 pub(super) fn kept<T>(key: &str, read: Option<T>) -> Result<T, Error> {
-    read.ok_or_else(|| Error::UnreadableFile {
-        what: "a kept record",
-        place: key.into(),
-        reason: "it was removed or changed while the run went on: start the run again".into(),
-    })
+    read.ok_or_else(|| Error::UnreadableFile { what: "a kept record", place: key.into(), file_fault: FileFault::RecordChanged })
 }
 
 /// Numbers as a column.

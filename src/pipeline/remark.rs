@@ -1,7 +1,7 @@
 //! What of the input is not taken as it was given, or is hardly right.
 
 use crate::message::messages;
-use crate::{Error, Failure};
+use crate::{Error, Failure, Interruption};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -45,6 +45,6 @@ impl Failure {
 
     /// A failure that ends the run.
     pub(super) fn of_all(&self) -> Error {
-        Error::Interrupted { reason: self.to_string() }
+        Error::Interrupted { interruption: Interruption::Job { failure: self.clone() } }
     }
 }

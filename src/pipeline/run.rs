@@ -12,7 +12,7 @@ use super::refinement::Refinement;
 use super::stage::Stage;
 use super::state::State;
 use super::windows::WindowStage;
-use crate::{Error, Failure, PairRule, RefinementMethod, SelectOptions, choose_pairs, select_points};
+use crate::{Error, Failure, Interruption, PairRule, RefinementMethod, SelectOptions, choose_pairs, select_points};
 use std::collections::BTreeMap;
 
 /// The run of a block. It reads no file, starts no thread and knows no clock: the host does its jobs, any number at the same time and in
@@ -124,7 +124,7 @@ impl Run {
     pub fn complete(&mut self, id: u32, bytes: Vec<u8>) -> Result<(), Error> {
         match self.accept(id, bytes, false)? {
             true => Ok(()),
-            false => Err(Error::Interrupted { reason: "what came of a job does not read as it was written".into() }),
+            false => Err(Error::Interrupted { interruption: Interruption::UnreadableWork }),
         }
     }
 
@@ -158,7 +158,7 @@ impl Run {
     pub fn finish(self) -> Result<BlockRun, Error> {
         let is_over = matches!(self.phase, Phase::Over);
         let found = if is_over { self.state.ended() } else { None };
-        found.ok_or_else(|| Error::Interrupted { reason: "it was ended before all of its jobs were done".into() })
+        found.ok_or(Error::Interrupted { interruption: Interruption::Unfinished })
     }
 
     fn item(&self, id: u32) -> Result<usize, Error> {

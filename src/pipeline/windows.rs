@@ -6,7 +6,7 @@ use super::records::{BUILD, Kind, column, key_of, read_record, rows_of, write_re
 use super::stage::{Request, Stage};
 use super::state::State;
 use super::task::{Task, WindowTask};
-use crate::{DecodeLimits, Error, Failure, WindowCentre, decode, observation_windows};
+use crate::{DecodeLimits, Error, Failure, Interruption, WindowCentre, decode, observation_windows};
 use serde::{Deserialize, Serialize};
 
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -110,8 +110,7 @@ impl Stage for WindowStage {
         let (index, chosen) = &self.images[item];
         let image = &state.images[*index];
         if digests != std::slice::from_ref(&image.content) {
-            let reason = format!("{} was changed while the run went on: start the run again", image.name);
-            return Err(Error::Interrupted { reason });
+            return Err(Error::Interrupted { interruption: Interruption::ImageChanged { name: image.name.clone() } });
         }
         let options = state.input.settings.refinement.clone();
         let key = key_of(Kind::Windows, BUILD, &(&image.key, chosen, options.window));
@@ -130,7 +129,7 @@ impl Stage for WindowStage {
     }
 
     fn fail(&mut self, item: usize, failure: Failure, state: &mut State) -> Result<Done, Error> {
-        let name = &state.images[self.images[item].0].name;
-        Err(Error::Interrupted { reason: format!("the observations of {name} cannot be refined: {failure}") })
+        let name = state.images[self.images[item].0].name.clone();
+        Err(Error::Interrupted { interruption: Interruption::Refinement { name, failure } })
     }
 }

@@ -142,6 +142,10 @@ pub fn precision(report: &Report, orientation: &RelativeOrientation) -> Markup {
             dt { "σ₀ of a photo coordinate" } dd { (fixed(orientation.sigma0_mm.map(|s| 1000.0 * s), 2)) " µm = " (fixed(study.sigma0_px(), 3)) " px" }
             dt { "Degrees of freedom" } dd { (count(orientation.degrees_of_freedom)) }
             dt { "Matches used" } dd { (count(study.used())) " of " (count(study.result.matching.matches.len())) }
+            @if let Some(ellipse) = &orientation.base_ellipse_95_mm {
+                dt { "by and bz together, 95 %" }
+                dd { "ellipse of " (fixed(ellipse.semi_major, 3)) " × " (fixed(ellipse.semi_minor, 3)) " mm" }
+            }
             dt { "Condition" } dd { (fixed(orientation.condition, 0)) }
             dt { "Misfit to a plane" } dd { (fixed(orientation.plane_misfit, 1)) " σ₀" }
             dt { "Parallax beside a rotation" } dd { (fixed(orientation.parallax_beside_rotation_mm, 3)) " mm" }

@@ -95,6 +95,7 @@ pub fn standard_errors(report: &Report) -> Markup {
     let with_interior = report.studies.iter().any(|s| s.result.orientation.as_ref().is_ok_and(|o| o.total_standard_errors.is_some()));
     let own = |study: &Study| study.result.orientation.as_ref().ok().and_then(|o| o.standard_errors).map(|e| five(&e));
     let total = |study: &Study| study.result.orientation.as_ref().ok().and_then(|o| o.total_standard_errors).map(|e| five(&e));
+    let half_widths = |study: &Study| study.result.orientation.as_ref().ok().and_then(|o| o.half_widths_95).map(|e| five(&e));
     html! {
         table {
             caption { "Table 2. Standard errors" }
@@ -113,6 +114,10 @@ pub fn standard_errors(report: &Report) -> Markup {
                     tr.subhead { th colspan=(report.studies.len() + 2) { "in total: with what neighbouring matches share, and the errors of the measured fiducial marks" } }
                     (parameter_rows(&report.studies, total, None))
                 }
+            }
+            tbody {
+                tr.subhead { th colspan=(report.studies.len() + 2) { "half-widths of the intervals that hold the unknowns in 95 % of cases" } }
+                (parameter_rows(&report.studies, half_widths, None))
             }
         }
     }

@@ -116,15 +116,18 @@ mod tests {
     #[test]
     fn a_connection_says_why_it_is_or_is_not_one() {
         let text = |rule, outcome| Connection { images: [0, 1], rule, outcome }.to_string();
-        assert_eq!(text(PairRule::Near, PairOutcome::Connected { matches: 120 }), "connected by 120 matches; chosen as near each other");
+        assert_eq!(
+            text(PairRule::Near, PairOutcome::Connected { matches: 120 }),
+            "connected by 120 matches; chosen because the images are near each other"
+        );
         assert_eq!(
             text(PairRule::Sequence, PairOutcome::TooFewMatches { matches: 4, needed: 15 }),
-            "not connected: 4 matches; at least 15 are needed; chosen as following each other"
+            "not connected: 4 matches; at least 15 are needed; chosen because the images follow each other"
         );
         let no_geometry = NoGeometry::Chance { agreeing: 9, matches: 30 };
         assert_eq!(
             text(PairRule::Alike, PairOutcome::NotOriented { no_geometry }),
-            "not connected: 9 of 30 matches agree on one geometry, no more than would by chance; chosen as similar"
+            "not connected: 9 of 30 matches agree on one geometry, no more than would by chance; chosen because the images are similar"
         );
     }
 

@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, emitting, numbers, object, pack, read, set, thrown};
 use crate::{
-    BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, PointColumns, Project, check_truth, export_block,
-    planned_files as plan, read_project, score_block, write_block_project,
+    BlockFiles, BlockModel, BlockOverview, BlockRun, BlockScore, Error, ExportFormat, FileFault, PointColumns, Project, check_truth,
+    export_block, planned_files as plan, read_project, score_block, write_block_project,
 };
 use js_sys::{Function, Uint16Array};
 use std::rc::Rc;
@@ -51,11 +51,9 @@ impl FinishedBlock {
     pub fn open(bytes: &[u8]) -> JsResult<FinishedBlock> {
         match read_project(bytes).map_err(thrown)? {
             Project::Block(run) => Ok(Self::of(*run)),
-            Project::Pair(_) => Err(thrown(Error::UnreadableFile {
-                what: "the project file",
-                place: "content".into(),
-                reason: "it holds a pair; open_pair_project opens it".into(),
-            })),
+            Project::Pair(_) => {
+                Err(thrown(Error::UnreadableFile { what: "the project file", place: "content".into(), file_fault: FileFault::HoldsPair }))
+            }
         }
     }
 

@@ -23,6 +23,10 @@ export interface Messages {
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
     camera_parameter: CameraParameter;
+    error: { kind: string };
+    /** Texts of the page itself: `kind` names one, the other fields are its figures. */
+    page: { kind: string };
+    overview_warning: OverviewWarning;
 }
 "#;
 

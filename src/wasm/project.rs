@@ -4,8 +4,8 @@ use super::convert::{JsResult, object, pack, read, read_options, rows, set, thro
 use super::matching::{pack_pair, read_points};
 use super::simulate::{pack_score, read_score};
 use crate::{
-    Error, Fit, Match, MatchSet, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project, RelativeOrientation, Rule,
-    TwoView, Verdict, project_kind as kind_of, read_project, write_pair_project as write,
+    Error, FileFault, Fit, Match, MatchSet, PairPhoto, PairResult, PairRun, PairTruth, PointSet, PointStatistics, Project,
+    RelativeOrientation, Rule, TwoView, Verdict, project_kind as kind_of, read_project, write_pair_project as write,
 };
 use js_sys::{Array, Float64Array, Int32Array, Object, Reflect, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -59,11 +59,9 @@ pub fn open_pair_project(bytes: &[u8]) -> JsResult<JsValue> {
             ("output", pack_pair(&run.result)),
             ("truth", run.truth.as_ref().map_or(JsValue::NULL, pack_truth)),
         ])),
-        Project::Block(_) => Err(thrown(Error::UnreadableFile {
-            what: "the project file",
-            place: "content".into(),
-            reason: "it holds a block; FinishedBlock opens it".into(),
-        })),
+        Project::Block(_) => {
+            Err(thrown(Error::UnreadableFile { what: "the project file", place: "content".into(), file_fault: FileFault::HoldsBlock }))
+        }
     }
 }
 
@@ -135,7 +133,7 @@ fn read_matches(value: &JsValue) -> JsResult<MatchSet> {
         return Err(thrown(Error::InvalidInput { what: "matches", got: "arrays of other lengths".into(), allowed }));
     }
     let fit = |[correlation, xx, xy, yy, iterations]: [f64; 5]| {
-        (!correlation.is_nan()).then(|| Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })
+        (!correlation.is_nan()).then_some(Fit { correlation, covariance: [xx, xy, yy], iterations: iterations as usize })
     };
     let matched = matches.iter().zip(fits).zip(indices).map(|((found, fitted), [left, right])| {
         let [xl, yl, xr, yr, measure] = *found;

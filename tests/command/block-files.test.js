@@ -56,8 +56,8 @@ test('an image whose mask cannot be used is left out, and masks that mean one im
   file(given, second, 'no image');
   const { images } = JSON.parse(tiepoint(...BLOCK.call, '--out', folder(), '--masks', given, '--json').stdout);
   assert.equal(images.read, 4);
-  assert.match(images.left_out[0].reason, new RegExp(`its mask: got ${first} with 40 x 30 px; allowed: the image's 480 x 360 px`));
-  assert.match(images.left_out[1].reason, new RegExp(`its mask ${second}: `));
+  assert.match(images.left_out[0].reason.text, new RegExp(`its mask: got ${first} with 40 x 30 px; allowed: the image's 480 x 360 px`));
+  assert.match(images.left_out[1].reason.text, new RegExp(`its mask ${second}: `));
   const twice = masks(first, first.replace('.png', '_mask.png'));
   const refused = tiepoint(...BLOCK.call, '--out', folder(), '--masks', twice);
   assert.deepEqual([refused.code, /which belong to the same image/.test(refused.stderr)], [1, true]);

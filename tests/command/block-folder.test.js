@@ -74,7 +74,9 @@ test('a pipe among the images does not hang a run', { skip: process.platform ===
   const { code, stdout, stderr } = tiepoint('block', photos, ...BLOCK.call.slice(2), '--out', folder(), '--json');
   assert.equal(code, 0, stderr);
   const { images } = JSON.parse(stdout);
-  assert.deepEqual([images.read, images.left_out], [names.length, [{ name: 'pipe.png', reason: 'it is no file, but a pipe, a socket or a device' }]]);
+  const message = 'it is no file, but a pipe, a socket or a device';
+  const left = [{ name: 'pipe.png', reason: { kind: 'unreadable', message, text: message } }];
+  assert.deepEqual([images.read, images.left_out], [names.length, left]);
 });
 
 test('names too long for an export are found before the run', () => {

@@ -122,6 +122,8 @@ test('recorded positions that cannot be are told', () => {
   const call = ['block', changed, ...BLOCK.call.slice(2)];
   const said = 'impossible GNSS positions and heights are ignored: photo_00001.png (latitude 123), photo_00005.png (longitude 0, latitude 0)';
   const { code, stdout, stderr } = tiepoint(...call, '--out', folder(), '--json');
-  assert.deepEqual([code, JSON.parse(stdout).remarks, stderr], [0, [said], `tiepoint: ${said}\n`]);
+  const { remarks } = JSON.parse(stdout);
+  assert.deepEqual([code, remarks.map((/** @type {{ text: string }} */ { text }) => text), stderr], [0, [said], `tiepoint: ${said}\n`]);
+  assert.deepEqual(remarks[0].images[0], { name: 'photo_00001.png', value: 'latitude 123' });
   assert.deepEqual(json(...call, '--out', folder(), '--gps', 'ignore').remarks, []);
 });

@@ -189,7 +189,8 @@ test('cameras of a file take the place of those of EXIF', () => {
   const { code, stdout, stderr } = tiepoint(...BLOCK.call, '--out', folder(), '--cameras', cameras, '--json');
   assert.equal(code, 0, stderr);
   const summary = JSON.parse(stdout);
-  assert.deepEqual(summary.remarks, ['the camera of PHOTO_0000[0]* fits the name of no image']);
+  const text = 'the camera of PHOTO_0000[0]* fits the name of no image';
+  assert.deepEqual(summary.remarks, [{ kind: 'unused_camera', images: 'PHOTO_0000[0]*', text }]);
   assert.match(stderr, /^tiepoint: the camera of PHOTO_0000\[0\]\* fits the name of no image\n$/);
   assert.equal(summary.cameras.length, 1);
   assert.equal(summary.cameras[0].focal_px, 700);
@@ -284,7 +285,7 @@ test('each rule of pairs chooses its own', () => {
   assert.ok(tried('--pairs', 'near', '--near', '2') < PAIRS);
   const { out, summary } = ran('--pairs', 'alike', '--alike', '2');
   assert.ok(summary.pairs.tried < PAIRS && summary.pairs.connected >= 5, JSON.stringify(summary.pairs));
-  assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen as similar/);
+  assert.match(readFileSync(join(out, 'pairs.csv'), 'utf8'), /chosen because the images are similar/);
   assert.match(tiepoint(...BLOCK.call, '--out', out, '--pairs', 'alike', '--alike', '3').stderr, /similarity of images: 5 \(5 from an earlier run\)/);
   assert.equal(tried('--pairs', 'near', '--gps', 'ignore', '--sequence', '1'), 5);
 });

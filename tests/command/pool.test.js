@@ -1,7 +1,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ThreadPool } from '../../pkg/command/pool.js';
-import { block_settings } from '../../pkg/node.js';
+import { spawnSync } from 'node:child_process';
+import { breakdownOf } from '../../pkg/block/index.js';
+import { explain, oneLine } from '../../pkg/command/errors.js';
+import { block_settings, defaults } from '../../pkg/node.js';
+import { folder, image, PROGRAM, speckle } from './command.js';
 
 const FEATURES = JSON.stringify({ kind: 'features', key: 'features/none', options: block_settings({}).features, mask: null });
 
@@ -42,6 +46,60 @@ test('a job whose memory has moved elsewhere rejects, and the next one runs', as
   } finally {
     await pool.close();
   }
+});
+
+test('a trap is a fault of the program, but for memory that ran out', () => {
+  const error = (/** @type {string} */ name, /** @type {string} */ message) => Object.assign(new Error(message), { name });
+  for (const [name, message, kind] of /** @type {const} */ ([
+    ['RuntimeError', 'unreachable', 'memory'],
+    ['RuntimeError', 'memory access out of bounds', 'fault'],
+    ['RuntimeError', 'integer divide by zero', 'fault'],
+    ['RangeError', 'Array buffer allocation failed', 'memory'],
+    ['RangeError', 'Maximum call stack size exceeded', 'fault'],
+    ['WorkerError', 'Worker terminated due to reaching memory limit: JS heap out of memory', 'memory'],
+    ['WorkerError', 'the worker ended with code 1', 'fault'],
+    ['Panic', 'panicked at src/lib.rs', 'fault'],
+    ['TiepointError', 'got 3; allowed: 4', null],
+  ])) {
+    assert.equal(breakdownOf(error(name, message)), kind, `${name}: ${message}`);
+    const { line, code } = explain(error(name, message), (text) => text);
+    assert.ok(kind === null || (code === 1 && line.includes(message)), line);
+    assert.equal(/please report it/.test(line), kind === 'fault', line);
+    assert.equal(/not enough memory/.test(line), kind === 'memory', line);
+  }
+});
+
+test('a panic of the module is a fault with its place, and ends the command with 1', () => {
+  // What the module itself has just written no longer reads.
+  const { parse } = JSON;
+  /** @type {unknown} */
+  let thrown;
+  try {
+    JSON.parse = () => {
+      throw new SyntaxError('broken on purpose');
+    };
+    defaults();
+  } catch (error) {
+    thrown = error;
+  } finally {
+    JSON.parse = parse;
+  }
+  assert.ok(thrown instanceof Error && thrown.name === 'Panic', String(thrown));
+  assert.match(thrown.message, /convert\.rs:\d+.*JSON that was just written/s);
+  const { line, code } = explain(thrown, (text) => text);
+  assert.equal(code, 1);
+  assert.match(oneLine(line), /^the computation broke off at a fault of the program \(.*convert\.rs.*\): please report it$/);
+});
+
+test('a command whose module panics says so in one line', () => {
+  const speckled = image(folder(), 'speckled.png', 40, 30, speckle);
+  const preload =
+    "const parse = JSON.parse; JSON.parse = (text) => { if (String(text).startsWith('{\"candidates\":')) throw new SyntaxError('broken on purpose'); return parse(text); };";
+  const { status, stderr } = spawnSync(process.execPath, ['--import', `data:text/javascript,${encodeURIComponent(preload)}`, PROGRAM, 'points', speckled], {
+    encoding: 'utf8',
+  });
+  assert.equal(status, 1, stderr);
+  assert.match(stderr, /^tiepoint: the computation broke off at a fault of the program \(.*\): please report it\n$/);
 });
 
 test('a pool that is closed rejects what waits', async () => {

@@ -14,16 +14,20 @@ struct Clean {
 }
 
 fn clean(number: usize, alpha0: f64, sets: u64) -> Clean {
-    let (mut rejected, mut squares, mut least_sigma) = (0, [0.0; 5], f64::INFINITY);
+    let (mut rejected, mut refused, mut squares, mut least_sigma) = (0, 0, [0.0; 5], f64::INFINITY);
     for seed in 0..sets {
         let mut options = NADIR.options();
         options.alpha0 = alpha0;
-        let found = orient_relative(&NADIR.observe(number, SIGMA_MM, 1000 + seed), FOCAL_MM, &options).unwrap();
+        let Ok(found) = orient_relative(&NADIR.observe(number, SIGMA_MM, 1000 + seed), FOCAL_MM, &options) else {
+            refused += 1;
+            continue;
+        };
         rejected += found.rejected.len();
         least_sigma = f64::min(least_sigma, found.sigma0_mm.unwrap());
         let (errors, standard) = (NADIR.errors(&found), standard_errors(&found));
         (0..5).for_each(|k| squares[k] += (errors[k] / standard[k]) * (errors[k] / standard[k]) / sets as f64);
     }
+    assert!(refused as f64 <= alpha0 * sets as f64, "{number}, {alpha0}: {refused} of {sets} clean sets refused");
     Clean { rejected_share: rejected as f64 / (number as u64 * sets) as f64, squares, least_sigma }
 }
 

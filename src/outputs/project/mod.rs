@@ -4,7 +4,7 @@ mod version_1;
 
 use crate::json;
 use crate::text::shorten;
-use crate::{BlockRun, Error, PairRun};
+use crate::{BlockRun, Error, FileFault, PairRun};
 use serde::{Deserialize, Serialize};
 
 /// The version that is written, and the newest one that is read.
@@ -74,33 +74,29 @@ pub fn write_pair_project(run: &PairRun) -> Result<String, Error> {
 /// [`Error::UnreadableFile`] for another kind of file, a newer version, a damaged or shortened file, and what does not belong there; as
 /// [`write_block_project`].
 pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
-    let refused = |place: &str, reason: String| Err(Error::UnreadableFile { what: WHAT, place: place.into(), reason });
+    let refused = |place: &str, file_fault: FileFault| Err(Error::UnreadableFile { what: WHAT, place: place.into(), file_fault });
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text,
-        Err(error) => return refused(&format!("byte {}", error.valid_up_to()), "it is not text (UTF-8)".into()),
+        Err(error) => return refused(&format!("byte {}", error.valid_up_to()), FileFault::NotText),
     };
     let Some((line, body)) = text.split_once('\n') else {
-        return refused("line 1", format!("'{}' is not the first line of a project, or the only one", shorten(text)));
+        return refused("line 1", FileFault::NoProject { line: shorten(text) });
     };
     let header: Header = match json::from_text(line) {
         Ok(header) => header,
-        Err(reason) => return refused("line 1", format!("'{}' is not the first line of a project ({reason})", shorten(line))),
+        Err(message) => return refused("line 1", FileFault::NoHeader { line: shorten(line), message }),
     };
     if header.format != FORMAT {
-        return refused("line 1", format!("its format is '{}', not '{FORMAT}'", shorten(&header.format)));
+        return refused("line 1", FileFault::OtherFormat { format: shorten(&header.format), wanted: FORMAT.into() });
     }
     if !(1..=PROJECT_VERSION).contains(&header.version) {
-        let reason = format!("it is of version {}; this program reads versions 1 to {PROJECT_VERSION}", header.version);
-        return refused("line 1", reason);
+        return refused("line 1", FileFault::OtherVersion { version: header.version, newest: PROJECT_VERSION });
     }
     if header.bytes != body.len() {
-        return refused(
-            "length",
-            format!("{} bytes follow the first line, which says {}: the file is cut off or was changed", body.len(), header.bytes),
-        );
+        return refused("length", FileFault::OtherLength { bytes: body.len(), declared: header.bytes });
     }
     if header_line(header.version, body)?.trim_end() != line {
-        return refused("checksum", "what the first line says does not fit the rest: the file is damaged or was changed by hand".into());
+        return refused("checksum", FileFault::OtherChecksum);
     }
     // With the end of the first line, so that places count as in the file.
     let rest = &text[line.len()..];
@@ -111,7 +107,7 @@ pub fn read_project(bytes: &[u8]) -> Result<Project, Error> {
     match read {
         Ok(Project::Block(run)) => check(&run).map(|()| Project::Block(run)),
         Ok(Project::Pair(run)) => run.in_order().map(|run| Project::Pair(Box::new(run))),
-        Err(reason) => refused("content", reason),
+        Err(message) => refused("content", FileFault::Content { message }),
     }
 }
 

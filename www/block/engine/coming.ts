@@ -1,8 +1,8 @@
 /** What a run has found so far, as the page shows it: images as they are read, pairs as they are matched. */
 import type { News } from '../../../pkg/block/index.js';
-import type { Connection, NamedReason, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
+import type { Connection, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
 import { viewOfParts } from './outcome';
-import type { BlockView } from '../state/view';
+import type { BlockView, SkippedImage } from '../state/view';
 
 /** Views follow one another no faster, in ms. */
 const PAUSE_MS = 250;
@@ -11,7 +11,7 @@ const SHARE = 0.05;
 
 export class Coming {
   private readonly images = new Map<number, ReadImage>();
-  private readonly leftOut: NamedReason[] = [];
+  private readonly leftOut: SkippedImage[] = [];
   private readonly connections: Connection[] = [];
   private readonly geometries: (TwoView | null)[] = [];
   private nextAt = 0;

@@ -1,6 +1,7 @@
 /** What of a block, finished or under way, the page shows. */
 import { connected_groups, export_formats, message } from '../../../pkg/wasm/tiepoint.js';
 import type { Connection, FinishedBlock, PairRow, ReadImage, TwoView } from '../../../pkg/wasm/tiepoint.js';
+import { page } from '../../shared/text/words';
 import { layoutOf } from './layout';
 import type { BlockView, ViewConnection } from '../state/view';
 
@@ -39,12 +40,12 @@ export function viewOf(block: FinishedBlock): BlockView {
         is_oriented,
         exif_orientation: exifOrientation,
         reason: why,
-      }) => ({ name, width, height, camera, features, places, rays, rmsePx, oriented: is_oriented, exifOrientation, why }),
+      }) => ({ name, width, height, camera, features, places, rays, rmsePx, oriented: is_oriented, exifOrientation, why: why?.text ?? '' }),
     ),
-    leftOut: skipped,
+    leftOut: skipped.map(({ name, reason }) => ({ name, reason: reason.text })),
     strayMasks: unused_masks,
     strayMarks: unknown_images,
-    remarks,
+    remarks: remarks.map(({ text }) => text),
     cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
       label,
       images: count,
@@ -74,7 +75,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     score: null,
-    warnings,
+    warnings: warnings.map(({ text }) => text),
     formats: export_formats(),
   };
 }
@@ -150,6 +151,6 @@ function geometryName(geometry: TwoView | null): string {
     sigma_px: sigma,
     degenerate,
   } = geometry;
-  const weak = degenerate === null ? '' : `, ${message('degeneracy', degenerate, 'short')}`;
-  return `${message('two_view_model', { kind }, 'short')}${weak}, ± ${sigma.toFixed(2)} px`;
+  const weak = degenerate === null ? null : message('degeneracy', degenerate, 'short');
+  return page('geometry', { model: message('two_view_model', { kind }, 'short'), weak, sigma_px: sigma });
 }

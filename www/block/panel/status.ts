@@ -1,7 +1,9 @@
 /** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
 import { button, fill, h } from '../../shared/panel/dom';
-import { count, refusedText, sentence } from '../../shared/text/format';
+import { message } from '../../shared/crate';
+import { refusedText, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
+import { page } from '../../shared/text/words';
 import type { BlockEngine, BlockStore } from '../engine/engine';
 import { duration, runText } from './progress';
 import { isBusy, isOutdated } from '../state/state';
@@ -44,7 +46,7 @@ function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'don
   if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
   if (files.length >= 2)
     return {
-      text: `${count(files.length)} images. ${shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.'}`,
+      text: `${page('block_images', { images: files.length })} ${shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.'}`,
       kind: 'idle',
     };
   return { text: 'Open the images of a block: files, a folder, or a simulated block.', kind: 'idle' };
@@ -54,30 +56,31 @@ function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
   const { view, files } = shown;
   // A block that was opened may never have been oriented.
   if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: 'done' };
-  const why = view.warnings[0] ?? 'No image could be oriented.';
   const group = view.groups[0]?.length ?? 0;
-  const apart =
-    group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : '';
-  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
-  return {
-    text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, 'connected pair')}, ${counted(view.points.count, 'tie point')}.`,
-    kind: 'problem',
+  const figures = {
+    why: view.warnings[0] ?? message('overview_warning', { kind: 'none_oriented' }),
+    group: group < view.images.length ? group : null,
+    images: view.images.length,
+    pairs: connectedPairs(view),
+    points: view.points.count,
   };
+  return { text: page('block_not_oriented', figures), kind: 'problem' };
+}
+
+function connectedPairs({ connections }: BlockView): number {
+  return connections.filter(({ outcome }) => outcome.kind === 'connected').length;
 }
 
 function doneText({ view, seconds }: Shown): string {
-  const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected').length;
-  const left = view.leftOut.length === 0 ? '' : `, ${count(view.leftOut.length)} skipped`;
-  const time = seconds === 0 ? '' : ` ${duration(seconds)}.`;
-  const oriented = view.oriented === 0 ? '' : `, ${view.oriented === view.images.length ? 'all' : count(view.oriented)} oriented`;
-  const weak = view.warnings.length === 0 ? '' : ` ${counted(view.warnings.length, 'warning', 'warnings')}, see Results.`;
-  return `Done: ${counted(view.images.length, 'image')}${oriented}${left}, ${counted(connected, 'pair')} connected, ${pointsText(view)}.${time}${weak}`;
-}
-
-function pointsText({ points, found }: BlockView): string {
-  return found === null ? counted(points.count, 'tie point') : `${count(points.count)} of ${counted(found.points, 'tie point')} selected`;
-}
-
-function counted(number: number, one: string, many = `${one}s`): string {
-  return `${count(number)} ${number === 1 ? one : many}`;
+  return page('block_done', {
+    images: view.images.length,
+    oriented: view.oriented,
+    all: view.oriented === view.images.length,
+    skipped: view.leftOut.length,
+    pairs: connectedPairs(view),
+    points: view.points.count,
+    found: view.found?.points ?? null,
+    time: seconds === 0 ? null : duration(seconds),
+    warnings: view.warnings.length,
+  });
 }

@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, Connection, ExportFormat, Camera, NamedReason, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
   name: string;
@@ -73,11 +73,17 @@ export interface RayCount {
   rmsePx: number | null;
 }
 
+/** An image that is not in the block, and why. */
+export interface SkippedImage {
+  name: string;
+  reason: string;
+}
+
 export interface BlockView {
   /** Of a run that goes on or was ended: images and pairs as far as they were done. */
   partial: boolean;
   images: ViewImage[];
-  leftOut: NamedReason[];
+  leftOut: SkippedImage[];
   /** Masks that belong to no image. */
   strayMasks: string[];
   /** Images that marks name and that are not in the block. */

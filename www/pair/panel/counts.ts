@@ -9,6 +9,7 @@ import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import { fill, h, markStale, row, section } from '../../shared/panel/dom';
 import { count, percent, significant } from '../../shared/text/format';
+import { page } from '../../shared/text/words';
 import { swatch } from './swatch';
 
 /** Places in the paper's Table 1; it does not count what the threshold of roundness leaves. */
@@ -197,5 +198,5 @@ export function summary(state: State): string {
   const shown = shownPair(state);
   if (shown.match === null) return '';
   const codes = leftCodes(shown.left, shown.match, shown.orientation);
-  return `${count(shown.match.counts.matches)} matches of ${count(codes.length)} left points`;
+  return page('matched', { matches: shown.match.counts.matches, points: codes.length });
 }

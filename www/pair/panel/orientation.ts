@@ -1,6 +1,6 @@
 /** The relative orientation with its precision: the paper's Tables 2 and 3, and the correlations. */
 import { message } from '../../shared/crate';
-import type { FiveParameters, RelativeOrientation } from '../../shared/crate';
+import type { FiveParameters, Paper, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, isStale, pairCameras, wantedKeys } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
@@ -12,6 +12,7 @@ import { fill, h, row, section } from '../../shared/panel/dom';
 import { facts } from '../../shared/panel/facts';
 import type { Fact } from '../../shared/panel/facts';
 import { count, fixed, significant } from '../../shared/text/format';
+import { page } from '../../shared/text/words';
 import { correlationPicture, ellipsePicture } from './matrix';
 import { UNKNOWNS } from './unknowns';
 
@@ -49,13 +50,7 @@ function estimatedFocal(state: State): HTMLElement[] {
   const { match } = state.results;
   const focal = match?.value.geometry?.focal ?? null;
   if (!('missing' in pairCameras(state)) || focal === null || match?.value.estimated == null) return [];
-  return [
-    h(
-      'p',
-      { class: 'note', testid: 'estimated-focal' },
-      `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`,
-    ),
-  ];
+  return [h('p', { class: 'note', testid: 'estimated-focal' }, page('estimated_focal', { focal_px: focal.focal_px, error_px: focal.standard_error_px }))];
 }
 
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
@@ -102,13 +97,14 @@ function truthFor(state: State, { base_mm: base }: RelativeOrientation): FivePar
 function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   const truth = truthFor(state, result);
   const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : undefined;
-  const { standard_errors: errors, total_standard_errors: total } = result;
+  const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
   const number = (testid: string, value: number | null | undefined, digits: number, kind = '') =>
     h('td', { testid, class: `number ${kind}` }, fixed(value, digits));
   const rows = UNKNOWNS.map(({ field, symbol, unit, digits }) => {
     const error = truth === null ? NaN : result[field] - truth[field];
     const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
     const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+    const interval = number(`interval-${field}`, half?.[field], digits);
     const printed =
       paper === undefined
         ? []
@@ -120,7 +116,7 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
       truth === null
         ? printed
         : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+    return row(h('span', {}, h('i', {}, symbol), h('span', { class: 'unit' }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
   });
   const heads: [string, string][] = [
     ['Value', 'The right photo relative to the left one, dependent relative orientation.'],
@@ -133,6 +129,10 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
             'Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks.',
           ] satisfies [string, string],
         ]),
+    [
+      '95 % ±',
+      'Half-width of the interval that holds the unknown in 95 of 100 cases: of the last standard error, by the distribution of Student for the degrees of freedom.',
+    ],
     ...(paper !== undefined
       ? ([
           ['Paper', "The paper's Table 3, of its own pair"],
@@ -146,8 +146,7 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
           ['in std errors', 'The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases.'],
         ] satisfies [string, string][])),
   ];
-  const note =
-    paper !== undefined ? h('p', { class: 'note' }, 'Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).') : null;
+  const note = paper !== undefined ? h('p', { class: 'note' }, paperNote(state, paper)) : null;
   return h(
     'div',
     {},
@@ -174,6 +173,12 @@ function valueTable(state: State, result: RelativeOrientation): HTMLElement {
   );
 }
 
+/** Whose pair it was, and with what it was photographed. */
+function paperNote({ catalogue }: State, { pixel_mm: pixel }: Paper): string {
+  const flight = catalogue?.flights.find(({ name }) => name === 'paper')?.flight;
+  return page('paper', { focal_mm: flight?.focal_mm ?? null, base_mm: flight?.base_mm ?? null, pixel_um: 1000 * pixel });
+}
+
 function warnings({ warnings: found }: RelativeOrientation): HTMLElement[] {
   return found.map((warning) => h('p', { class: 'field-problem', testid: `warning-${warning.kind}` }, message('warning', warning)));
 }
@@ -184,6 +189,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
   const sigma = result.sigma0_mm;
   const used = result.residuals_mm.length - result.rejected.length;
   const test = result.global_test;
+  const printed = hasPaperCamera(state) ? state.catalogue?.paper : undefined;
   const list: Fact[] = [
     {
       name: 'σ₀ of a photo coordinate',
@@ -205,7 +211,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
             testid: 'global-test',
             value: `${fixed(test.statistic, 1)}: ${test.passed ? 'passed' : 'FAILED'}`,
             ...(test.passed ? {} : { kind: 'problem' as const }),
-            help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`,
+            help: page('global_test', { lower: test.lower, upper: test.upper }),
           },
         ]),
     { name: 'Degrees of freedom', testid: 'degrees-of-freedom', value: count(result.degrees_of_freedom), help: 'Matches used minus the five unknowns.' },
@@ -251,8 +257,15 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
       value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`,
       help: 'The base component that was fixed gives by and bz their scale.',
     },
-    ...(hasPaperCamera(state)
-      ? [{ name: 'Paper', testid: 'paper-sigma0', value: 'σ₀ 0.150 mm = 0.6 px', help: 'What the paper printed for its own pair.' }]
+    ...(printed !== undefined
+      ? [
+          {
+            name: 'Paper',
+            testid: 'paper-sigma0',
+            value: page('paper_sigma', { sigma0_mm: printed.sigma0_mm, sigma0_px: printed.sigma0_mm / printed.pixel_mm }),
+            help: 'What the paper printed for its own pair.',
+          },
+        ]
       : []),
   ];
   return facts(list);

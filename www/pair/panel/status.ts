@@ -4,7 +4,8 @@ import { anyStale, currentFailure, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
 import type { Store } from '../state/store';
 import { summary } from './counts';
-import { fixed, refusedText } from '../../shared/text/format';
+import { refusedText } from '../../shared/text/format';
+import { page } from '../../shared/text/words';
 import { whyNotOriented } from './orientation';
 import { byId } from '../../shared/panel/dom';
 
@@ -66,7 +67,10 @@ function lineOf(state: State): Line {
   if (state.notice?.kind === 'problem') return { text: state.notice.text, kind: 'problem' };
   const { running, wanted, done } = progress(state);
   if (running.length > 0)
-    return { text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join('; ')}`, kind: 'busy' };
+    return {
+      text: page('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }),
+      kind: 'busy',
+    };
   if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
   if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
   if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };
@@ -86,7 +90,7 @@ function resting(state: State, wanted: number, done: number): Line {
   if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
   const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
   // A pair that was opened took none.
-  const matched = milliseconds === 0 ? `${summary(state)}.` : `${summary(state)}, ${fixed(milliseconds / 1000, 2)} s of work.`;
+  const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
   return reason === null ? { text: `Done: ${matched}`, kind: 'done' } : { text: `${matched} ${reason}`, kind: 'partial' };
 }

@@ -8,7 +8,8 @@ import { leftCodes, rightCodes } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
 import type { State } from '../state/state';
-import { count, fixed } from '../../shared/text/format';
+import { page } from '../../shared/text/words';
+import type { Figures } from '../../shared/text/words';
 
 /** The rule that decided about the selected point, in words. */
 export function verdictOf(state: State, shown: ShownPair, match: MatchResult): { code: number; text: string } {
@@ -23,8 +24,7 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   }
   const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
   const own = selection.side === 'left' ? code : (rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED);
-  const prefix =
-    selection.side === 'right' && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : '';
+  const prefix = selection.side === 'right' && own === UNDECIDED ? `${page('candidate_of', { point: leftIndex + 1 })} ` : '';
   return {
     code,
     text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd(),
@@ -34,32 +34,31 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
 function numbers(code: CodeName, index: number, match: MatchResult, settings: Settings): string {
   const { matching } = settings;
   const gradients = comparesGradients(settings);
+  const byGrey = comparesGreyValues(settings);
   const largest = resolved(settings).matching.ambiguity ?? 1;
   const best = match.measures[2 * index] ?? Infinity;
   const second = match.measures[2 * index + 1] ?? Infinity;
-  const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : 'without a second candidate';
-  const byGrey = comparesGreyValues(settings);
-  const correlation = `Correlation ${fixed(1 - best, 4)}, measure ${fixed(best, 4)}`;
+  const compared = { best, second, ratio: best / second, correlation: 1 - best, largest };
   switch (code) {
     case 'matched':
     case 'gross_error':
-      if (gradients) return agreeing(best, second, largest);
-      return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
+      if (gradients) return page(agreeing(best, second, largest), compared);
+      return byGrey ? page('correlation', compared) : page('good_measure', { ...compared, most: matching.max_measure });
     case 'threshold':
       if (!Number.isFinite(best)) return '';
       return byGrey
-        ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.`
-        : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
+        ? page('low_correlation', { ...compared, least: matching.min_correlation })
+        : page('large_measure', { ...compared, most: matching.max_measure });
     case 'ambiguous':
-      return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(largest)}.`;
+      return page('ambiguous', compared);
     case 'parallax':
-      if (gradients) return outOfGeometry(match, ratio, best);
-      return `Tolerance: ${String(matching.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
+      return gradients ? outOfGeometry(match, compared) : page('parallax', { tolerance: matching.parallax_tolerance });
     case 'border':
     case 'left_right':
-      return byGrey && Number.isFinite(best) ? `${correlation}.` : gradients ? `Distance ${fixed(best, 4)}, ${ratio}.` : '';
+      if (byGrey && Number.isFinite(best)) return page('correlation', compared);
+      return gradients ? page('distance', compared) : '';
     case 'imprecise':
-      return `Allowed: ${String(matching.max_standard_error)} px.`;
+      return page('imprecise', { most: matching.max_standard_error });
     default:
       return '';
   }
@@ -67,18 +66,12 @@ function numbers(code: CodeName, index: number, match: MatchResult, settings: Se
 
 /** A verified match: where its descriptor alone would not have decided, the geometry did. */
 function agreeing(best: number, second: number, largest: number): string {
-  const distance = `Distance ${fixed(best, 4)}`;
-  if (!Number.isFinite(second)) return `${distance}, the only candidate that agrees with the geometry of the two views.`;
-  const ratio = `${distance}, ${fixed(best / second, 3)} of the second best (${fixed(second, 4)})`;
-  return best > largest * second
-    ? `${ratio}: more than ${String(largest)}, but it agrees with the geometry of the two views, which leaves few to choose from.`
-    : `${ratio}. It agrees with the geometry of the two views.`;
+  if (!Number.isFinite(second)) return 'only_candidate';
+  return best > largest * second ? 'agreeing_candidate' : 'clear_candidate';
 }
 
 /** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
-function outOfGeometry({ geometry, no_geometry: none }: MatchResult, ratio: string, best: number): string {
-  const alike = `Distance ${fixed(best, 4)}, ${ratio}`;
-  if (geometry === null) return `${alike}. No geometry of the two views was found${none === null ? '' : `: ${message('no_geometry', none)}`}.`;
-  const what = 'fundamental' in geometry.model ? 'its epipolar line' : 'the place that the map gives';
-  return `${alike}; but it does not fit: allowed are up to ${fixed(geometry.threshold_px, 2)} px from ${what}.`;
+function outOfGeometry({ geometry, no_geometry }: MatchResult, compared: Figures): string {
+  if (geometry === null) return page('no_geometry', { ...compared, no_geometry });
+  return page('fundamental' in geometry.model ? 'off_line' : 'off_place', { ...compared, threshold_px: geometry.threshold_px });
 }

@@ -1,4 +1,5 @@
 /** The worker's end of the calls: answers them in their order, each by the handler of its name. */
+import { breakdownOf } from '../../../pkg/block/faults.js';
 import { initSync } from '../../../pkg/wasm/tiepoint.js';
 import type { Handlers, RequestMessage, StartMessage, Table, WireFailure } from './messages';
 import { messageOf } from '../text/format';
@@ -14,8 +15,8 @@ function transferables(value: unknown): Transferable[] {
 function failureOf(error: unknown): WireFailure {
   const message = messageOf(error);
   const code = error instanceof Error && 'code' in error && typeof error.code === 'string' ? error.code : null;
-  if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) return { kind: 'memory', code, message };
-  if (error instanceof Error && error.name === 'Panic') return { kind: 'fault', code, message };
+  const breakdown = breakdownOf(error);
+  if (breakdown !== null) return { kind: breakdown, code, message };
   return {
     kind: code === null ? 'other' : 'refused',
     code,

@@ -1,0 +1,65 @@
+//! Whether the residuals ask for another focal length.
+
+use super::adjusted::Adjusted;
+use super::coplanarity::{Ray, Unknowns};
+use super::normals::{Matrix5, Normals};
+use super::precision::derivatives;
+use crate::math::student_limit;
+use nalgebra::SVector;
+
+/// Below this (in units of the focal length) residuals are rounding.
+const LEAST_SIGMA: f64 = 1e-11;
+
+/// A focal length that the observations contradict.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct FocalMisfit {
+    /// What the residuals would add to the focal length, as a share of it.
+    pub change: f64,
+    /// The same in its standard errors.
+    pub w: f64,
+}
+
+/// Tests whether a change of the focal length of both photos lowers the residuals beyond chance, with the significance `alpha0`, and whether it
+/// moves an unknown out of its 95 % interval: only then is it given.
+///
+/// `weights`: those of the accepted observations in the normal equations; `half_widths`: of the intervals of ω φ κ (radians), by bz (mm).
+///
+/// # Source
+/// Baarda 1968 (the test of an alternative hypothesis, of one more unknown), with the estimated σ.
+pub(super) fn misfit(
+    adjusted: &Adjusted,
+    (rays, weights): (&[Ray], &[f64]),
+    half_widths: &[f64; 5],
+    base_mm: f64,
+    alpha0: f64,
+) -> Option<FocalMisfit> {
+    let freedom = rays.len().checked_sub(6).filter(|freedom| *freedom > 0)?;
+    let pose = &adjusted.pose;
+    let tangents = pose.tangents();
+    let mut normals = Normals::<6>::new();
+    for (ray, weight) in rays.iter().zip(weights) {
+        let at = pose.nearer(ray);
+        let Some(line) = pose.linearise(&tangents, ray, &at) else { continue };
+        // A longer focal length brings all coordinates, in units of it, nearer to the axis. The adjusted ones: the observed ones would hold
+        // the misclosure itself.
+        let by_focal = -(0..4).map(|k| line.by_coordinates[k] * at[k]).sum::<f64>();
+        let row = SVector::<f64, 6>::from_fn(|k, _| if k < 5 { line.by_unknowns[k] } else { by_focal });
+        normals.add(&row, line.misclosure, *weight);
+    }
+    let solution = normals.solve().ok()?;
+    let left = normals.square_sum - 6.0 * solution.size * solution.size;
+    // Of coordinates without errors, rounding is left.
+    if !(left > LEAST_SIGMA * LEAST_SIGMA * freedom as f64) {
+        return None;
+    }
+    let change = solution.step[5];
+    let w = change / (left / freedom as f64 * solution.cofactors[(5, 5)]).sqrt();
+    let moved = derivatives(pose, base_mm) * Unknowns::from_fn(|k, _| solution.step[k]);
+    let leaves = (0..5).any(|k| moved[k].abs() > half_widths[k]);
+    (w.abs() > student_limit(alpha0, freedom) && leaves).then_some(FocalMisfit { change, w })
+}
+
+/// Half-widths of 95 % intervals by the covariance of the unknowns and the limit of Student's distribution.
+pub(super) fn half_widths(covariance: &Matrix5, limit: f64) -> [f64; 5] {
+    std::array::from_fn(|k| limit * covariance[(k, k)].max(0.0).sqrt())
+}

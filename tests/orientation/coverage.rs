@@ -1,0 +1,178 @@
+//! Whether 95 % intervals hold the truth, what of few observations is refused, and whether errors of the detectable size are found, for any number of
+//! points and kind of gross errors.
+//!
+//! `npm run bench -- statistics` prints the figures of all sets.
+
+use crate::calibration::displace;
+use crate::sampling::runs;
+use crate::scene::{Dice, FOCAL_MM, NADIR, Pair, standard_errors};
+use tiepoint::{FiveParameters, Observation, OrientationOptions, RelativeOrientation, orient_relative};
+
+const SIGMA_MM: f64 = 0.005;
+const SETS: u64 = 10_000;
+const SPOILED_SETS: u64 = 3000;
+/// Of this number of points and more, fewer sets are made.
+const MANY: usize = 100;
+
+/// What is wrong with observations beside their noise.
+#[derive(Clone, Copy)]
+enum Gross {
+    None,
+    /// The right point lies anywhere within ±12 px of 0.254 mm.
+    Wild(f64),
+    /// The right point lies 6 to 40 σ across its epipolar line.
+    Small(f64),
+}
+
+impl Gross {
+    fn words(self) -> String {
+        match self {
+            Gross::None => "clean".into(),
+            Gross::Wild(share) => format!("{:.0} % wild", 100.0 * share),
+            Gross::Small(share) => format!("{:.0} % of 6 to 40 σ", 100.0 * share),
+        }
+    }
+
+    fn spoil(self, pair: &Pair, observations: &mut [Observation], seed: u64) {
+        let (Gross::Wild(share) | Gross::Small(share)) = self else { return };
+        let count = (share * observations.len() as f64).round() as usize;
+        let mut dice = Dice::new(seed);
+        for k in 0..count {
+            let observation = &mut observations[k * observations.len() / count];
+            if let Gross::Small(_) = self {
+                let sign = if dice.uniform(0.0, 1.0) < 0.5 { -1.0 } else { 1.0 };
+                displace(pair, observation, sign * SIGMA_MM * dice.uniform(6.0, 40.0));
+            } else {
+                observation.right.iter_mut().for_each(|v| *v += dice.uniform(-12.0 * 0.254, 12.0 * 0.254));
+            }
+        }
+    }
+}
+
+/// What many sets gave.
+#[derive(Default)]
+struct Tally {
+    sets: u64,
+    refused: usize,
+    oriented: usize,
+    covered: usize,
+    far: usize,
+    rejected: usize,
+    variance: f64,
+}
+
+impl Tally {
+    fn of(points: usize, gross: Gross, sets: u64, options: &OrientationOptions) -> Self {
+        let mut tally = Self { sets, ..Self::default() };
+        for seed in 0..sets {
+            let mut observations = NADIR.observe(points, SIGMA_MM, 50_000 + seed);
+            gross.spoil(&NADIR, &mut observations, 90_000 + seed);
+            match orient_relative(&observations, FOCAL_MM, options) {
+                Ok(found) => tally.add(&NADIR, &found),
+                Err(_) => tally.refused += 1,
+            }
+        }
+        tally
+    }
+
+    fn add(&mut self, pair: &Pair, found: &RelativeOrientation) {
+        let five = |p: FiveParameters| [p.omega_deg, p.phi_deg, p.kappa_deg, p.by_mm, p.bz_mm];
+        let (errors, half) = (pair.errors(found), five(found.half_widths_95.expect("there is redundancy")));
+        let standard = standard_errors(found);
+        self.oriented += 1;
+        self.covered += (0..5).filter(|k| errors[*k].abs() <= half[*k]).count();
+        self.far += usize::from((0..5).any(|k| errors[k].abs() > 10.0 * standard[k]));
+        self.rejected += found.rejected.len();
+        self.variance += (found.sigma0_mm.unwrap_or(0.0) / SIGMA_MM).powi(2);
+    }
+
+    /// The share of the intervals that hold the truth.
+    fn covered(&self) -> f64 {
+        self.covered as f64 / (5.0 * self.oriented as f64)
+    }
+
+    fn refused_or_covered(&self) -> f64 {
+        (self.refused as f64 + self.covered as f64 / 5.0) / self.sets as f64
+    }
+
+    fn print(&self, what: &str) {
+        let oriented = self.oriented as f64;
+        println!(
+            "intervals, {what}: {:.1} % hold the truth, refused or so {:.1} %; {} refused and {} beyond 10 standard errors of {} sets; σ₀² {:.3} \
+             of the true, {:.2} rejected",
+            100.0 * self.covered(),
+            100.0 * self.refused_or_covered(),
+            self.refused,
+            self.far,
+            self.sets,
+            self.variance / oriented,
+            self.rejected as f64 / oriented
+        );
+    }
+
+    /// 93 to 97 %, with four standard deviations of what so many sets show: the five unknowns of a set count as one.
+    fn is_within(&self, share: f64) -> bool {
+        let scatter = 4.0 * (0.05 * 0.95 / self.sets as f64).sqrt();
+        (0.93 - scatter..=0.97 + scatter).contains(&share)
+    }
+}
+
+fn sets_of(points: usize, all: u64) -> u64 {
+    runs(if points < MANY { all } else { all * 20 / points as u64 })
+}
+
+#[test]
+fn intervals_of_clean_observations_hold_the_truth() {
+    let plain = OrientationOptions { robust: false, ..NADIR.options() };
+    for points in [6, 7, 10, 12, 15, 20, 100, 2000] {
+        let sets = sets_of(points, SETS);
+        for (way, options) in [("default", NADIR.options()), ("plain", plain.clone())] {
+            let found = Tally::of(points, Gross::None, sets, &options);
+            found.print(&format!("{points} clean points, {way}"));
+            assert!(found.is_within(found.covered()), "{points}, {way}: {}", found.covered());
+            assert!(found.refused <= (sets / 200) as usize, "{points}, {way}: {} refused", found.refused);
+            // With fewer, Student's distribution itself reaches that far.
+            assert!(points < 15 || found.far == 0, "{points}, {way}: {} beyond 10 standard errors", found.far);
+        }
+    }
+}
+
+#[test]
+fn intervals_beside_gross_errors_hold_the_truth_or_the_set_is_refused() {
+    let kinds = [(Gross::Wild(0.1), 6), (Gross::Wild(0.3), 6), (Gross::Small(0.3), 10), (Gross::Wild(0.6), 20)];
+    for (gross, least) in kinds {
+        for points in [6, 7, 10, 12, 15, 20, 100, 2000].into_iter().filter(|points| *points >= least) {
+            let found = Tally::of(points, gross, sets_of(points, SPOILED_SETS), &NADIR.options());
+            found.print(&format!("{points} points, {}", gross.words()));
+            let share = if points < 20 { found.refused_or_covered() } else { found.covered() };
+            // Of five and some observations, those that agree are too few to tell that others do not.
+            assert!(points < 12 || found.is_within(share), "{points}, {}: {share}", gross.words());
+        }
+    }
+}
+
+#[test]
+fn errors_of_the_detectable_size_are_found_with_their_power() {
+    let plain = OrientationOptions { robust: false, ..NADIR.options() };
+    for points in [10, 12, 15, 20, 30, 100] {
+        let (mut found, mut trials) = (0, 0);
+        for seed in 0..runs(6000) {
+            let mut observations = NADIR.observe(points, SIGMA_MM, 150_000 + seed);
+            let clean = orient_relative(&observations, FOCAL_MM, &plain).unwrap();
+            let suspect = seed as usize % points;
+            let point = clean.points[suspect].unwrap();
+            // What is printed is a multiple of the estimated σ₀, which scatters; the power is that of as many true ones.
+            let size = point.detectable_mm * SIGMA_MM / clean.sigma0_mm.unwrap();
+            if point.redundancy < 1e-3 {
+                continue;
+            }
+            displace(&NADIR, &mut observations[suspect], if seed % 2 == 0 { size } else { -size });
+            trials += 1;
+            let spoiled = orient_relative(&observations, FOCAL_MM, &NADIR.options());
+            found += usize::from(spoiled.is_ok_and(|spoiled| spoiled.rejected.contains(&suspect)));
+        }
+        let power = f64::from(found as u32) / f64::from(trials as u32);
+        println!("power at the minimal detectable size, {points} points: {:.1} % of {trials} errors found", 100.0 * power);
+        assert!((0.75..0.85).contains(&power), "{points}: {power}");
+    }
+}
