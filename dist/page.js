@@ -54,18 +54,6 @@ var BlockScene = class {
 		return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 	}
 	/**
-	* Longitude and latitude in degrees and height in m as the receiver recorded them.
-	* @param {number} index
-	* @returns {Float64Array}
-	*/
-	recorded_position(index) {
-		const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
-		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-		var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
-		wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-		return v1;
-	}
-	/**
 	* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
 	* @param {number} index
 	* @param {Float64Array | number[]} positions
@@ -592,18 +580,21 @@ function acting_parameters(settings) {
 	return takeFromExternrefTable0(ret[0]);
 }
 /**
-* The default flight of a block.
-* @returns {BlockFlight}
-*/
-function block_flight_defaults() {
-	return wasm.block_flight_defaults();
-}
-/**
 * Every parameter of a block's flight on which photos depend.
 * @returns {Parameter[]}
 */
 function block_flight_parameters() {
 	return wasm.block_flight_parameters();
+}
+/**
+* A ready-made flight of a block.
+* @param {BlockPreset} name
+* @returns {BlockFlight}
+*/
+function block_flight_preset(name) {
+	const ret = wasm.block_flight_preset(name);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
 }
 /**
 * Every option of a block, in the order of the pipeline.
@@ -619,6 +610,16 @@ function block_parameters() {
 */
 function block_settings(given) {
 	const ret = wasm.block_settings(given);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
+* The camera of an EXIF block, with what is not known of it.
+* @param {ExifCamera} exif
+* @returns {CameraMm}
+*/
+function camera_of_exif(exif) {
+	const ret = wasm.camera_of_exif(exif);
 	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 	return takeFromExternrefTable0(ret[0]);
 }
@@ -991,6 +992,16 @@ function photo_camera(camera) {
 	return takeFromExternrefTable0(ret[0]);
 }
 /**
+* What a project file holds, by its first kilobyte; null for what is no project.
+* @param {Uint8Array | number[]} start
+* @returns {ProjectKind | null}
+*/
+function project_kind(start) {
+	const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
+	const len0 = WASM_VECTOR_LEN;
+	return wasm.project_kind(ptr0, len0);
+}
+/**
 * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
 * @param {Given<PairSettings>} settings
 * @returns {PairSettings}
@@ -1068,6 +1079,9 @@ function __wbg_get_imports() {
 					arg0.arc(arg1, arg2, arg3, arg4, arg5);
 				}, arguments);
 			},
+			__wbg_assign_6b6bb30388088072: function(arg0, arg1) {
+				return Object.assign(arg0, arg1);
+			},
 			__wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
 				arg0.beginPath();
 			},
@@ -1125,6 +1139,9 @@ function __wbg_get_imports() {
 				}
 				return result;
 			},
+			__wbg_length_03a2b32a9178fe11: function(arg0) {
+				return arg0.length;
+			},
 			__wbg_length_186163212ffe79c3: function(arg0) {
 				return arg0.length;
 			},
@@ -1152,8 +1169,17 @@ function __wbg_get_imports() {
 			__wbg_new_22589e9be6cca455: function(arg0) {
 				return new Float64Array(arg0);
 			},
+			__wbg_new_37eb45aaf5eeb820: function() {
+				return new Array();
+			},
+			__wbg_new_68957d2a912dfa0a: function(arg0) {
+				return new Int32Array(arg0);
+			},
 			__wbg_new_787b9fb330d55d78: function(arg0, arg1) {
 				return new Error(getStringFromWasm0(arg0, arg1));
+			},
+			__wbg_new_a2eeb1f991f36b47: function(arg0) {
+				return new Uint32Array(arg0);
 			},
 			__wbg_new_cd4348290afae586: function() {
 				return /* @__PURE__ */ new Object();
@@ -1183,6 +1209,9 @@ function __wbg_get_imports() {
 			},
 			__wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
 				Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+			},
+			__wbg_prototypesetcall_153eecd0d28a42a5: function(arg0, arg1, arg2) {
+				Int32Array.prototype.set.call(getArrayI32FromWasm0(arg0, arg1), arg2);
 			},
 			__wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
 				Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
@@ -1507,13 +1536,6 @@ function initSync(module) {
 /** What the crate says of blocks, read on the main thread once its module is there. */
 /** The page offers one parameter of the features, and those of the block; the strategy of the pair explains the others. */
 var offered = (key) => key === "multiscale.number" || !/^(?:multiscale|gradient|nearest|geometry)\./u.test(key);
-/** Photos small enough to be rendered in a second or two, by a wide angle: bases are then long against heights. */
-var SMALL_PHOTOS = {
-	width_px: 800,
-	height_px: 600,
-	pixel_mm: .09,
-	relief_m: 40
-};
 function blockCatalogue({ parameters, flightParameters }) {
 	const own = block_parameters();
 	const ofFlight = block_flight_parameters();
@@ -1521,10 +1543,7 @@ function blockCatalogue({ parameters, flightParameters }) {
 		parameters: own.filter(({ key }) => offered(key)),
 		defaults: block_settings({}),
 		flightParameters: ofFlight,
-		flight: {
-			...block_flight_defaults(),
-			...SMALL_PHOTOS
-		},
+		flight: block_flight_preset("small_photos"),
 		labels: {
 			parameters: [...parameters, ...own],
 			flightParameters: [...flightParameters, ...ofFlight]
@@ -2340,9 +2359,11 @@ var TEXTS = {
 var BlockFiles = class {
 	store;
 	engine;
-	constructor(store, engine) {
+	openProject;
+	constructor(store, engine, openProject) {
 		this.store = store;
 		this.engine = engine;
+		this.openProject = openProject;
 	}
 	/** Takes what is dropped on the page while the block is shown. */
 	taker = {
@@ -2356,7 +2377,7 @@ var BlockFiles = class {
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
 		const images = found.filter(({ file }) => IMAGE.test(file.name) || file.type.startsWith("image/"));
-		if (project !== void 0) await this.open(project.file);
+		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
 		const aside = found.length - images.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
 		if (images.length > 0 || aside > 0) this.add(images, aside);
@@ -4368,6 +4389,16 @@ function readable(catalogue, message) {
 function quoted(label) {
 	return label === void 0 ? void 0 : `“${label}”`;
 }
+// www/shared/text/words.ts
+/** Texts of the page itself, from the catalogue of the crate. */
+/** The text of a kind, with the minus sign that typography has. Numbers that are not finite are none. */
+function page(kind, figures = {}) {
+	const known = Object.entries(figures).map(([name, value]) => [name, typeof value === "number" && !Number.isFinite(value) ? null : value]);
+	return message("page", {
+		kind,
+		...Object.fromEntries(known)
+	}).replace(/(?<!\w)-(?=\d)/gu, "−");
+}
 // www/block/panel/status.ts
 /** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
 function mountBlockStatus(store, engine) {
@@ -4418,7 +4449,7 @@ function lineOf$2(state) {
 	}
 	if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
 	if (files.length >= 2) return {
-		text: `${count(files.length)} images. ${shown === null || shown.view.partial ? "Press Run." : "Images or settings have changed: press Run."}`,
+		text: `${page("block_images", { images: files.length })} ${shown === null || shown.view.partial ? "Press Run." : "Images or settings have changed: press Run."}`,
 		kind: "idle"
 	};
 	return {
@@ -4432,28 +4463,33 @@ function doneLine(shown) {
 		text: doneText(shown),
 		kind: "done"
 	};
-	const why = view.warnings[0] ?? "No image could be oriented.";
 	const group = view.groups[0]?.length ?? 0;
-	const apart = group < view.images.length ? ` The largest group of connected images has ${count(group)} of ${count(view.images.length)}: do they overlap?` : "";
-	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
 	return {
-		text: `${why}${apart} Kept: ${count(view.images.length)} images with their features, ${counted(connected, "connected pair")}, ${counted(view.points.count, "tie point")}.`,
+		text: page("block_not_oriented", {
+			why: view.warnings[0] ?? message("overview_warning", { kind: "none_oriented" }),
+			group: group < view.images.length ? group : null,
+			images: view.images.length,
+			pairs: connectedPairs(view),
+			points: view.points.count
+		}),
 		kind: "problem"
 	};
 }
+function connectedPairs({ connections }) {
+	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
+}
 function doneText({ view, seconds }) {
-	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected").length;
-	const left = view.leftOut.length === 0 ? "" : `, ${count(view.leftOut.length)} skipped`;
-	const time = seconds === 0 ? "" : ` ${duration(seconds)}.`;
-	const oriented = view.oriented === 0 ? "" : `, ${view.oriented === view.images.length ? "all" : count(view.oriented)} oriented`;
-	const weak = view.warnings.length === 0 ? "" : ` ${counted(view.warnings.length, "warning", "warnings")}, see Results.`;
-	return `Done: ${counted(view.images.length, "image")}${oriented}${left}, ${counted(connected, "pair")} connected, ${pointsText(view)}.${time}${weak}`;
-}
-function pointsText({ points, found }) {
-	return found === null ? counted(points.count, "tie point") : `${count(points.count)} of ${counted(found.points, "tie point")} selected`;
-}
-function counted(number, one, many = `${one}s`) {
-	return `${count(number)} ${number === 1 ? one : many}`;
+	return page("block_done", {
+		images: view.images.length,
+		oriented: view.oriented,
+		all: view.oriented === view.images.length,
+		skipped: view.leftOut.length,
+		pairs: connectedPairs(view),
+		points: view.points.count,
+		found: view.found?.points ?? null,
+		time: seconds === 0 ? null : duration(seconds),
+		warnings: view.warnings.length
+	});
 }
 // www/shared/state/rows.ts
 /** The rows that are kept, in order of a column. Equal values keep their order. */
@@ -4737,11 +4773,11 @@ function pointRows({ points }) {
 	};
 }
 // www/block/mount.ts
-/** `openPair` shows a pair of the block by itself. */
-function mountBlock(openPair) {
+/** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
+function mountBlock(openPair, openProject) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
-	const files = new BlockFiles(store, engine);
+	const files = new BlockFiles(store, engine, openProject);
 	const looking = {
 		choose: (choice) => store.dispatch({
 			type: "choose",
@@ -4808,7 +4844,8 @@ function mountBlock(openPair) {
 	});
 	return {
 		store,
-		taker: files.taker
+		taker: files.taker,
+		open: (file) => files.open(file)
 	};
 }
 /** The buttons that give images. */
@@ -5039,6 +5076,10 @@ function orientationAt({ orientation, baseMm }, otherMm) {
 	};
 }
 // www/pair/state/keys.ts
+/**
+* What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
+* change is not computed again, whatever was changed elsewhere.
+*/
 var numbers$1 = /* @__PURE__ */ new Map();
 /** A short name for a value: equal values get equal names. Keys of keys would otherwise grow with every stage. */
 function shortName(parts) {
@@ -5061,8 +5102,8 @@ function keyOf(kind, inputs, options = null) {
 /** The camera of both images where one is given, else that of each image's EXIF, as the crate's `match_pair` takes them. */
 function pairCameras(state) {
 	const [left, right] = SIDES.map((side) => cameraOf$1(state, side));
-	if (typeof left === "string") return { missing: left };
-	if (typeof right === "string") return { missing: right };
+	if (left !== void 0 && "kind" in left) return { missing: left };
+	if (right !== void 0 && "kind" in right) return { missing: right };
 	if (left === void 0 || right === void 0) throw new Error("a pair has two sides");
 	return {
 		left,
@@ -5070,15 +5111,22 @@ function pairCameras(state) {
 		from: state.camera === null ? "exif" : "given"
 	};
 }
+var cameraOfExif = {
+	left: remember(camera_of_exif),
+	right: remember(camera_of_exif)
+};
 function cameraOf$1(state, side) {
 	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
 	const marked = state.photos[side].fiducials.length > 0;
-	const camera = state.camera ?? (exif === null ? null : {
-		focal_mm: exif.focal_mm,
-		pixel_mm: exif.pixel_mm
-	});
-	if (camera === null) return marked ? "fiducial marks are given, but no principal distance" : `no camera is given, and the ${side} image’s EXIF names none`;
-	if (!marked && camera.pixel_mm == null) return `the ${side} image has neither fiducial marks nor a pixel size`;
+	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
+	if (camera === null) return marked ? { kind: "no_focal_length" } : {
+		kind: "no_camera",
+		side
+	};
+	if (!marked && camera.pixel_mm == null) return {
+		kind: "no_pixel_size",
+		side
+	};
 	return camera;
 }
 /** Whether a strategy searches the right image itself, in place of its interest points. */
@@ -5530,6 +5578,7 @@ var inspection = async (state, workers) => {
 	};
 };
 // www/pair/engine/runs.ts
+/** How each stage is computed: which calls, on which worker, from which results. */
 /** Longest side of the copies from which the offset is estimated, in px. */
 var OFFSET_SIDE = 1024;
 function open(side) {
@@ -5612,7 +5661,7 @@ function interior(side) {
 	return async (state, workers) => {
 		const { info } = needed(state, side === "left" ? "openLeft" : "openRight");
 		const cameras = pairCameras(state);
-		if ("missing" in cameras) throw new Error(cameras.missing);
+		if ("missing" in cameras) throw new Error(message("no_orientation", cameras.missing));
 		const { fiducials, origin } = state.photos[side];
 		return workers.client("pair").call("interior", {
 			width: info.width,
@@ -5713,6 +5762,7 @@ var Engine = class {
 	}
 	/** Opens an image in the worker of a side; the earlier answer where that worker holds it already. */
 	open(side, image) {
+		if (image.source.kind === "project") return Promise.reject(/* @__PURE__ */ new Error(`the project does not hold its images; open ${image.name} too`));
 		const client = this.clients[side];
 		const tag = lifeTag(client, String(image.id));
 		const held = this.opened.get(client);
@@ -5834,12 +5884,14 @@ var Engine = class {
 			return;
 		}
 		const ended = error instanceof CallError && error.ended;
+		const refused = error instanceof CallError ? error.failure.error ?? null : null;
 		this.store.dispatch({
 			type: "stageFailed",
 			stage,
 			failure: {
 				key,
 				ended,
+				error: refused,
 				message: plainMessage(stage, error, this.store.state.catalogue)
 			}
 		});
@@ -5940,238 +5992,226 @@ function clamped(view, { width, height }) {
 		y: Math.min(height, Math.max(0, view.y))
 	};
 }
-// www/pair/files/sort.ts
-function sortFiles(files) {
-	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
-	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
-	const isMask = (file) => !isTable(file) && !isCamera(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
+// www/pair/state/project.ts
+/** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
+function projectOf(state, contents) {
+	const { settings, camera, offset, photos, fiducialModel, results } = state;
+	const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
+	if (![
+		"pointsLeft",
+		"pointsRight",
+		"match"
+	].every((stage) => isCurrent(state, stage)) || settings === null || openLeft === void 0 || openRight === void 0) return null;
+	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0) return null;
+	const opened = {
+		left: openLeft,
+		right: openRight
+	};
+	const photo = (side) => {
+		const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
+		const name = state.images[side]?.name ?? "";
+		const mask = state.masks[side]?.name ?? null;
+		return {
+			name,
+			content: contents[side],
+			width_px: width,
+			height_px: height,
+			format,
+			bits_per_sample,
+			mask,
+			camera: named
+		};
+	};
+	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
+	const interior = interiorInUse(state);
+	const points = ({ counts, threshold, points: at, frames }) => ({
+		counts,
+		threshold,
+		points: at,
+		frames
+	});
+	const given = (side) => ({
+		...photos[side],
+		model: fiducialModel
+	});
 	return {
-		masks: files.filter(isMask),
-		tables: files.filter(isTable),
-		cameras: files.filter(isCamera),
-		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
+		images: [photo("left"), photo("right")],
+		input: {
+			camera,
+			offset,
+			left: given("left"),
+			right: given("right")
+		},
+		settings,
+		output: {
+			left: points(pointsLeft.value),
+			right: points(pointsRight.value),
+			offset: isCurrent(state, "offset") ? results.offset?.value ?? null : null,
+			match: match.value,
+			interior,
+			pixel_mm: null,
+			orientation: oriented,
+			no_orientation: oriented === null ? whyNone(state) : null
+		},
+		truth: truthFor$1(state)
 	};
 }
-// www/pair/files/open.ts
-/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
-/** Longest side of the copy of a mask that is shown, px. */
-var MASK_SIDE = 1024;
-/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
-var MOST_BYTES = 2 ** 30;
-var nextId = 1;
-/** Masks named "right", or the second of two, belong right. */
-function sideOfMask(mask, index) {
-	if (/right/iu.test(mask.name)) return "right";
-	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
+/** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
+function whyNone(state) {
+	const cameras = pairCameras(state);
+	const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
+	if ("missing" in cameras && interiorInUse(state) === null) return cameras.missing;
+	if (no_geometry !== null) return {
+		kind: "no_geometry",
+		no_geometry
+	};
+	if (geometry?.degenerate === "pure-rotation") return { kind: "pure_rotation" };
+	const error = [
+		"interiorLeft",
+		"interiorRight",
+		"orientation"
+	].map((stage) => state.failures[stage]).find((failure) => failure?.error != null)?.error;
+	return error == null ? {
+		kind: "no_camera",
+		side: "left"
+	} : {
+		kind: "refused",
+		error
+	};
 }
-var problem = (text) => ({
-	kind: "problem",
-	text
-});
-var info = (text) => ({
-	kind: "info",
-	text
-});
-var Files = class {
-	store;
-	engine;
-	constructor(store, engine) {
-		this.store = store;
-		this.engine = engine;
-	}
-	/** Takes files of any kind; `side` says where a single one belongs. */
-	async take(files, side) {
-		if (files.length === 0) return;
-		this.store.dispatch({
-			type: "notice",
-			notice: null
-		});
-		const { images, masks, tables, cameras } = sortFiles(files);
-		if (images.length > 2) {
-			this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
-			return;
+function truthFor$1(state) {
+	const truth = truthOf(state);
+	const score = isCurrent(state, "score") ? state.results.score?.value : void 0;
+	return truth === null || score === void 0 ? null : {
+		orientation: truth.orientation,
+		base_mm: truth.baseMm,
+		score
+	};
+}
+/** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
+function withProject(state, { project, images, overviews, masks, estimated }) {
+	const { input, settings, output, truth } = project;
+	const [left, right] = project.images;
+	const photo = (side) => ({
+		fiducials: input[side]?.fiducials ?? [],
+		origin: input[side]?.origin ?? null
+	});
+	let next = {
+		...state,
+		settings,
+		camera: input.camera ?? null,
+		photos: {
+			left: photo("left"),
+			right: photo("right")
+		},
+		fiducialModel: input.left?.model ?? "affine",
+		offset: input.offset ?? null,
+		images,
+		masks,
+		truth: truth === null ? null : {
+			leftId: images.left.id,
+			rightId: images.right.id,
+			orientation: truth.orientation,
+			baseMm: truth.base_mm,
+			rightPosition: /* @__PURE__ */ new Float32Array(),
+			leftWidth: left.width_px,
+			leftHeight: left.height_px
+		},
+		refused: {},
+		results: {},
+		failures: {},
+		paused: false,
+		selection: null,
+		views: {
+			left: null,
+			right: null
 		}
-		const told = [];
-		const camera = cameras[0];
-		if (camera !== void 0) told.push(await this.takeCamera(camera));
-		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
-		if (images.length > 0) told.push(...await this.takeImages(images, side));
-		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
-		this.tell(told);
-	}
-	/** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
-	async takeMask(file, side) {
-		this.tell([await this.readMask(file, side)]);
-	}
-	async readMask(file, side) {
-		const opened = this.store.state.images[side];
-		if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
-		try {
-			const { info: photo } = await this.engine.open(side, opened);
-			const mask = await this.engine.client("pair").call("mask", {
-				file,
-				overlaySide: MASK_SIDE
-			});
-			if (mask.width !== photo.width || mask.height !== photo.height) return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
-			this.store.dispatch({
-				type: "mask",
-				side,
-				mask: {
-					...mask,
-					id: nextId++,
-					name: file.name
+	};
+	const put = (stage, value) => {
+		const key = wantedKeys(next)[stage];
+		if (value !== null && key !== null) next = {
+			...next,
+			results: {
+				...next.results,
+				[stage]: {
+					key,
+					value,
+					milliseconds: 0
 				}
-			});
-			return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
-		} catch (error) {
-			return this.failed(`${file.name} cannot be used as a mask`, error);
-		}
-	}
-	/** Renders the pair of a flight in a worker and opens it. */
-	async takeFlight(name, flight) {
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text: "Rendering the pair: a simulated flight over a synthetic scene …"
 			}
-		});
-		try {
-			const pair = await this.engine.client("pair").call("simulate", flight);
-			const given = (side) => ({
-				id: nextId++,
-				name: `${name} ${side}`,
-				source: {
-					kind: "grey",
-					...pair[side]
-				}
-			});
-			this.store.dispatch({
-				type: "simulated",
-				left: given("left"),
-				right: given("right"),
-				pair
-			});
-			this.tell([]);
-		} catch (error) {
-			this.tell([this.failed("The pair could not be rendered", error)]);
+		};
+	};
+	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
+		width: width_px,
+		height: height_px,
+		format,
+		bits_per_sample,
+		camera: camera ?? null
+	});
+	const nothing = () => ({
+		moments: /* @__PURE__ */ new Float64Array(),
+		gradients: /* @__PURE__ */ new Uint8Array()
+	});
+	put("openLeft", {
+		info: info(left),
+		overview: overviews.left
+	});
+	put("openRight", {
+		info: info(right),
+		overview: overviews.right
+	});
+	put("pointsLeft", {
+		...output.left,
+		gradients: /* @__PURE__ */ new Uint8Array()
+	});
+	put("pointsRight", {
+		...output.right,
+		gradients: /* @__PURE__ */ new Uint8Array()
+	});
+	put("descriptorsLeft", nothing());
+	put("descriptorsRight", nothing());
+	put("offset", output.offset);
+	put("match", {
+		...output.match,
+		estimated
+	});
+	put("orientation", output.orientation);
+	put("score", truth?.score ?? null);
+	return next;
+}
+/** The state with the files of images that a project names: their pixels are read, and what the project does not hold of their points is made. */
+function withFiles(state, images) {
+	const results = { ...state.results };
+	for (const side of SIDES.filter((one) => images[one] !== void 0)) {
+		const [open, points, descriptors] = OF_IMAGE[side];
+		delete results[open];
+		if (state.masks[side] === null) {
+			delete results[points];
+			delete results[descriptors];
 		}
 	}
-	/** The built-in pair. */
-	async takeSample() {
-		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
-		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
-	}
-	/** Says together what came of files that were given together. */
-	tell(told) {
-		const said = told.filter((one) => one !== null);
-		const bad = said.some(({ kind }) => kind === "problem");
-		const { left, right } = this.store.state.images;
-		const kept = bad && (left !== null || right !== null) ? " The open images are kept." : "";
-		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
-		this.store.dispatch({
-			type: "notice",
-			notice: said.length === 0 ? null : {
-				kind: bad ? "problem" : "info",
-				text
-			}
-		});
-	}
-	failed(what, error) {
-		if (error instanceof Cancelled) return info("Cancelled. Nothing was changed.");
-		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
-	}
-	/** Fiducials named "right", or the second of two tables, belong right. */
-	sideOfTable(table, index) {
-		if (/right/iu.test(table.name)) return "right";
-		if (/left/iu.test(table.name)) return "left";
-		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
-	}
-	async takeFiducials(file, side) {
-		try {
-			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
-			this.store.dispatch({
-				type: "photo",
-				side,
-				photo: { fiducials }
-			});
-			return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? "mark" : "marks"} of the ${side} image from ${file.name}.`);
-		} catch (error) {
-			return this.failed(`${file.name} holds no fiducial marks`, error);
+	return {
+		...state,
+		results,
+		failures: {},
+		images: {
+			...state.images,
+			...images
 		}
-	}
-	async takeCamera(file) {
-		try {
-			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
-			this.store.dispatch({
-				type: "camera",
-				camera
-			});
-			return info(`Camera data from ${file.name}.`);
-		} catch (error) {
-			return this.failed(`${file.name} holds no camera data`, error);
-		}
-	}
-	/** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
-	async takeImages(files, side) {
-		const tooLarge = files.find((file) => file.size > MOST_BYTES);
-		if (tooLarge !== void 0) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
-		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
-		const images = {};
-		for (const [i, file] of files.entries()) {
-			const target = sides[i];
-			if (target !== void 0) images[target] = {
-				id: nextId++,
-				name: file.name,
-				source: {
-					kind: "file",
-					file
-				}
-			};
-		}
-		this.store.dispatch({
-			type: "notice",
-			notice: {
-				kind: "busy",
-				text: `Reading ${files.map((file) => file.name).join(" and ")} …`
-			}
-		});
-		return this.check(images);
-	}
-	async check(images) {
-		const entries = Object.entries(images);
-		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? "the file", outcome.reason)] : []);
-		if (told.length === 0) this.store.dispatch({
-			type: "images",
-			images
-		});
-		return told;
-	}
-	failedImage(name, error) {
-		const breakdown = breakdownOf(error);
-		if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
-		return this.failed(`${name} cannot be opened`, error);
-	}
-	/** Where a single image goes: an empty place, else the active one. */
-	freeSide() {
-		const { images, activeSide } = this.store.state;
-		if (images.left === null) return "left";
-		return images.right === null ? "right" : activeSide;
-	}
+	};
+}
+var OF_IMAGE = {
+	left: [
+		"openLeft",
+		"pointsLeft",
+		"descriptorsLeft"
+	],
+	right: [
+		"openRight",
+		"pointsRight",
+		"descriptorsRight"
+	]
 };
-/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
-function takerOf(view, files) {
-	const sideAt = (event) => {
-		const box = view.host.getBoundingClientRect();
-		const panes = panesOf(box.width, box.height);
-		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
-	};
-	return {
-		isActive: () => true,
-		markAt: (event) => sideAt(event) ?? "page",
-		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
-	};
-}
 // www/pair/state/codes.ts
 var RULES = [
 	"matched",
@@ -6329,6 +6369,527 @@ function currentFailure(state) {
 function anyStale(state) {
 	return RUN_STAGES.some((stage) => isStale(state, stage));
 }
+// www/pair/files/export.ts
+/** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
+/** Rows of a flat array. */
+function rows(values, stride) {
+	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
+}
+function imageOf(state, side) {
+	const opened = state.results[side === "left" ? "openLeft" : "openRight"]?.value;
+	return {
+		name: state.images[side]?.name ?? null,
+		width: opened?.info.width ?? null,
+		height: opened?.info.height ?? null,
+		format: opened?.info.format ?? null,
+		exif: opened?.info.camera ?? null,
+		fiducials: state.photos[side].fiducials,
+		origin: state.photos[side].origin,
+		mask: state.masks[side]?.name ?? null
+	};
+}
+function framesOf(state, side) {
+	const found = state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value;
+	return found === void 0 || found.frames.length === 0 ? null : rows(found.frames, 2);
+}
+function verdicts(state) {
+	const { match } = shownPair(state);
+	if (match === null) return null;
+	const names = state.catalogue?.rules ?? [];
+	return Array.from(match.rules, (rule, i) => ({
+		rule: names[rule] ?? String(rule),
+		best: match.best[i] === -1 ? null : match.best[i] ?? null,
+		place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
+		measure: finite(match.measures[2 * i]),
+		second: finite(match.measures[2 * i + 1])
+	}));
+}
+/** JSON has no infinity: null stands for "no such candidate". */
+function finite(value) {
+	return value !== void 0 && Number.isFinite(value) ? value : null;
+}
+function countsOf(state) {
+	const match = state.results.match?.value.counts;
+	const { matches, ...rejected } = match ?? { matches: null };
+	return {
+		left: state.results.pointsLeft?.value.counts ?? null,
+		right: state.results.pointsRight?.value.counts ?? null,
+		matches,
+		rejected: match === void 0 ? null : rejected
+	};
+}
+/** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
+function everything(state) {
+	const { left, right, match, orientation } = shownPair(state);
+	return {
+		program: "tiepoint",
+		version: state.catalogue?.version ?? null,
+		conventions: {
+			pixel: "the centre of the top-left pixel is (0.5, 0.5); x to the right, y down",
+			photo: "mm, x to the right, y up, origin at the principal point",
+			points: "[x, y, interest value]",
+			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
+			matches: "[x left, y left, x right, y right, measure]",
+			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
+			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]",
+			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
+			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
+		},
+		settings: state.settings,
+		images: {
+			left: imageOf(state, "left"),
+			right: imageOf(state, "right")
+		},
+		camera: pairCameras(state),
+		fiducial_model: state.fiducialModel,
+		given_offset: state.offset,
+		offset: isCurrent(state, "offset") ? state.results.offset?.value ?? null : null,
+		counts: countsOf(state),
+		thresholds: {
+			left: state.results.pointsLeft?.value.threshold ?? null,
+			right: state.results.pointsRight?.value.threshold ?? null
+		},
+		points: {
+			left: left === null ? null : rows(left, 3),
+			right: right === null ? null : rows(right, 3)
+		},
+		frames: {
+			left: framesOf(state, "left"),
+			right: framesOf(state, "right")
+		},
+		matches: match === null ? null : rows(match.matches, 5),
+		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
+		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
+		verdicts: verdicts(state),
+		geometry: match?.geometry ?? null,
+		no_geometry: match?.no_geometry == null ? null : {
+			...match.no_geometry,
+			text: message("no_geometry", match.no_geometry)
+		},
+		interior: {
+			left: state.results.interiorLeft?.value ?? null,
+			right: state.results.interiorRight?.value ?? null,
+			estimated: "missing" in pairCameras(state) ? interiorInUse(state) : null
+		},
+		orientation: orientation === null ? null : {
+			...orientation,
+			points: rows(orientation.points, 9).map((point) => point.map(finite))
+		},
+		truth: trueOrientation(state),
+		score: scoreOf(state)
+	};
+}
+/** The true orientation with the base that its by and bz belong to. */
+function trueOrientation(state) {
+	const truth = truthOf(state);
+	return truth === null ? null : {
+		...truth.orientation,
+		base_mm: truth.baseMm
+	};
+}
+/** How right the matches are, where the truth is known. */
+function scoreOf(state) {
+	const score = state.results.score?.value;
+	return score === void 0 || !isCurrent(state, "score") ? null : {
+		matches: score.matches,
+		strict: score.strict,
+		right: score.right,
+		missed: score.missed
+	};
+}
+async function exportMatches(state, engine) {
+	const { match } = shownPair(state);
+	if (match === null) return;
+	const text = await engine.client("pair").call("matchesCsv", { matches: match.matches });
+	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
+}
+function exportEverything(state) {
+	save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
+}
+async function exportPicture(state, view) {
+	const canvas = view.snapshot();
+	const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+	if (blob === null) throw new Error("the picture is too large for this browser to encode; make the window smaller");
+	save(blob, `${baseName(state)}.png`);
+}
+function baseName(state) {
+	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
+}
+// www/pair/files/project.ts
+/** Longest side of what stands for an image that is not there, px. */
+var STANDING_SIDE = 256;
+/** Its grey value. */
+var STANDING_GREY = 128;
+/** Writes all that is known of the pair. */
+async function exportProject(store, engine) {
+	const { state } = store;
+	const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
+	const project = projectOf(state, {
+		left: left ?? null,
+		right: right ?? null
+	});
+	if (project === null) throw new Error("the pair is not matched with the present settings yet");
+	const text = await engine.client("pair").call("projectWrite", project);
+	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
+}
+/** The digest of an image's file; null for an image that was simulated. */
+async function contentOf({ images }, engine, side) {
+	const source = images[side]?.source;
+	switch (source?.kind) {
+		case "file": return engine.client("pair").call("digest", { file: source.file });
+		case "project": return source.content;
+		default: return null;
+	}
+}
+/** Reads a project; what stands for its images has their names and sizes. `nextId` numbers images and masks. */
+async function readProject(engine, file, nextId) {
+	const bytes = new Uint8Array(await file.arrayBuffer());
+	const { project, estimated } = await engine.client("pair").call("projectOpen", { bytes }, [bytes.buffer]);
+	const [left, right] = project.images;
+	const of = {
+		left,
+		right
+	};
+	const image = (side) => ({
+		id: nextId(),
+		name: of[side].name,
+		source: {
+			kind: "project",
+			content: of[side].content ?? null
+		}
+	});
+	const overviews = {
+		left: await standingFor(left.width_px, left.height_px),
+		right: await standingFor(right.width_px, right.height_px)
+	};
+	const mask = (side) => {
+		const { mask: name, width_px: width, height_px: height } = of[side];
+		return name == null ? null : {
+			id: nextId(),
+			name,
+			width,
+			height,
+			grey: /* @__PURE__ */ new Uint8Array(),
+			leftOut: NaN,
+			overlay: overviews[side].clear
+		};
+	};
+	return {
+		project,
+		estimated,
+		overviews,
+		images: {
+			left: image("left"),
+			right: image("right")
+		},
+		masks: {
+			left: mask("left"),
+			right: mask("right")
+		}
+	};
+}
+/** A grey area of the size of an image, and a clear one. */
+async function standingFor(width, height) {
+	const halvings = Math.max(0, Math.ceil(Math.log2(Math.max(width, height) / STANDING_SIDE)));
+	const data = new ImageData(Math.ceil(width / 2 ** halvings), Math.ceil(height / 2 ** halvings));
+	const clear = await createImageBitmap(data);
+	data.data.fill(STANDING_GREY).forEach((_, i) => {
+		if (i % 4 === 3) data.data[i] = 255;
+	});
+	return {
+		bitmap: await createImageBitmap(data),
+		halvings,
+		clear
+	};
+}
+/** The side of a project that was opened to which this very file belongs; null where there is none. */
+async function sideOfFile({ images }, engine, file) {
+	for (const side of SIDES) {
+		const image = images[side];
+		if (image?.source.kind !== "project" || image.name !== file.name || image.source.content === null) continue;
+		if (await engine.client("pair").call("digest", { file }) === image.source.content) return side;
+	}
+	return null;
+}
+// www/pair/files/sort.ts
+function sortFiles(files) {
+	const isTable = (file) => /\.(csv|txt)$/iu.test(file.name) || file.type === "text/csv";
+	const isCamera = (file) => /\.json$/iu.test(file.name) || file.type === "application/json";
+	const isProject = (file) => /\.tiepoint$/iu.test(file.name);
+	const isMask = (file) => !isTable(file) && !isCamera(file) && !isProject(file) && /(^|[^a-z])masks?([^a-z]|$)/iu.test(file.name);
+	return {
+		masks: files.filter(isMask),
+		tables: files.filter(isTable),
+		cameras: files.filter(isCamera),
+		projects: files.filter(isProject),
+		images: files.filter((file) => !isTable(file) && !isCamera(file) && !isMask(file) && !isProject(file)).sort((a, b) => a.name.localeCompare(b.name, "en", { numeric: true }))
+	};
+}
+// www/pair/files/open.ts
+/** Takes files in: dropped, pasted, opened. A file that cannot be used changes nothing. */
+/** Longest side of the copy of a mask that is shown, px. */
+var MASK_SIDE = 1024;
+/** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
+var MOST_BYTES = 2 ** 30;
+var nextId = 1;
+/** Masks named "right", or the second of two, belong right. */
+function sideOfMask(mask, index) {
+	if (/right/iu.test(mask.name)) return "right";
+	return /left/iu.test(mask.name) || index === 0 ? "left" : "right";
+}
+var problem = (text) => ({
+	kind: "problem",
+	text
+});
+var info = (text) => ({
+	kind: "info",
+	text
+});
+var Files = class {
+	store;
+	engine;
+	openProject;
+	constructor(store, engine, openProject) {
+		this.store = store;
+		this.engine = engine;
+		this.openProject = openProject;
+	}
+	/** Takes files of any kind; `side` says where a single one belongs. */
+	async take(files, side) {
+		if (files.length === 0) return;
+		this.store.dispatch({
+			type: "notice",
+			notice: null
+		});
+		const { images, masks, tables, cameras, projects } = sortFiles(files);
+		const [project] = projects;
+		if (project !== void 0) {
+			await this.openProject(project);
+			const others = files.filter((file) => !projects.includes(file));
+			if (others.length > 0) await this.take(others, side);
+			return;
+		}
+		if (images.length > 2) {
+			this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
+			return;
+		}
+		const told = [];
+		const camera = cameras[0];
+		if (camera !== void 0) told.push(await this.takeCamera(camera));
+		for (const [i, table] of tables.entries()) told.push(await this.takeFiducials(table, side ?? this.sideOfTable(table, i)));
+		if (images.length > 0) told.push(...await this.takeImages(images, side));
+		for (const [i, mask] of masks.entries()) told.push(await this.readMask(mask, masks.length === 1 && side !== null ? side : sideOfMask(mask, i)));
+		this.tell(told);
+	}
+	/** Opens a pair that was saved. */
+	async takeProject(file) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: `Reading ${file.name} …`
+			}
+		});
+		try {
+			this.store.dispatch({
+				type: "opened",
+				opened: await readProject(this.engine, file, () => nextId++)
+			});
+			this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`)]);
+		} catch (error) {
+			this.tell([this.failed(`${file.name} cannot be opened`, error)]);
+		}
+	}
+	/** Takes an image whose zeros say where no points are wanted; it has to be as large as the image that is open. */
+	async takeMask(file, side) {
+		this.tell([await this.readMask(file, side)]);
+	}
+	async readMask(file, side) {
+		const opened = this.store.state.images[side];
+		if (opened === null) return problem(`${file.name} is a mask of the ${side} image, which is not open. Open that first.`);
+		try {
+			const { info: photo } = await this.engine.open(side, opened);
+			const mask = await this.engine.client("pair").call("mask", {
+				file,
+				overlaySide: MASK_SIDE
+			});
+			if (mask.width !== photo.width || mask.height !== photo.height) return problem(`${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`);
+			this.store.dispatch({
+				type: "mask",
+				side,
+				mask: {
+					...mask,
+					id: nextId++,
+					name: file.name
+				}
+			});
+			return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
+		} catch (error) {
+			return this.failed(`${file.name} cannot be used as a mask`, error);
+		}
+	}
+	/** Renders the pair of a flight in a worker and opens it. */
+	async takeFlight(name, flight) {
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: "Rendering the pair: a simulated flight over a synthetic scene …"
+			}
+		});
+		try {
+			const pair = await this.engine.client("pair").call("simulate", flight);
+			const given = (side) => ({
+				id: nextId++,
+				name: `${name} ${side}`,
+				source: {
+					kind: "grey",
+					...pair[side]
+				}
+			});
+			this.store.dispatch({
+				type: "simulated",
+				left: given("left"),
+				right: given("right"),
+				pair
+			});
+			this.tell([]);
+		} catch (error) {
+			this.tell([this.failed("The pair could not be rendered", error)]);
+		}
+	}
+	/** The built-in pair. */
+	async takeSample() {
+		const sample = this.store.state.catalogue?.flights.find(({ name }) => name === "sample");
+		if (sample !== void 0) await this.takeFlight(sample.name, sample.flight);
+	}
+	/** Says together what came of files that were given together. */
+	tell(told) {
+		const said = told.filter((one) => one !== null);
+		const bad = said.some(({ kind }) => kind === "problem");
+		const { left, right } = this.store.state.images;
+		const kept = bad && (left !== null || right !== null) ? " The open images are kept." : "";
+		const text = `${said.map((one) => one.text).join(" ")}${kept}`;
+		this.store.dispatch({
+			type: "notice",
+			notice: said.length === 0 ? null : {
+				kind: bad ? "problem" : "info",
+				text
+			}
+		});
+	}
+	failed(what, error) {
+		if (error instanceof Cancelled) return info("Cancelled. Nothing was changed.");
+		return problem(`${what}: ${sentence(readable(this.store.state.catalogue, messageOf(error)))}`);
+	}
+	/** Fiducials named "right", or the second of two tables, belong right. */
+	sideOfTable(table, index) {
+		if (/right/iu.test(table.name)) return "right";
+		if (/left/iu.test(table.name)) return "left";
+		return index > 0 || this.store.state.photos.left.fiducials.length > 0 ? "right" : "left";
+	}
+	async takeFiducials(file, side) {
+		try {
+			const fiducials = await this.engine.client("pair").call("parseFiducials", { text: await file.text() });
+			this.store.dispatch({
+				type: "photo",
+				side,
+				photo: { fiducials }
+			});
+			return info(`${String(fiducials.length)} fiducial ${fiducials.length === 1 ? "mark" : "marks"} of the ${side} image from ${file.name}.`);
+		} catch (error) {
+			return this.failed(`${file.name} holds no fiducial marks`, error);
+		}
+	}
+	async takeCamera(file) {
+		try {
+			const camera = await this.engine.client("pair").call("parseCamera", { text: await file.text() });
+			this.store.dispatch({
+				type: "camera",
+				camera
+			});
+			return info(`Camera data from ${file.name}.`);
+		} catch (error) {
+			return this.failed(`${file.name} holds no camera data`, error);
+		}
+	}
+	/** Opens one or two images; each is decoded first, and replaces what is there only if it can be read. */
+	async takeImages(files, side) {
+		const tooLarge = files.find((file) => file.size > MOST_BYTES);
+		if (tooLarge !== void 0) return [problem(`${tooLarge.name} has ${String(Math.round(tooLarge.size / 2 ** 20))} MB; up to 1,024 MB are read.`)];
+		const known = await Promise.all(files.map((file) => sideOfFile(this.store.state, this.engine, file)));
+		if (known.every((place) => place !== null)) return this.takeFound(files, known);
+		const sides = files.length === 2 ? ["left", "right"] : [side ?? this.freeSide()];
+		const images = {};
+		for (const [i, file] of files.entries()) {
+			const target = sides[i];
+			if (target !== void 0) images[target] = {
+				id: nextId++,
+				name: file.name,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "busy",
+				text: `Reading ${files.map((file) => file.name).join(" and ")} …`
+			}
+		});
+		return this.check(images);
+	}
+	/** The files of images that a project names take their places: nothing of the project changes. */
+	async takeFound(files, sides) {
+		const images = {};
+		for (const [i, side] of sides.entries()) {
+			const [image, file] = [this.store.state.images[side], files[i]];
+			if (image !== null && file !== void 0) images[side] = {
+				...image,
+				source: {
+					kind: "file",
+					file
+				}
+			};
+		}
+		return this.check(images, "found");
+	}
+	async check(images, type = "images") {
+		const entries = Object.entries(images);
+		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? "the file", outcome.reason)] : []);
+		if (told.length === 0) this.store.dispatch({
+			type,
+			images
+		});
+		return told;
+	}
+	failedImage(name, error) {
+		const breakdown = breakdownOf(error);
+		if (breakdown !== null) return problem(`${name} could not be opened: ${breakdown}. Try a smaller image, or close other tabs.`);
+		return this.failed(`${name} cannot be opened`, error);
+	}
+	/** Where a single image goes: an empty place, else the active one. */
+	freeSide() {
+		const { images, activeSide } = this.store.state;
+		if (images.left === null) return "left";
+		return images.right === null ? "right" : activeSide;
+	}
+};
+/** Takes what is dropped on the page while no other part does; a single image goes to the pane that it is dropped on. */
+function takerOf(view, files) {
+	const sideAt = (event) => {
+		const box = view.host.getBoundingClientRect();
+		const panes = panesOf(box.width, box.height);
+		return SIDES.find((side) => contains(panes[side], event.clientX - box.left, event.clientY - box.top));
+	};
+	return {
+		isActive: () => true,
+		markAt: (event) => sideAt(event) ?? "page",
+		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
+	};
+}
 // www/pair/panel/announce.ts
 /** Announces the selected point to screen readers. */
 function mountAnnouncements(host, store) {
@@ -6394,6 +6955,40 @@ function allowedOfOrigin(col, row) {
 function problemOfFlight(flight) {
 	return refusalOf(() => check_flight(flight));
 }
+// www/pair/state/residuals.ts
+/** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
+function pixelMm(interior) {
+	const [[a, b], [d, e]] = interior.parameters;
+	return Math.sqrt(Math.abs(a * e - b * d));
+}
+/** The residual of each match at its point of one image: stride 4, x, y, dx, dy in px. */
+function vectorsOf(side) {
+	return remember((match, orientation, interior) => {
+		const [[a, b], [d, e]] = interior.parameters;
+		const determinant = a * e - b * d;
+		const first = side === "left" ? 0 : 2;
+		const vectors = new Float64Array(4 * orientation.residuals_mm.length);
+		orientation.residuals_mm.forEach((residual, i) => {
+			const [vx, vy] = [residual[first] ?? NaN, residual[first + 1] ?? NaN];
+			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
+			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
+			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
+			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
+		});
+		return vectors;
+	});
+}
+var residualVectors = {
+	left: vectorsOf("left"),
+	right: vectorsOf("right")
+};
+/** The y-parallax left in each match that the adjustment kept, in px: the right photo's correction in y minus the left one's. */
+var parallaxResiduals = remember((orientation, interior) => {
+	const rejected = new Set(orientation.rejected);
+	const pixel = pixelMm(interior);
+	const kept = orientation.residuals_mm.filter((_, i) => !rejected.has(i));
+	return Float64Array.from(kept, ([, left, , right]) => (right - left) / pixel);
+});
 // www/shared/panel/numberfield.ts
 /** Fields for numbers that are no parameters of the crate's catalogue: what is not allowed is said, and the last valid value stays. */
 var STAYS = "The last valid value stays in use.";
@@ -6629,11 +7224,19 @@ function exifText(name, exif) {
 function sourceText(state) {
 	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
 	const used = pairCameras(state);
+	const told = estimatedText(state);
 	if (state.camera !== null) return `In use: the values below${state.truth === null ? "" : " (they came with the sample)"}. ${exif}`;
-	if (!("missing" in used)) return `In use: EXIF. Values below replace it. ${exif}`;
-	const focal = state.results.match?.value.geometry?.focal ?? null;
-	if (focal !== null && state.results.match?.value.estimated != null) return `In use: estimated from the matches, ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, principal point at the image centre. Values below replace it. ${exif}`;
-	return `Orientation needs a focal length, and a pixel size or fiducial marks. Matches of gradients can estimate the focal length. ${exif}`;
+	if (!("missing" in used)) return `In use: EXIF${told}. Values below replace it. ${exif}`;
+	if (state.results.match?.value.estimated != null) return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
+	return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;
+}
+/** What the orientation tells of a camera that nobody calibrated. */
+function estimatedText(state) {
+	const camera = state.results.orientation?.value.cameras?.[0];
+	const interior = interiorInUse(state)?.left;
+	if (camera == null || interior === void 0) return "";
+	const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
+	return `, corrected with the orientation to a focal length of ${fixed(focal ?? NaN, 0)} ± ${fixed(error ?? NaN, 0)} px`;
 }
 /** The offset of the right image: estimated, or given. */
 function offsetGroup(store) {
@@ -6986,7 +7589,10 @@ function summary(state) {
 	const shown = shownPair(state);
 	if (shown.match === null) return "";
 	const codes = leftCodes(shown.left, shown.match, shown.orientation);
-	return `${count(shown.match.counts.matches)} matches of ${count(codes.length)} left points`;
+	return page("matched", {
+		matches: shown.match.counts.matches,
+		points: codes.length
+	});
 }
 // www/pair/panel/fiducials.ts
 /** Fiducial marks of one photo: a table to type into, or a CSV file. */
@@ -7218,152 +7824,6 @@ function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: thresh
 		}]
 	];
 }
-// www/pair/files/export.ts
-/** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
-/** Rows of a flat array. */
-function rows(values, stride) {
-	return Array.from({ length: values.length / stride }, (_, i) => Array.from({ length: stride }, (_, k) => values[i * stride + k] ?? NaN));
-}
-function imageOf(state, side) {
-	const opened = state.results[side === "left" ? "openLeft" : "openRight"]?.value;
-	return {
-		name: state.images[side]?.name ?? null,
-		width: opened?.info.width ?? null,
-		height: opened?.info.height ?? null,
-		format: opened?.info.format ?? null,
-		exif: opened?.info.camera ?? null,
-		fiducials: state.photos[side].fiducials,
-		origin: state.photos[side].origin,
-		mask: state.masks[side]?.name ?? null
-	};
-}
-function framesOf(state, side) {
-	const found = state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value;
-	return found === void 0 || found.frames.length === 0 ? null : rows(found.frames, 2);
-}
-function verdicts(state) {
-	const { match } = shownPair(state);
-	if (match === null) return null;
-	const names = state.catalogue?.rules ?? [];
-	return Array.from(match.rules, (rule, i) => ({
-		rule: names[rule] ?? String(rule),
-		best: match.best[i] === -1 ? null : match.best[i] ?? null,
-		place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
-		measure: finite(match.measures[2 * i]),
-		second: finite(match.measures[2 * i + 1])
-	}));
-}
-/** JSON has no infinity: null stands for "no such candidate". */
-function finite(value) {
-	return value !== void 0 && Number.isFinite(value) ? value : null;
-}
-function countsOf(state) {
-	const match = state.results.match?.value.counts;
-	const { matches, ...refused } = match ?? { matches: null };
-	return {
-		left: state.results.pointsLeft?.value.counts ?? null,
-		right: state.results.pointsRight?.value.counts ?? null,
-		matches,
-		refused: match === void 0 ? null : refused
-	};
-}
-/** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
-function everything(state) {
-	const { left, right, match, orientation } = shownPair(state);
-	return {
-		program: "tiepoint",
-		version: state.catalogue?.version ?? null,
-		conventions: {
-			pixel: "the centre of the top-left pixel is (0.5, 0.5); x to the right, y down",
-			photo: "mm, x to the right, y up, origin at the principal point",
-			points: "[x, y, interest value]",
-			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
-			matches: "[x left, y left, x right, y right, measure]",
-			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
-			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]",
-			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
-			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
-		},
-		settings: state.settings,
-		images: {
-			left: imageOf(state, "left"),
-			right: imageOf(state, "right")
-		},
-		camera: pairCameras(state),
-		fiducial_model: state.fiducialModel,
-		given_offset: state.offset,
-		offset: isCurrent(state, "offset") ? state.results.offset?.value ?? null : null,
-		counts: countsOf(state),
-		thresholds: {
-			left: state.results.pointsLeft?.value.threshold ?? null,
-			right: state.results.pointsRight?.value.threshold ?? null
-		},
-		points: {
-			left: left === null ? null : rows(left, 3),
-			right: right === null ? null : rows(right, 3)
-		},
-		frames: {
-			left: framesOf(state, "left"),
-			right: framesOf(state, "right")
-		},
-		matches: match === null ? null : rows(match.matches, 5),
-		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
-		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
-		verdicts: verdicts(state),
-		geometry: match?.geometry ?? null,
-		no_geometry: match?.no_geometry == null ? null : {
-			...match.no_geometry,
-			text: message("no_geometry", match.no_geometry)
-		},
-		interior: {
-			left: state.results.interiorLeft?.value ?? null,
-			right: state.results.interiorRight?.value ?? null,
-			estimated: "missing" in pairCameras(state) ? interiorInUse(state) : null
-		},
-		orientation: orientation === null ? null : {
-			...orientation,
-			points: rows(orientation.points, 9).map((point) => point.map(finite))
-		},
-		truth: trueOrientation(state),
-		score: scoreOf(state)
-	};
-}
-/** The true orientation with the base that its by and bz belong to. */
-function trueOrientation(state) {
-	const truth = truthOf(state);
-	return truth === null ? null : {
-		...truth.orientation,
-		base_mm: truth.baseMm
-	};
-}
-/** How right the matches are, where the truth is known. */
-function scoreOf(state) {
-	const score = state.results.score?.value;
-	return score === void 0 || !isCurrent(state, "score") ? null : {
-		matches: score.matches,
-		strict: score.strict,
-		right: score.right,
-		missed: score.missed
-	};
-}
-async function exportMatches(state, engine) {
-	const { match } = shownPair(state);
-	if (match === null) return;
-	const text = await engine.client("pair").call("matchesCsv", { matches: match.matches });
-	save(new Blob([text], { type: "text/csv" }), `${baseName(state)}-matches.csv`);
-}
-function exportEverything(state) {
-	save(new Blob([JSON.stringify(everything(state))], { type: "application/json" }), `${baseName(state)}.json`);
-}
-async function exportPicture(state, view) {
-	const canvas = view.snapshot();
-	const blob = await new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
-	if (blob === null) throw new Error("the picture is too large for this browser to encode; make the window smaller");
-	save(blob, `${baseName(state)}.png`);
-}
-function baseName(state) {
-	return [state.images.left?.name, state.images.right?.name].map((name) => (name ?? "image").replace(/\.[^.]+$/u, "")).join("-").replace(/[^\p{L}\p{N}._-]+/gu, "_");
-}
 // www/pair/files/report.ts
 /** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
 /** What the report is made of; null where an image is missing. */
@@ -7432,40 +7892,6 @@ async function exportReport(store, engine) {
 		client.cancel();
 	}
 }
-// www/pair/state/residuals.ts
-/** Side of a pixel in mm: the root of the area that the interior orientation gives a pixel. */
-function pixelMm(interior) {
-	const [[a, b], [d, e]] = interior.parameters;
-	return Math.sqrt(Math.abs(a * e - b * d));
-}
-/** The residual of each match at its point of one image: stride 4, x, y, dx, dy in px. */
-function vectorsOf(side) {
-	return remember((match, orientation, interior) => {
-		const [[a, b], [d, e]] = interior.parameters;
-		const determinant = a * e - b * d;
-		const first = side === "left" ? 0 : 2;
-		const vectors = new Float64Array(4 * orientation.residuals_mm.length);
-		orientation.residuals_mm.forEach((residual, i) => {
-			const [vx, vy] = [residual[first] ?? NaN, residual[first + 1] ?? NaN];
-			vectors[4 * i] = match.matches[5 * i + first] ?? NaN;
-			vectors[4 * i + 1] = match.matches[5 * i + first + 1] ?? NaN;
-			vectors[4 * i + 2] = (e * vx - b * vy) / determinant;
-			vectors[4 * i + 3] = (a * vy - d * vx) / determinant;
-		});
-		return vectors;
-	});
-}
-var residualVectors = {
-	left: vectorsOf("left"),
-	right: vectorsOf("right")
-};
-/** The y-parallax left in each match that the adjustment kept, in px: the right photo's correction in y minus the left one's. */
-var parallaxResiduals = remember((orientation, interior) => {
-	const rejected = new Set(orientation.rejected);
-	const pixel = pixelMm(interior);
-	const kept = orientation.residuals_mm.filter((_, i) => !rejected.has(i));
-	return Float64Array.from(kept, ([, left, , right]) => (right - left) / pixel);
-});
 // www/pair/panel/unknowns.ts
 var UNKNOWNS = [
 	{
@@ -7644,7 +8070,10 @@ function estimatedFocal(state) {
 	return [h("p", {
 		class: "note",
 		testid: "estimated-focal"
-	}, `With the focal length estimated from the matches: ${fixed(focal.focal_px, 0)} ± ${fixed(focal.standard_error_px, 0)} px, which the standard errors below assume to be free of error. Lengths in mm are those of pixels of 0.001 mm.`)];
+	}, page("estimated_focal", {
+		focal_px: focal.focal_px,
+		error_px: focal.standard_error_px
+	}))];
 }
 /** Images are equal where nine tenths of the matches (stride 5) lie this near to the same place of both, px. */
 var EQUAL_PX = .05;
@@ -7666,7 +8095,7 @@ function whyNotOriented(state) {
 	const cameras = pairCameras(state);
 	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
 		const untold = match?.geometry == null ? "" : ", and the matches do not determine the focal length";
-		return `Not oriented: ${cameras.missing}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
+		return `Not oriented: ${message("no_orientation", cameras.missing)}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
 	}
 	for (const stage of [
 		"interiorLeft",
@@ -7686,7 +8115,7 @@ function truthFor(state, { base_mm: base }) {
 function valueTable(state, result) {
 	const truth = truthFor(state, result);
 	const paper = truth === null && hasPaperCamera(state) ? state.catalogue?.paper : void 0;
-	const { standard_errors: errors, total_standard_errors: total } = result;
+	const { standard_errors: errors, total_standard_errors: total, half_widths_95: half } = result;
 	const number = (testid, value, digits, kind = "") => h("td", {
 		testid,
 		class: `number ${kind}`
@@ -7695,18 +8124,20 @@ function valueTable(state, result) {
 		const error = truth === null ? NaN : result[field] - truth[field];
 		const own = [number(`orientation-${field}`, result[field], digits), number(`error-${field}`, errors?.[field], digits)];
 		const withInterior = total === null ? [] : [number(`total-error-${field}`, total[field], digits)];
+		const interval = number(`interval-${field}`, half?.[field], digits);
 		const printed = paper === void 0 ? [] : [number(`paper-${field}`, paper.orientations[2].values[field], digits, "paper"), number(`paper-error-${field}`, paper.standard_errors[field], digits, "paper")];
 		const compared = truth === null ? printed : [number(`deviation-${field}`, error, digits), number(`deviation-ratio-${field}`, error / ((total ?? errors)?.[field] ?? NaN), 1)];
-		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unit}`)), ...own, ...withInterior, ...compared);
+		return row(h("span", {}, h("i", {}, symbol), h("span", { class: "unit" }, ` ${unit}`)), ...own, ...withInterior, interval, ...compared);
 	});
 	const heads = [
 		["Value", "The right photo relative to the left one, dependent relative orientation."],
 		["Std error", "What the scatter of the matches leaves uncertain."],
 		...total === null ? [] : [["In total", "Standard error including what does not average out: neighbouring matches share errors because their windows overlap, and all share those of the measured fiducial marks."]],
+		["95 % ±", "Half-width of the interval that holds the unknown in 95 of 100 cases: of the last standard error, by the distribution of Student for the degrees of freedom."],
 		...paper !== void 0 ? [["Paper", "The paper's Table 3, of its own pair"], ["its error", "The paper's Table 2"]] : [],
 		...truth === null ? [] : [["True error", "Value minus truth; by and bz at the scale of the base used."], ["in std errors", "The true error divided by the standard error, with that of the interior orientations where known: beyond 3 in 3 of 1,000 cases."]]
 	];
-	const note = paper !== void 0 ? h("p", { class: "note" }, "Paper: its Tables 2 and 3, of its own pair (f = 153.38 mm, pixel 254 µm, assumed b = 92 mm).") : null;
+	const note = paper !== void 0 ? h("p", { class: "note" }, paperNote(state, paper)) : null;
 	return h("div", {}, h("div", { class: "scroll" }, h("table", {
 		class: "tight",
 		aria: { label: "Relative orientation" }
@@ -7715,6 +8146,15 @@ function valueTable(state, result) {
 		title,
 		class: text === "Paper" || text === "its error" ? "paper" : ""
 	}, text)))), h("tbody", {}, ...rows))), note);
+}
+/** Whose pair it was, and with what it was photographed. */
+function paperNote({ catalogue }, { pixel_mm: pixel }) {
+	const flight = catalogue?.flights.find(({ name }) => name === "paper")?.flight;
+	return page("paper", {
+		focal_mm: flight?.focal_mm ?? null,
+		base_mm: flight?.base_mm ?? null,
+		pixel_um: 1e3 * pixel
+	});
 }
 function warnings({ warnings: found }) {
 	return found.map((warning) => h("p", {
@@ -7728,6 +8168,7 @@ function precision(state, result) {
 	const sigma = result.sigma0_mm;
 	const used = result.residuals_mm.length - result.rejected.length;
 	const test = result.global_test;
+	const printed = hasPaperCamera(state) ? state.catalogue?.paper : void 0;
 	return facts([
 		{
 			name: "σ₀ of a photo coordinate",
@@ -7746,7 +8187,10 @@ function precision(state, result) {
 			testid: "global-test",
 			value: `${fixed(test.statistic, 1)}: ${test.passed ? "passed" : "FAILED"}`,
 			...test.passed ? {} : { kind: "problem" },
-			help: `The weighted sum of squared residuals over the given σ₀²: with good matches between ${fixed(test.lower, 1)} and ${fixed(test.upper, 1)} in 95 of 100 cases. Above: the matches are worse than the given σ₀, or the model does not hold. Below: the given σ₀ is too large.`
+			help: page("global_test", {
+				lower: test.lower,
+				upper: test.upper
+			})
 		}],
 		{
 			name: "Degrees of freedom",
@@ -7796,10 +8240,13 @@ function precision(state, result) {
 			value: `${significant(result.base_mm)} mm, ${significant(result.focal_mm)} mm`,
 			help: "The base component that was fixed gives by and bz their scale."
 		},
-		...hasPaperCamera(state) ? [{
+		...printed !== void 0 ? [{
 			name: "Paper",
 			testid: "paper-sigma0",
-			value: "σ₀ 0.150 mm = 0.6 px",
+			value: page("paper_sigma", {
+				sigma0_mm: printed.sigma0_mm,
+				sigma0_px: printed.sigma0_mm / printed.pixel_mm
+			}),
 			help: "What the paper printed for its own pair."
 		}] : []
 	]);
@@ -7853,7 +8300,11 @@ function lineOf(state) {
 	};
 	const { running, wanted, done } = progress(state);
 	if (running.length > 0) return {
-		text: `Step ${String(Math.min(done + 1, wanted))} of ${String(wanted)}: ${running.map((stage) => STAGES[stage].label).join("; ")}`,
+		text: page("step", {
+			step: Math.min(done + 1, wanted),
+			steps: wanted,
+			stages: running.map((stage) => STAGES[stage].label).join("; ")
+		}),
 		kind: "busy"
 	};
 	if (state.notice?.kind === "busy") return {
@@ -7901,7 +8352,10 @@ function resting(state, wanted, done) {
 		kind: "busy"
 	};
 	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" ? 0 : result.milliseconds), 0);
-	const matched = `${summary(state)}, ${fixed(milliseconds / 1e3, 2)} s of work.`;
+	const matched = milliseconds === 0 ? `${summary(state)}.` : page("worked", {
+		matched: summary(state),
+		seconds: milliseconds / 1e3
+	});
 	const reason = whyNotOriented(state);
 	return reason === null ? {
 		text: `Done: ${matched}`,
@@ -7958,6 +8412,7 @@ function mountHeader({ store, engine, view, files, pick, attempt }) {
 	on("swap", () => swap(store, engine));
 	on("export-csv", () => exportMatches(store.state, engine));
 	on("export-json", () => exportEverything(store.state));
+	on("export-project", () => exportProject(store, engine));
 	on("export-report", () => exportReport(store, engine));
 	on("export-png", () => exportPicture(store.state, view));
 	store.watch([
@@ -7977,7 +8432,9 @@ function mountHeader({ store, engine, view, files, pick, attempt }) {
 		set("sample-first", catalogue === null);
 		set("export-csv", !both || shownPair(store.state).match === null);
 		set("export-json", !both || store.state.results.pointsLeft === void 0);
-		set("export-report", !both || isBusy(store.state));
+		set("export-project", !both || isBusy(store.state) || !isCurrent(store.state, "match"));
+		const absent = Object.values(images).some((image) => image?.source.kind === "project");
+		set("export-report", !both || absent || isBusy(store.state));
 		set("export-png", none);
 		leaveWelcome(!none);
 	});
@@ -8458,49 +8915,65 @@ function verdictOf(state, shown, match) {
 	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
 	return {
 		code,
-		text: `${selection.side === "right" && own === UNDECIDED ? `Not matched. It is the best candidate of left point ${count(leftIndex + 1)}, which is rejected. ` : ""}${message("verdict", CODES[code] ?? "undecided")} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
+		text: `${selection.side === "right" && own === UNDECIDED ? `${page("candidate_of", { point: leftIndex + 1 })} ` : ""}${message("verdict", CODES[code] ?? "undecided")} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
 	};
 }
 function numbers(code, index, match, settings) {
 	const { matching } = settings;
 	const gradients = comparesGradients(settings);
+	const byGrey = comparesGreyValues(settings);
 	const largest = resolved(settings).matching.ambiguity ?? 1;
 	const best = match.measures[2 * index] ?? Infinity;
 	const second = match.measures[2 * index + 1] ?? Infinity;
-	const ratio = Number.isFinite(second) ? `${fixed(best / second, 3)} of the second best (${fixed(second, 4)})` : "without a second candidate";
-	const byGrey = comparesGreyValues(settings);
-	const correlation = `Correlation ${fixed(1 - best, 4)}, measure ${fixed(best, 4)}`;
+	const compared = {
+		best,
+		second,
+		ratio: best / second,
+		correlation: 1 - best,
+		largest
+	};
 	switch (code) {
 		case "matched":
 		case "gross_error":
-			if (gradients) return agreeing(best, second, largest);
-			return byGrey ? `${correlation}.` : `Its best measure ${fixed(best, 4)} is below ${String(matching.max_measure)}, and ${ratio}.`;
+			if (gradients) return page(agreeing(best, second, largest), compared);
+			return byGrey ? page("correlation", compared) : page("good_measure", {
+				...compared,
+				most: matching.max_measure
+			});
 		case "threshold":
 			if (!Number.isFinite(best)) return "";
-			return byGrey ? `Correlation ${fixed(1 - best, 4)}, allowed from ${String(matching.min_correlation)}.` : `Best ${fixed(best, 4)}, allowed below ${String(matching.max_measure)}.`;
-		case "ambiguous": return `Best ${fixed(best, 4)} is ${ratio}; allowed up to ${String(largest)}.`;
-		case "parallax":
-			if (gradients) return outOfGeometry(match, ratio, best);
-			return `Tolerance: ${String(matching.parallax_tolerance)} px, or three times the neighbours' scatter where that is more.`;
+			return byGrey ? page("low_correlation", {
+				...compared,
+				least: matching.min_correlation
+			}) : page("large_measure", {
+				...compared,
+				most: matching.max_measure
+			});
+		case "ambiguous": return page("ambiguous", compared);
+		case "parallax": return gradients ? outOfGeometry(match, compared) : page("parallax", { tolerance: matching.parallax_tolerance });
 		case "border":
-		case "left_right": return byGrey && Number.isFinite(best) ? `${correlation}.` : gradients ? `Distance ${fixed(best, 4)}, ${ratio}.` : "";
-		case "imprecise": return `Allowed: ${String(matching.max_standard_error)} px.`;
+		case "left_right":
+			if (byGrey && Number.isFinite(best)) return page("correlation", compared);
+			return gradients ? page("distance", compared) : "";
+		case "imprecise": return page("imprecise", { most: matching.max_standard_error });
 		default: return "";
 	}
 }
 /** A verified match: where its descriptor alone would not have decided, the geometry did. */
 function agreeing(best, second, largest) {
-	const distance = `Distance ${fixed(best, 4)}`;
-	if (!Number.isFinite(second)) return `${distance}, the only candidate that agrees with the geometry of the two views.`;
-	const ratio = `${distance}, ${fixed(best / second, 3)} of the second best (${fixed(second, 4)})`;
-	return best > largest * second ? `${ratio}: more than ${String(largest)}, but it agrees with the geometry of the two views, which leaves few to choose from.` : `${ratio}. It agrees with the geometry of the two views.`;
+	if (!Number.isFinite(second)) return "only_candidate";
+	return best > largest * second ? "agreeing_candidate" : "clear_candidate";
 }
 /** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
-function outOfGeometry({ geometry, no_geometry: none }, ratio, best) {
-	const alike = `Distance ${fixed(best, 4)}, ${ratio}`;
-	if (geometry === null) return `${alike}. No geometry of the two views was found${none === null ? "" : `: ${message("no_geometry", none)}`}.`;
-	const what = "fundamental" in geometry.model ? "its epipolar line" : "the place that the map gives";
-	return `${alike}; but it does not fit: allowed are up to ${fixed(geometry.threshold_px, 2)} px from ${what}.`;
+function outOfGeometry({ geometry, no_geometry }, compared) {
+	if (geometry === null) return page("no_geometry", {
+		...compared,
+		no_geometry
+	});
+	return page("fundamental" in geometry.model ? "off_line" : "off_place", {
+		...compared,
+		threshold_px: geometry.threshold_px
+	});
 }
 // www/pair/panel/window.ts
 /** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
@@ -9203,6 +9676,8 @@ var NO_DATA = {
 var DEEDS = /* @__PURE__ */ new Set([
 	"images",
 	"simulated",
+	"opened",
+	"found",
 	"flight",
 	"swap",
 	"settings",
@@ -9239,6 +9714,8 @@ function changed(state, action) {
 		};
 		case "images": return withImages(state, action.images);
 		case "simulated": return withSimulated(state, action);
+		case "opened": return withProject(state, action.opened);
+		case "found": return withFiles(state, action.images);
 		case "flight": return {
 			...state,
 			flight: action.flight
@@ -10234,7 +10711,8 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-function mountPair() {
+/** `openProject` opens a project of whatever kind where it belongs. */
+function mountPair(openProject) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("Settings", [
 		["settings", "Settings"],
@@ -10251,7 +10729,7 @@ function mountPair() {
 	const engine = new Engine(store);
 	const view = new View(byId("view"), store, engine);
 	const navigator = new Navigator(store, view);
-	const files = new Files(store, engine);
+	const files = new Files(store, engine, openProject);
 	/** Runs an action of the user's; what goes wrong is said in the status line. */
 	const attempt = async (action) => {
 		try {
@@ -10313,7 +10791,8 @@ function mountPair() {
 	return {
 		store,
 		engine,
-		taker: takerOf(view, files)
+		taker: takerOf(view, files),
+		open: (file) => files.takeProject(file)
 	};
 }
 // www/shared/engine/start.ts
@@ -10432,13 +10911,24 @@ function mountTheme(button) {
 	});
 }
 // www/main.ts
+/** So much of a project file says what it holds. */
+var START_BYTES = 1024;
 /** The module holds words and options of the page: its parts are made once it is there. */
 async function start() {
 	const catalogue = await loadCatalogue();
 	checkRules(catalogue.rules);
 	byId("version").textContent = `Tiepoint ${catalogue.version}`;
-	const pair = mountPair();
-	const block = mountBlock((store, images) => void openPair(store, pair.store, pair.engine, images));
+	const pair = mountPair(openProject);
+	const block = mountBlock((store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
+	/** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
+	async function openProject(file) {
+		const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? block.store.state.mode;
+		block.store.dispatch({
+			type: "mode",
+			mode
+		});
+		await (mode === "pair" ? pair : block).open(file);
+	}
 	mountDrop([block.taker, pair.taker]);
 	pair.store.dispatch({
 		type: "ready",

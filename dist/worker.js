@@ -55,18 +55,6 @@
 			return wasm.blockscene_photos(this.__wbg_ptr) >>> 0;
 		}
 		/**
-		* Longitude and latitude in degrees and height in m as the receiver recorded them.
-		* @param {number} index
-		* @returns {Float64Array}
-		*/
-		recorded_position(index) {
-			const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
-			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
-			var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
-			wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-			return v1;
-		}
-		/**
 		* Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
 		* @param {number} index
 		* @param {Float64Array | number[]} positions
@@ -573,6 +561,21 @@
 	};
 	if (Symbol.dispose) Run.prototype[Symbol.dispose] = Run.prototype.free;
 	/**
+	* The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
+	* there is none. Sizes in px.
+	* @param {Omit<TwoView, "inliers"> | null} geometry
+	* @param {number} left_width
+	* @param {number} left_height
+	* @param {number} right_width
+	* @param {number} right_height
+	* @returns {PairInterior | null}
+	*/
+	function assumed_interior(geometry, left_width, left_height, right_width, right_height) {
+		const ret = wasm.assumed_interior(geometry, left_width, left_height, right_width, right_height);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
 	* The candidates of one left point, the best first: index of the right point and measure, stride 2.
 	* @param {number} index
 	* @param {Float64Array | number[]} left_points
@@ -658,20 +661,6 @@
 	*/
 	function estimate_offset(left, right) {
 		const ret = wasm.estimate_offset(left, right);
-		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
-		return takeFromExternrefTable0(ret[0]);
-	}
-	/**
-	* The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
-	* @param {FocalEstimate | null} focal
-	* @param {number} left_width
-	* @param {number} left_height
-	* @param {number} right_width
-	* @param {number} right_height
-	* @returns {PairInterior | null}
-	*/
-	function estimated_interior(focal, left_width, left_height, right_width, right_height) {
-		const ret = wasm.estimated_interior(focal, left_width, left_height, right_width, right_height);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -862,6 +851,18 @@
 		return takeFromExternrefTable0(ret[0]);
 	}
 	/**
+	* Opens the project file of a pair; one that is damaged or of another kind is refused whole.
+	* @param {Uint8Array | number[]} bytes
+	* @returns {PairProject}
+	*/
+	function open_pair_project(bytes) {
+		const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.open_pair_project(ptr0, len0);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
 	* Interior orientation by fiducial marks.
 	* @param {Fiducial[]} fiducials
 	* @param {FiducialModel} model
@@ -989,6 +990,30 @@
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
+	/**
+	* Writes the project file of a pair.
+	* @param {PairProject} project
+	* @returns {string}
+	*/
+	function write_pair_project(project) {
+		let deferred2_0;
+		let deferred2_1;
+		try {
+			const ret = wasm.write_pair_project(project);
+			var ptr1 = ret[0];
+			var len1 = ret[1];
+			if (ret[3]) {
+				ptr1 = 0;
+				len1 = 0;
+				throw takeFromExternrefTable0(ret[2]);
+			}
+			deferred2_0 = ptr1;
+			deferred2_1 = len1;
+			return getStringFromWasm0(ptr1, len1);
+		} finally {
+			wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+		}
+	}
 	function __wbg_get_imports() {
 		return {
 			__proto__: null,
@@ -1033,6 +1058,9 @@
 					return handleError(function(arg0, arg1, arg2, arg3, arg4, arg5) {
 						arg0.arc(arg1, arg2, arg3, arg4, arg5);
 					}, arguments);
+				},
+				__wbg_assign_6b6bb30388088072: function(arg0, arg1) {
+					return Object.assign(arg0, arg1);
 				},
 				__wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
 					arg0.beginPath();
@@ -1091,6 +1119,9 @@
 					}
 					return result;
 				},
+				__wbg_length_03a2b32a9178fe11: function(arg0) {
+					return arg0.length;
+				},
 				__wbg_length_186163212ffe79c3: function(arg0) {
 					return arg0.length;
 				},
@@ -1118,8 +1149,17 @@
 				__wbg_new_22589e9be6cca455: function(arg0) {
 					return new Float64Array(arg0);
 				},
+				__wbg_new_37eb45aaf5eeb820: function() {
+					return new Array();
+				},
+				__wbg_new_68957d2a912dfa0a: function(arg0) {
+					return new Int32Array(arg0);
+				},
 				__wbg_new_787b9fb330d55d78: function(arg0, arg1) {
 					return new Error(getStringFromWasm0(arg0, arg1));
+				},
+				__wbg_new_a2eeb1f991f36b47: function(arg0) {
+					return new Uint32Array(arg0);
 				},
 				__wbg_new_cd4348290afae586: function() {
 					return /* @__PURE__ */ new Object();
@@ -1149,6 +1189,9 @@
 				},
 				__wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
 					Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+				},
+				__wbg_prototypesetcall_153eecd0d28a42a5: function(arg0, arg1, arg2) {
+					Int32Array.prototype.set.call(getArrayI32FromWasm0(arg0, arg1), arg2);
 				},
 				__wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
 					Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
@@ -1519,6 +1562,26 @@
 	function blockPhoto(job) {
 		return photoFile(job);
 	}
+	// pkg/block/faults.js
+	/** What a call of the module ended with, where it was no refusal: memory that ran out, or a fault of the program. */
+	/**
+	* Of an error by its name and message, which pass between workers. A module that gets no memory ends in `unreachable`, and a host that has
+	* none throws a RangeError. Any other trap is a fault, as are panics, stacks that overflow and workers that end; null for other errors.
+	* @param {unknown} error @returns {'memory' | 'fault' | null}
+	*/
+	function breakdownOf(error) {
+		const { name, message } = error instanceof Error ? error : {
+			name: "",
+			message: ""
+		};
+		switch (name) {
+			case "RuntimeError": return /unreachable/i.test(message) ? "memory" : "fault";
+			case "RangeError": return /call stack/i.test(message) ? "fault" : "memory";
+			case "WorkerError": return /memory/i.test(message) ? "memory" : "fault";
+			case "Panic": return "fault";
+			default: return null;
+		}
+	}
 	// pkg/block/timed.js
 	/** How long the stages of a run take. */
 	/** @typedef {import('./types.js').Step} Step */
@@ -1549,8 +1612,6 @@
 	}
 	// pkg/block/run.js
 	/** A block from its image files to its orientation: the crate says what is to be done, a pool does it, and a store keeps it. */
-	/** Names of the errors of a module or of a host without memory. Faults of the module have the name `Panic`. */
-	var MEMORY = ["RuntimeError", "RangeError"];
 	/**
 	* @typedef {import('./types.js').Source} Source
 	* @typedef {import('./types.js').Surroundings} Surroundings
@@ -1605,7 +1666,7 @@
 			}
 		} catch (error) {
 			await Promise.all(underway);
-			if (!["Panic", ...MEMORY].includes(error instanceof Error ? error.name : "")) run.free();
+			if (breakdownOf(error) === null) run.free();
 			throw error;
 		}
 		return run.finish();
@@ -1668,17 +1729,24 @@
 			message: messageOf$1(error),
 			usage
 		};
-		if (MEMORY.includes(name ?? "")) return {
-			kind: "out_of_memory",
+		const breakdown = breakdownOf(error);
+		if (breakdown === null) throw error;
+		return {
+			kind: breakdown === "memory" ? "out_of_memory" : "broke_off",
 			message: messageOf$1(error)
 		};
-		if (["Panic", "WorkerError"].includes(name ?? "")) return {
-			kind: "broke_off",
-			message: messageOf$1(error)
-		};
-		throw error;
 	}
 	var messageOf$1 = (error) => error instanceof Error ? error.message : String(error);
+	// www/shared/text/words.ts
+	/** Texts of the page itself, from the catalogue of the crate. */
+	/** The text of a kind, with the minus sign that typography has. Numbers that are not finite are none. */
+	function page(kind, figures = {}) {
+		const known = Object.entries(figures).map(([name, value]) => [name, typeof value === "number" && !Number.isFinite(value) ? null : value]);
+		return message("page", {
+			kind,
+			...Object.fromEntries(known)
+		}).replace(/(?<!\w)-(?=\d)/gu, "−");
+	}
 	// www/block/engine/layout.ts
 	/** Where the images of a block are drawn: from above where their poses or recorded positions are known, else by who is connected with whom. */
 	/** Steps of the arrangement by connections, times images squared: more take too long. */
@@ -1805,12 +1873,15 @@
 				rmsePx,
 				oriented: is_oriented,
 				exifOrientation,
-				why
+				why: why?.text ?? ""
 			})),
-			leftOut: skipped,
+			leftOut: skipped.map(({ name, reason }) => ({
+				name,
+				reason: reason.text
+			})),
 			strayMasks: unused_masks,
 			strayMarks: unknown_images,
-			remarks,
+			remarks: remarks.map(({ text }) => text),
 			cameras: cameras.map(({ label, images: count, given, calibrated, focal_error_px: focalErrorPx }) => ({
 				label,
 				images: count,
@@ -1840,7 +1911,7 @@
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			score: null,
-			warnings,
+			warnings: warnings.map(({ text }) => text),
 			formats: export_formats()
 		};
 	}
@@ -1922,8 +1993,12 @@
 	function geometryName(geometry) {
 		if (geometry === null) return "";
 		const { model: { kind }, sigma_px: sigma, degenerate } = geometry;
-		const weak = degenerate === null ? "" : `, ${message("degeneracy", degenerate, "short")}`;
-		return `${message("two_view_model", { kind }, "short")}${weak}, ± ${sigma.toFixed(2)} px`;
+		const weak = degenerate === null ? null : message("degeneracy", degenerate, "short");
+		return page("geometry", {
+			model: message("two_view_model", { kind }, "short"),
+			weak,
+			sigma_px: sigma
+		});
 	}
 	// www/block/engine/coming.ts
 	/** Views follow one another no faster, in ms. */
@@ -3200,7 +3275,11 @@
 		return opened;
 	}
 	async function decode(source) {
-		return source.kind === "file" ? Photo.decode(new Uint8Array(await source.file.arrayBuffer())) : Photo.from_grey(source.width, source.height, source.grey);
+		switch (source.kind) {
+			case "file": return Photo.decode(new Uint8Array(await source.file.arrayBuffer()));
+			case "grey": return Photo.from_grey(source.width, source.height, source.grey);
+			case "project": throw new Error("a project does not hold its images");
+		}
 	}
 	async function open({ source, overviewSide }) {
 		opened?.photo.free();
@@ -3262,7 +3341,7 @@
 		const result = match_photos(left, right, m.left, m.right, m.offset, m.interior, m.settings, m.nearest ?? void 0);
 		return {
 			...result,
-			estimated: estimated_interior(result.geometry?.focal ?? null, left.width, left.height, right.width, right.height)
+			estimated: assumed_interior(result.geometry, left.width, left.height, right.width, right.height)
 		};
 	}
 	function candidatesOf({ left, right, offset, index, options }) {
@@ -3270,6 +3349,8 @@
 		const none = /* @__PURE__ */ new Float64Array();
 		return candidates(index, left.points, left.moments ?? none, right.points, right.moments ?? none, offset, options);
 	}
+	/** SHA-256 in hexadecimal digits. */
+	var digestOf = (bytes) => Array.from(sha256(bytes), (byte) => byte.toString(16).padStart(2, "0")).join("");
 	/** The report in the making. */
 	var report = null;
 	function reportInHand() {
@@ -3330,6 +3411,17 @@
 		parseFiducials: ({ text }) => parse_fiducials(text),
 		parseCamera: ({ text }) => parse_camera(text),
 		mask,
+		digest: async ({ file }) => digestOf(new Uint8Array(await file.arrayBuffer())),
+		projectOpen: ({ bytes }) => {
+			const project = open_pair_project(bytes);
+			const [left, right] = project.images;
+			const { geometry } = project.output.match;
+			return {
+				project,
+				estimated: assumed_interior(geometry, left.width_px, left.height_px, right.width_px, right.height_px)
+			};
+		},
+		projectWrite: (project) => write_pair_project(project),
 		matchesCsv: ({ matches }) => matches_csv(matches)
 	};
 	// www/shared/text/format.ts
@@ -3349,20 +3441,17 @@
 	function failureOf(error) {
 		const message = messageOf(error);
 		const code = error instanceof Error && "code" in error && typeof error.code === "string" ? error.code : null;
-		if (error instanceof WebAssembly.RuntimeError || error instanceof RangeError) return {
-			kind: "memory",
-			code,
-			message
-		};
-		if (error instanceof Error && error.name === "Panic") return {
-			kind: "fault",
+		const breakdown = breakdownOf(error);
+		if (breakdown !== null) return {
+			kind: breakdown,
 			code,
 			message
 		};
 		return {
 			kind: code === null ? "other" : "refused",
 			code,
-			message
+			message,
+			error: error instanceof Error && "error" in error ? error.error : null
 		};
 	}
 	/** Why the module could not start here; every call is then answered with it. */

@@ -1,6 +1,27 @@
 /* tslint:disable */
 /* eslint-disable */
 
+/** A pair that was matched and oriented, with all that was given for it. */
+export interface PairProject {
+    /** The left and the right one. */
+    images: [PairPhoto, PairPhoto];
+    input: Given<PairInput>;
+    settings: Given<PairSettings>;
+    output: PairOutput;
+    /** What is known of a simulated pair. */
+    truth: PairTruth | null;
+}
+
+/** The truth of a simulated pair. */
+export interface PairTruth {
+    /** by and bz at the scale of `base_mm`. */
+    orientation: FiveParameters;
+    base_mm: number;
+    score: MatchScore;
+}
+
+
+
 /** Grey values 0..255, row by row. */
 export interface SampleImage { width: number; height: number; grey: Uint8Array }
 
@@ -120,6 +141,10 @@ export interface Messages {
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
     camera_parameter: CameraParameter;
+    error: { kind: string };
+    /** Texts of the page itself: `kind` names one, the other fields are its figures. */
+    page: { kind: string };
+    overview_warning: OverviewWarning;
 }
 
 
@@ -306,94 +331,6 @@ export interface Block {
 }
 
 /**
- * A block to be simulated. The ground's mean height is 0.
- */
-export interface NetworkFlight {
-    /**
-     * How the images look down.
-     */
-    kind: NetworkKind;
-    /**
-     * The number of parallel flight lines.
-     */
-    strips: number;
-    /**
-     * The number of exposures per strip.
-     */
-    stations: number;
-    /**
-     * The height above the mean ground.
-     */
-    flying_height_m: number;
-    /**
-     * The range of the ground's heights, up to half the flying height.
-     */
-    relief_m: number;
-    /**
-     * The columns of an image, across the strip.
-     */
-    width_px: number;
-    /**
-     * The rows of an image, along the strip.
-     */
-    height_px: number;
-    /**
-     * The focal length of the camera that looks down.
-     */
-    focal_px: number;
-    /**
-     * The share of an image that the next one of the strip shows.
-     */
-    end_lap: number;
-    /**
-     * The share of an image that the next strip shows.
-     */
-    side_lap: number;
-    /**
-     * The ground points in the area of one image.
-     */
-    points_per_image: number;
-    /**
-     * The standard deviation of an image coordinate.
-     */
-    noise_px: number;
-    /**
-     * The share of the observations that are gross errors.
-     */
-    gross_share: number;
-    /**
-     * The largest gross error in each coordinate.
-     */
-    gross_px: number;
-    /**
-     * The standard deviation of a coordinate of a GNSS position; 0: no positions.
-     */
-    gnss_sigma_m: number;
-    /**
-     * The number of control points, spread over the block.
-     */
-    control_points: number;
-    /**
-     * The standard deviation of a coordinate of a control point.
-     */
-    control_sigma_m: number;
-    /**
-     * The standard deviation of the approximate positions of images and points, up to a fifth of the flying height; angles err by as much
-     * at the distance of the ground.
-     */
-    approximate_m: number;
-    /**
-     * The start of the random numbers: the same seed gives the same block.
-     */
-    seed: number;
-    /**
-     * Distortion of all cameras.
-     */
-    radial: [number, number, number];
-    tangential: [number, number];
-}
-
-/**
  * A block: whatever is not known yet is absent.
  */
 export interface BlockModel {
@@ -511,6 +448,21 @@ export interface FixedParameter {
      * By how much one standard error of it would move a ray at the edge of the image, in px; absent where nothing determines it at all.
      */
     effect_px: number | null;
+}
+
+/**
+ * A camera that was not calibrated, as its pair tells it: prior information and matches together.
+ */
+export interface EstimatedCamera {
+    focal_mm: number;
+    focal_standard_error_mm: number;
+    principal_point_mm: [number, number];
+    principal_point_standard_errors_mm: [number, number];
+    /**
+     * The first term of the radial distortion, as [`Interior::photo_mm`](crate::Interior::photo_mm) has it, in mm⁻².
+     */
+    k1_per_mm2: number;
+    k1_standard_error_per_mm2: number;
 }
 
 /**
@@ -731,6 +683,35 @@ export interface PairRow {
 export interface ChosenPair {
     images: [number, number];
     rule: PairRule;
+}
+
+/**
+ * A photo of a pair.
+ */
+export interface PairPhoto {
+    /**
+     * File name.
+     */
+    name: string;
+    /**
+     * SHA-256 of the file in hexadecimal digits; absent for a photo that was simulated.
+     */
+    content: string | null;
+    width_px: number;
+    height_px: number;
+    /**
+     * Of its file.
+     */
+    format: string;
+    bits_per_sample: number;
+    /**
+     * File name of its mask.
+     */
+    mask: string | null;
+    /**
+     * The camera that its EXIF data name.
+     */
+    camera: ExifCamera | null;
 }
 
 /**
@@ -960,11 +941,11 @@ export interface KnownImage {
 }
 
 /**
- * An image by its name, and why it is not in the block or not oriented.
+ * An image by its name, and why it is not in the block.
  */
 export interface NamedReason {
     name: string;
-    reason: string;
+    reason: WithText<Failure>;
 }
 
 /**
@@ -991,9 +972,9 @@ export interface ImageRow {
      */
     position: [number, number, number] | null;
     /**
-     * Why it is not, in words; empty where it is.
+     * Why it is not; absent where it is.
      */
-    reason: string;
+    reason: WithText<ImageReason> | null;
     /**
      * Points found and described; absent where an older project file does not say.
      */
@@ -1190,6 +1171,11 @@ export interface OffsetField {
 }
 
 /**
+ * Flights of blocks that are ready made.
+ */
+export type BlockPreset = "features" | "photos" | "small_photos" | "network";
+
+/**
  * Flights that are ready made.
  */
 export type Preset = "sample" | "paper" | "hard" | "lively";
@@ -1344,11 +1330,6 @@ export type Weighting = "none" | "huber" | "danish";
  * How observations with large residuals are weighted down until the gross errors are found.
  */
 export type Loss = "squares" | "huber" | "cauchy";
-
-/**
- * How the images of a simulated block look down.
- */
-export type NetworkKind = "nadir" | "oblique" | "two_heights";
 
 /**
  * How the observations of chosen points are refined.
@@ -2097,6 +2078,25 @@ export interface RayCountRmse {
 }
 
 /**
+ * Standard deviations of the constants of a camera before its images are measured. They enter the adjustment of a pair as prior
+ * information: what the pair determines is estimated, what it does not determine is counted in the total standard errors.
+ */
+export interface CameraUncertainty {
+    /**
+     * Of the focal length, as a share of it.
+     */
+    focal: number;
+    /**
+     * Of each coordinate of the principal point, in focal lengths.
+     */
+    principal_point: number;
+    /**
+     * Of the first term of the radial distortion, in units of the focal length: the share by which it moves a point at 45°.
+     */
+    k1: number;
+}
+
+/**
  * Standard errors of GNSS positions and control points that state none.
  */
 export interface GeoreferencingOptions {
@@ -2190,6 +2190,10 @@ export interface CameraMm {
      * `[p1, p2]` in mm⁻¹: see [`Interior::photo_mm`](crate::Interior::photo_mm).
      */
     tangential_distortion?: [number, number];
+    /**
+     * What is not known of these; absent: the camera is calibrated.
+     */
+    uncertainty?: CameraUncertainty;
 }
 
 /**
@@ -2208,7 +2212,7 @@ export interface RelativeOrientation extends FiveParameters {
     focal_mm: number;
     method: OrientationMethod;
     /**
-     * With σ₀ a priori where that is given; else with the estimated σ₀, and absent without redundancy.
+     * With σ₀ a priori where that is given and the global test does not contradict it; else with the estimated σ₀, and absent without redundancy.
      */
     standard_errors: FiveParameters | null;
     /**
@@ -2216,6 +2220,11 @@ export interface RelativeOrientation extends FiveParameters {
      * share. They are no less than the others; absent where neither is known.
      */
     total_standard_errors: FiveParameters | null;
+    /**
+     * Half-widths of the intervals in which the unknowns lie with a probability of 95 %: the total standard errors, or the others where these are
+     * absent, times the limit of Student's distribution for the degrees of freedom of σ₀ (1.96 of one that is known).
+     */
+    half_widths_95: FiveParameters | null;
     /**
      * Standard error of one photo coordinate of weight 1 in mm (a y-parallax has √2 of it), from the residuals, made consistent where the
      * rejection has cut their distribution; absent without redundancy.
@@ -2266,13 +2275,30 @@ export interface RelativeOrientation extends FiveParameters {
      */
     base_ellipse_mm: ErrorEllipse | null;
     /**
+     * The ellipse in which by and bz both lie with a probability of 95 %.
+     */
+    base_ellipse_95_mm: ErrorEllipse | null;
+    /**
+     * δ₀: how many standard errors a residual is shifted by an error that its test finds with the probability β₀. Absent where fewer than two
+     * degrees of freedom estimate σ₀, by which none is found.
+     */
+    noncentrality: number | null;
+    /**
      * Corrections `[vx_left, vy_left, vx_right, vy_right]` in mm of every observation, the rejected ones included.
      */
     residuals_mm: [number, number, number, number][];
     /**
+     * One for each observation.
+     */
+    points: Float64Array;
+    /**
      * Indices of the observations that were left out as gross errors.
      */
     rejected: number[];
+    /**
+     * The left and the right camera where they were not calibrated, in the photo axes of ω φ κ by bz; absent where both were.
+     */
+    cameras?: [EstimatedCamera, EstimatedCamera];
 }
 
 /**
@@ -2295,9 +2321,9 @@ export interface Pose {
 export interface Summary {
     images: ImageCounts;
     /**
-     * What of the input was not taken as it was given, or is hardly right, in words.
+     * What of the input was not taken as it was given, or is hardly right.
      */
-    remarks: string[];
+    remarks: WithText<Remark>[];
     cameras: CameraSummary[];
     pairs: PairCounts;
     /**
@@ -2372,6 +2398,10 @@ export interface Interior {
      * Covariance of the three parameters of a row, the same for both rows, which are independent; absent where it is not known.
      */
     covariance?: [[number, number, number], [number, number, number], [number, number, number]] | null;
+    /**
+     * What is not known of the camera; absent: it is calibrated.
+     */
+    uncertainty?: CameraUncertainty;
 }
 
 /**
@@ -2521,7 +2551,7 @@ export interface Oriented {
 /**
  * The orientation of a block.
  */
-export type OrientationSummary = { oriented: number; reason: string } | Oriented;
+export type OrientationSummary = { oriented: number; reason: WithText<Failure> } | Oriented;
 
 /**
  * The parameters of a camera that an adjustment estimates, where the block determines them; the others stay as they are given.
@@ -2645,6 +2675,11 @@ export type LengthUnit = "millimetres" | "centimetres" | "inches" | "feet" | "ki
  * What a point of an adjusted block is.
  */
 export type PointSource = { tie_point: number } | { ground_control: number };
+
+/**
+ * What a project file holds.
+ */
+export type ProjectKind = "block" | "pair";
 
 /**
  * What a ray of an adjusted block is.
@@ -2868,6 +2903,36 @@ export interface BlockFlight {
      * The standard deviation of a feature's coordinate.
      */
     noise_px: number;
+    /**
+     * The ground points in the area of one image.
+     */
+    points_per_image: number;
+    /**
+     * The share of the observations that are gross errors.
+     */
+    gross_share: number;
+    /**
+     * The largest gross error in each coordinate.
+     */
+    gross_px: number;
+    /**
+     * The number of control points, spread over the block.
+     */
+    control_points: number;
+    /**
+     * The standard deviation of a coordinate of a control point.
+     */
+    control_sigma_m: number;
+    /**
+     * The standard deviation of the approximate positions of images and points, up to a fifth of the flying height; angles err by as much
+     * at the distance of the ground.
+     */
+    approximate_m: number;
+    /**
+     * Distortion of all cameras of a network.
+     */
+    radial: [number, number, number];
+    tangential: [number, number];
 }
 
 /**
@@ -2921,9 +2986,9 @@ export interface BlockOverview {
      */
     unknown_images: string[];
     /**
-     * What of the input was not taken as it was given, or is hardly right, in words.
+     * What of the input was not taken as it was given, or is hardly right.
      */
-    remarks: string[];
+    remarks: WithText<Remark>[];
     cameras: CameraRow[];
     pairs: PairRow[];
     /**
@@ -2952,10 +3017,15 @@ export interface BlockOverview {
     rmse_px: number | null;
     sigma0_px: number | null;
     /**
-     * What is weak about the block, in words.
+     * What is weak about the block.
      */
-    warnings: string[];
+    warnings: WithText<OverviewWarning>[];
 }
+
+/**
+ * What is weak about a block at a glance.
+ */
+export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "failed"; failure: Failure };
 
 /**
  * What is weak about a model.
@@ -2965,7 +3035,7 @@ export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unkn
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; misfit: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number };
+export type Warning = { kind: "plane"; misfit: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -3177,6 +3247,11 @@ export type PairRule = "all" | "near" | "sequence" | "alike";
 export type ObservationVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 
 /**
+ * Why an image is not oriented in the model that is written.
+ */
+export type ImageReason = { kind: "apart"; images: number } | { kind: "unoriented"; unoriented: UnorientedReason } | { kind: "failed"; failure: Failure } | { kind: "unknown" };
+
+/**
  * Why an image is not oriented.
  */
 export type UnorientedReason = { kind: "no_points" } | { kind: "too_few_points"; points: number; needed: number } | { kind: "no_agreement"; agreeing: number; points: number; needed: number } | { kind: "narrow"; agreeing: number } | { kind: "no_partner" } | { kind: "lost"; rays: number } | { kind: "undetermined"; rays: number };
@@ -3189,7 +3264,7 @@ export type NoGeometry = { kind: "too_few_matches"; matches: number; needed: num
 /**
  * Why observations do not determine what is computed, or why its iterations do not converge.
  */
-export type Cause = { kind: "points_on_line"; side: Side; width: number; least: number } | { kind: "marks_on_line"; calibrated: boolean; width: number; least: number } | { kind: "positions_on_line"; width: number; least: number } | { kind: "no_extent" } | { kind: "one_position" } | { kind: "no_parallax" } | { kind: "no_base"; parallax: number; least: number } | { kind: "inseparable"; condition: number; most: number } | { kind: "large_errors"; largest_deg: number } | { kind: "large_residuals"; sigma0_px: number; most_px: number } | { kind: "behind_cameras"; in_front: number; points: number } | { kind: "singular_normals"; share: number; least: number } | { kind: "base_across_x"; along_x: number; least: number } | { kind: "no_base_along_x" } | { kind: "gimbal_lock" } | { kind: "chance"; agreeing: number; matches: number } | { kind: "several_matrices" } | { kind: "too_many_on_line" } | { kind: "turned_away" } | { kind: "rising_base" } | { kind: "long_steps"; ratio: number } | { kind: "stalled"; last_step: number } | { kind: "unsettled"; unsettled: Unsettled; rounds: number } | { kind: "point_in_plane" } | { kind: "no_rotation" } | { kind: "no_position" } | { kind: "few_observations"; observations: number; needed: number } | { kind: "no_camera_parameter"; camera: number; camera_parameter: CameraParameter } | { kind: "parts"; parts: number; first: number; second: number } | { kind: "folded_at"; x_px: number; y_px: number } | { kind: "folded_beyond"; radius_px: number };
+export type Cause = { kind: "points_on_line"; side: Side; width: number; least: number } | { kind: "marks_on_line"; calibrated: boolean; width: number; least: number } | { kind: "positions_on_line"; width: number; least: number } | { kind: "no_extent" } | { kind: "one_position" } | { kind: "no_parallax" } | { kind: "no_base"; parallax: number; least: number } | { kind: "inseparable"; condition: number; most: number } | { kind: "large_errors"; largest_deg: number } | { kind: "large_residuals"; sigma0_px: number; most_px: number } | { kind: "weak_support"; agreeing: number; observations: number } | { kind: "behind_cameras"; in_front: number; points: number } | { kind: "singular_normals"; share: number; least: number } | { kind: "base_across_x"; along_x: number; least: number } | { kind: "no_base_along_x" } | { kind: "gimbal_lock" } | { kind: "chance"; agreeing: number; matches: number } | { kind: "several_matrices" } | { kind: "too_many_on_line" } | { kind: "turned_away" } | { kind: "rising_base" } | { kind: "long_steps"; ratio: number } | { kind: "stalled"; last_step: number } | { kind: "unsettled"; unsettled: Unsettled; rounds: number } | { kind: "point_in_plane" } | { kind: "no_rotation" } | { kind: "no_position" } | { kind: "few_observations"; observations: number; needed: number } | { kind: "no_camera_parameter"; camera: number; camera_parameter: CameraParameter } | { kind: "parts"; parts: number; first: number; second: number } | { kind: "folded_at"; x_px: number; y_px: number } | { kind: "folded_beyond"; radius_px: number };
 
 /**
  * Why the general geometry is not determined.
@@ -3215,10 +3290,6 @@ export class BlockScene {
      * Takes a photo as a PNG file, with its camera and recorded position as EXIF.
      */
     photo_file(index: number): Uint8Array;
-    /**
-     * Longitude and latitude in degrees and height in m as the receiver recorded them.
-     */
-    recorded_position(index: number): Float64Array;
     /**
      * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
      */
@@ -3414,14 +3485,20 @@ export function acting_block_parameters(settings: Given<BlockSettings>): string[
 export function acting_parameters(settings: Given<PairSettings>): string[];
 
 /**
- * The default flight of a block.
+ * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
+ * there is none. Sizes in px.
  */
-export function block_flight_defaults(): BlockFlight;
+export function assumed_interior(geometry: Omit<TwoView, "inliers"> | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
 
 /**
  * Every parameter of a block's flight on which photos depend.
  */
 export function block_flight_parameters(): Parameter[];
+
+/**
+ * A ready-made flight of a block.
+ */
+export function block_flight_preset(name: BlockPreset): BlockFlight;
 
 /**
  * Every option of a block, in the order of the pipeline.
@@ -3432,6 +3509,11 @@ export function block_parameters(): Parameter[];
  * All settings of a block: those given, the others from the defaults. Values of pairs, points and selection outside their ranges are refused.
  */
 export function block_settings(given: Given<BlockSettings>): BlockSettings;
+
+/**
+ * The camera of an EXIF block, with what is not known of it.
+ */
+export function camera_of_exif(exif: ExifCamera): CameraMm;
 
 /**
  * The candidates of one left point, the best first: index of the right point and measure, stride 2.
@@ -3515,11 +3597,6 @@ export function epipolar_line(from: "left" | "right", x: number, y: number, mode
  * Estimates the offsets between two images from `Photo.reduced(1024)` of each.
  */
 export function estimate_offset(left: ReducedImage, right: ReducedImage): OffsetField;
-
-/**
- * The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
- */
-export function estimated_interior(focal: FocalEstimate | null, left_width: number, left_height: number, right_width: number, right_height: number): PairInterior | null;
 
 /**
  * Does the task of a job: the same bytes give the same bytes, on every machine.
@@ -3644,6 +3721,11 @@ export function nearest_piece(left: Uint8Array | number[], first: number, end: n
 export function observations(matches: Float64Array | number[], left: Interior, right: Interior): Float64Array;
 
 /**
+ * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
+ */
+export function open_pair_project(bytes: Uint8Array | number[]): PairProject;
+
+/**
  * Interior orientation by fiducial marks.
  */
 export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): FiducialOrientation;
@@ -3715,19 +3797,14 @@ export function planned_files(names: readonly string[], formats: readonly Export
 export function points_csv(points: Float64Array | number[]): string;
 
 /**
+ * What a project file holds, by its first kilobyte; null for what is no project.
+ */
+export function project_kind(start: Uint8Array | number[]): ProjectKind | null;
+
+/**
  * What EXIF tells of an image of this size beside its pixels.
  */
 export function read_exif(file: Uint8Array | number[], width: number, height: number): ExifImage;
-
-/**
- * The defaults of the options of the reconstruction.
- */
-export function reconstruction_defaults(): ReconstructionOptions;
-
-/**
- * What can become of a ray that is refined, in the order of its codes.
- */
-export function refinement_outcomes(): RefinementOutcome[];
 
 /**
  * Settings with every absent option that follows from the others, as all calls take them; what follows from the images stays absent.
@@ -3738,11 +3815,6 @@ export function resolved(settings: Given<PairSettings>): PairSettings;
  * The names of the rules, in the order of their codes.
  */
 export function rule_names(): Rule[];
-
-/**
- * The seed of the built-in sample pair.
- */
-export function sample_seed(): number;
 
 /**
  * The same rays at a focal length `factor` times as long: two photos of different focal lengths are oriented at one of them.
@@ -3784,6 +3856,11 @@ export function two_view(points: Float64Array | number[], options: Given<TwoView
  */
 export function version(): string;
 
+/**
+ * Writes the project file of a pair.
+ */
+export function write_pair_project(project: PairProject): string;
+
 export type InitInput = RequestInfo | URL | Response | BufferSource | WebAssembly.Module;
 
 export interface InitOutput {
@@ -3796,18 +3873,19 @@ export interface InitOutput {
     readonly __wbg_run_free: (a: number, b: number) => void;
     readonly acting_block_parameters: (a: any) => [number, number, number];
     readonly acting_parameters: (a: any) => [number, number, number];
-    readonly block_flight_defaults: () => any;
+    readonly assumed_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly block_flight_parameters: () => any;
+    readonly block_flight_preset: (a: any) => [number, number, number];
     readonly block_parameters: () => any;
     readonly block_settings: (a: any) => [number, number, number];
     readonly blockscene_new: (a: any) => [number, number, number];
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo_file: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_photos: (a: number) => number;
-    readonly blockscene_recorded_position: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_surface_at: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly blockscene_truth: (a: number) => any;
     readonly blockwriting_step: (a: number, b: any) => [number, number, number];
+    readonly camera_of_exif: (a: any) => [number, number, number];
     readonly candidates: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: any, k: any) => [number, number, number, number];
     readonly check_block_truth: (a: any, b: any) => [number, number];
     readonly check_cameras: (a: number, b: number, c: number, d: number) => [number, number];
@@ -3822,7 +3900,6 @@ export interface InitOutput {
     readonly draw_vectors: (a: any, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number, k: number, l: number) => [number, number, number];
     readonly epipolar_line: (a: any, b: number, c: number, d: any, e: any, f: number, g: number) => [number, number, number, number];
     readonly estimate_offset: (a: any, b: any) => [number, number, number];
-    readonly estimated_interior: (a: any, b: number, c: number, d: number, e: number) => [number, number, number];
     readonly execute_job: (a: number, b: number, c: any) => [number, number, number, number];
     readonly export_block: (a: any, b: any, c: any) => [number, number];
     readonly export_formats: () => any;
@@ -3853,6 +3930,7 @@ export interface InitOutput {
     readonly message: (a: number, b: number, c: any, d: number, e: number) => [number, number, number, number];
     readonly nearest_piece: (a: number, b: number, c: number, d: number, e: number, f: number) => [number, number, number];
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
+    readonly open_pair_project: (a: number, b: number) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
@@ -3879,9 +3957,8 @@ export interface InitOutput {
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
     readonly planned_files: (a: any, b: any) => [number, number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
+    readonly project_kind: (a: number, b: number) => any;
     readonly read_exif: (a: number, b: number, c: number, d: number) => any;
-    readonly reconstruction_defaults: () => any;
-    readonly refinement_outcomes: () => any;
     readonly report_html: (a: number) => [number, number, number, number];
     readonly report_new: (a: number, b: number, c: any, d: any, e: any, f: any, g: number, h: number, i: number, j: number) => [number, number, number];
     readonly report_step: (a: number) => [number, number, number];
@@ -3896,7 +3973,6 @@ export interface InitOutput {
     readonly run_news: (a: number) => any;
     readonly run_next: (a: number, b: number) => [number, number, number];
     readonly run_prepare: (a: number, b: number, c: number, d: number) => [number, number, number];
-    readonly sample_seed: () => number;
     readonly scaled_interior: (a: any, b: number) => [number, number, number];
     readonly score_block: (a: any, b: any) => [number, number, number];
     readonly score_matches: (a: number, b: number, c: number, d: number, e: number, f: number, g: number, h: number, i: number, j: number) => [number, number, number];
@@ -3905,6 +3981,7 @@ export interface InitOutput {
     readonly throw_panics: () => void;
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
+    readonly write_pair_project: (a: any) => [number, number, number, number];
     readonly wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;

@@ -62,20 +62,6 @@ export class BlockScene {
         return ret >>> 0;
     }
     /**
-     * Longitude and latitude in degrees and height in m as the receiver recorded them.
-     * @param {number} index
-     * @returns {Float64Array}
-     */
-    recorded_position(index) {
-        const ret = wasm.blockscene_recorded_position(this.__wbg_ptr, index);
-        if (ret[3]) {
-            throw takeFromExternrefTable0(ret[2]);
-        }
-        var v1 = getArrayF64FromWasm0(ret[0], ret[1]).slice();
-        wasm.__wbindgen_free(ret[0], ret[1] * 8, 8);
-        return v1;
-    }
-    /**
      * Places x, y, z in m on the first surface that a photo sees at positions x, y in px (stride 2); stride 3.
      * @param {number} index
      * @param {Float64Array | number[]} positions
@@ -666,12 +652,21 @@ export function acting_parameters(settings) {
 }
 
 /**
- * The default flight of a block.
- * @returns {BlockFlight}
+ * The interior orientations of a pair of whose cameras nothing is known but what its geometry tells; null where it is the map of a plane, or
+ * there is none. Sizes in px.
+ * @param {Omit<TwoView, "inliers"> | null} geometry
+ * @param {number} left_width
+ * @param {number} left_height
+ * @param {number} right_width
+ * @param {number} right_height
+ * @returns {PairInterior | null}
  */
-export function block_flight_defaults() {
-    const ret = wasm.block_flight_defaults();
-    return ret;
+export function assumed_interior(geometry, left_width, left_height, right_width, right_height) {
+    const ret = wasm.assumed_interior(geometry, left_width, left_height, right_width, right_height);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -681,6 +676,19 @@ export function block_flight_defaults() {
 export function block_flight_parameters() {
     const ret = wasm.block_flight_parameters();
     return ret;
+}
+
+/**
+ * A ready-made flight of a block.
+ * @param {BlockPreset} name
+ * @returns {BlockFlight}
+ */
+export function block_flight_preset(name) {
+    const ret = wasm.block_flight_preset(name);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
 }
 
 /**
@@ -699,6 +707,19 @@ export function block_parameters() {
  */
 export function block_settings(given) {
     const ret = wasm.block_settings(given);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * The camera of an EXIF block, with what is not known of it.
+ * @param {ExifCamera} exif
+ * @returns {CameraMm}
+ */
+export function camera_of_exif(exif) {
+    const ret = wasm.camera_of_exif(exif);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1042,23 +1063,6 @@ export function epipolar_line(from, x, y, model, interior, other_width, other_he
  */
 export function estimate_offset(left, right) {
     const ret = wasm.estimate_offset(left, right);
-    if (ret[2]) {
-        throw takeFromExternrefTable0(ret[1]);
-    }
-    return takeFromExternrefTable0(ret[0]);
-}
-
-/**
- * The interior orientations of a pair whose focal length only the matches tell; null where they do not tell it to a tenth. Sizes in px.
- * @param {FocalEstimate | null} focal
- * @param {number} left_width
- * @param {number} left_height
- * @param {number} right_width
- * @param {number} right_height
- * @returns {PairInterior | null}
- */
-export function estimated_interior(focal, left_width, left_height, right_width, right_height) {
-    const ret = wasm.estimated_interior(focal, left_width, left_height, right_width, right_height);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }
@@ -1564,6 +1568,21 @@ export function observations(matches, left, right) {
 }
 
 /**
+ * Opens the project file of a pair; one that is damaged or of another kind is refused whole.
+ * @param {Uint8Array | number[]} bytes
+ * @returns {PairProject}
+ */
+export function open_pair_project(bytes) {
+    const ptr0 = passArray8ToWasm0(bytes, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.open_pair_project(ptr0, len0);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * Interior orientation by fiducial marks.
  * @param {Fiducial[]} fiducials
  * @param {FiducialModel} model
@@ -1799,6 +1818,18 @@ export function points_csv(points) {
 }
 
 /**
+ * What a project file holds, by its first kilobyte; null for what is no project.
+ * @param {Uint8Array | number[]} start
+ * @returns {ProjectKind | null}
+ */
+export function project_kind(start) {
+    const ptr0 = passArray8ToWasm0(start, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.project_kind(ptr0, len0);
+    return ret;
+}
+
+/**
  * What EXIF tells of an image of this size beside its pixels.
  * @param {Uint8Array | number[]} file
  * @param {number} width
@@ -1811,24 +1842,6 @@ export function read_exif(file, width, height) {
     const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
     const len0 = WASM_VECTOR_LEN;
     const ret = wasm.read_exif(ptr0, len0, val2, val3);
-    return ret;
-}
-
-/**
- * The defaults of the options of the reconstruction.
- * @returns {ReconstructionOptions}
- */
-export function reconstruction_defaults() {
-    const ret = wasm.reconstruction_defaults();
-    return ret;
-}
-
-/**
- * What can become of a ray that is refined, in the order of its codes.
- * @returns {RefinementOutcome[]}
- */
-export function refinement_outcomes() {
-    const ret = wasm.refinement_outcomes();
     return ret;
 }
 
@@ -1852,15 +1865,6 @@ export function resolved(settings) {
 export function rule_names() {
     const ret = wasm.rule_names();
     return ret;
-}
-
-/**
- * The seed of the built-in sample pair.
- * @returns {number}
- */
-export function sample_seed() {
-    const ret = wasm.sample_seed();
-    return ret >>> 0;
 }
 
 /**
@@ -1994,6 +1998,30 @@ export function version() {
         wasm.__wbindgen_free(deferred1_0, deferred1_1, 1);
     }
 }
+
+/**
+ * Writes the project file of a pair.
+ * @param {PairProject} project
+ * @returns {string}
+ */
+export function write_pair_project(project) {
+    let deferred2_0;
+    let deferred2_1;
+    try {
+        const ret = wasm.write_pair_project(project);
+        var ptr1 = ret[0];
+        var len1 = ret[1];
+        if (ret[3]) {
+            ptr1 = 0; len1 = 0;
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        deferred2_0 = ptr1;
+        deferred2_1 = len1;
+        return getStringFromWasm0(ptr1, len1);
+    } finally {
+        wasm.__wbindgen_free(deferred2_0, deferred2_1, 1);
+    }
+}
 function __wbg_get_imports() {
     const import0 = {
         __proto__: null,
@@ -2038,6 +2066,10 @@ function __wbg_get_imports() {
         __wbg_arc_df3f7eb77e59876f: function() { return handleError(function (arg0, arg1, arg2, arg3, arg4, arg5) {
             arg0.arc(arg1, arg2, arg3, arg4, arg5);
         }, arguments); },
+        __wbg_assign_6b6bb30388088072: function(arg0, arg1) {
+            const ret = Object.assign(arg0, arg1);
+            return ret;
+        },
         __wbg_beginPath_ab690dc0c7efe6dc: function(arg0) {
             arg0.beginPath();
         },
@@ -2097,6 +2129,10 @@ function __wbg_get_imports() {
             const ret = result;
             return ret;
         },
+        __wbg_length_03a2b32a9178fe11: function(arg0) {
+            const ret = arg0.length;
+            return ret;
+        },
         __wbg_length_186163212ffe79c3: function(arg0) {
             const ret = arg0.length;
             return ret;
@@ -2131,8 +2167,20 @@ function __wbg_get_imports() {
             const ret = new Float64Array(arg0);
             return ret;
         },
+        __wbg_new_37eb45aaf5eeb820: function() {
+            const ret = new Array();
+            return ret;
+        },
+        __wbg_new_68957d2a912dfa0a: function(arg0) {
+            const ret = new Int32Array(arg0);
+            return ret;
+        },
         __wbg_new_787b9fb330d55d78: function(arg0, arg1) {
             const ret = new Error(getStringFromWasm0(arg0, arg1));
+            return ret;
+        },
+        __wbg_new_a2eeb1f991f36b47: function(arg0) {
+            const ret = new Uint32Array(arg0);
             return ret;
         },
         __wbg_new_cd4348290afae586: function() {
@@ -2169,6 +2217,9 @@ function __wbg_get_imports() {
         }, arguments); },
         __wbg_prototypesetcall_13162965d1fe7aa3: function(arg0, arg1, arg2) {
             Uint8Array.prototype.set.call(getArrayU8FromWasm0(arg0, arg1), arg2);
+        },
+        __wbg_prototypesetcall_153eecd0d28a42a5: function(arg0, arg1, arg2) {
+            Int32Array.prototype.set.call(getArrayI32FromWasm0(arg0, arg1), arg2);
         },
         __wbg_prototypesetcall_22b1bb88c4ec5c5a: function(arg0, arg1, arg2) {
             Float32Array.prototype.set.call(getArrayF32FromWasm0(arg0, arg1), arg2);
