@@ -155,7 +155,7 @@ impl Course {
 
 /// Whether some of all observations, given as weighted square sum of the residuals and number, have so much smaller residuals that none of
 /// all choices of so many would by chance, with a probability whose logarithm is `level`.
-pub(super) fn is_beyond_chance((inner, fewer): (f64, usize), (of_all, kept): (f64, usize), level: f64, limits: Limits) -> bool {
+fn is_beyond_chance((inner, fewer): (f64, usize), (of_all, kept): (f64, usize), level: f64, limits: Limits) -> bool {
     let (left, without) = ((fewer.saturating_sub(5)) as f64, (kept - fewer) as f64);
     let outer = of_all - inner;
     if !(left > 0.0 && outer > 0.0) {

@@ -38,6 +38,13 @@ impl Limits {
         normal_quantile(1.0 - 0.5 * self.alpha0)
     }
 
+    /// Hardly ever more than so many of `number` good observations are rejected by mistake: their expected number, and as many of its standard
+    /// deviations as the limit of a residual has.
+    pub fn most_by_mistake(&self, number: usize) -> usize {
+        let expected = self.alpha0 * number as f64;
+        (expected + self.normal() * expected.sqrt()) as usize
+    }
+
     /// The logarithm of the probability with which two good observations are rejected by mistake.
     pub fn beyond_doubt(&self) -> f64 {
         2.0 * libm::log(self.alpha0)

@@ -2,9 +2,8 @@
 
 use super::adjusted::Adjusted;
 use super::adjustment::{NEARLY_SETTLED, SETTLED, adjust};
-use super::agreement::{agreeing, contradicting, is_beyond_chance};
+use super::agreement::{agreeing, contradicting};
 use super::coplanarity::{Linearised, Ray, RelativePose};
-use super::normals::Normals;
 use super::observed::{Limits, Weighted};
 use super::robust_start::{Consensus, least_agreement};
 use crate::math::{
@@ -92,10 +91,16 @@ fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result
     let disagreeing = first_agreement(observed, start, limits).into_iter().filter(|agrees| !*agrees).count();
     if number <= FEW {
         accepted = agreeing(observed, start, limits);
-    } else if disagreeing * HARDLY_ANY <= number {
+    } else {
         // So few do not hide behind the σ of all.
-    } else if let Some(found) = by_rounds(observed, start, limits).ok().filter(|found| carries(observed, found, limits)) {
-        return in_front(observed, found, limits);
+        let by_all = (disagreeing * HARDLY_ANY <= number).then(|| by_residuals(observed, accepted.clone(), start.model, limits));
+        if let Some(found) = by_all.and_then(Result::ok).filter(|found| found.beyond() <= limits.most_by_mistake(number)) {
+            return in_front(observed, found, limits);
+        }
+        // More than good observations would lose: there are gross errors, and σ is that of those that agree.
+        if let Some(found) = by_rounds(observed, start, limits).ok().filter(|found| found.beyond() > limits.most_by_mistake(number)) {
+            return in_front(observed, found, limits);
+        }
     }
     let is_all = accepted.iter().all(|kept| *kept);
     match by_residuals(observed, accepted, start.model, limits) {
@@ -111,23 +116,6 @@ fn clean_by(observed: Weighted<'_>, start: &Consensus, limits: Limits) -> Result
 
 fn weak_support(agreeing: usize, observed: Weighted<'_>) -> Error {
     super::refusal::degenerate(Cause::WeakSupport { agreeing, observations: observed.rays.len() })
-}
-
-/// Whether those that were accepted agree better than chance lets any so many of all agree.
-fn carries(observed: Weighted<'_>, found: &Clean, limits: Limits) -> bool {
-    let kept = found.accepted.iter().filter(|kept| **kept).count();
-    let number = observed.rays.len();
-    // Least squares of all, one step from the pose that was found.
-    let (pose, tangents) = (found.adjusted.pose, found.adjusted.pose.tangents());
-    let mut normals = Normals::new();
-    for (ray, weight) in observed.rays.iter().zip(observed.weights) {
-        if let Some(line) = pose.linearise(&tangents, ray, ray) {
-            normals.add(&line.by_unknowns, line.misclosure, *weight);
-        }
-    }
-    let of_all = normals.square_sum - normals.solve().map_or(0.0, |solution| 5.0 * solution.size * solution.size);
-    let inner = found.adjusted.sigma * found.adjusted.sigma * (kept - 5) as f64;
-    kept < number && is_beyond_chance((inner, kept), (of_all, number), limits.beyond_doubt(), limits)
 }
 
 /// Adjusts those that are accepted, and rejects what exceeds the limit, the largest first.

@@ -132,7 +132,7 @@ fn intervals_of_clean_observations_hold_the_truth() {
             assert!(found.is_within(found.covered()), "{points}, {way}: {}", found.covered());
             assert!(found.refused <= (sets / 200) as usize, "{points}, {way}: {} refused", found.refused);
             // With fewer, Student's distribution itself reaches that far.
-            assert!(points < 15 || found.far == 0, "{points}, {way}: {} beyond 10 standard errors", found.far);
+            assert!(points < 15 || found.far as u64 <= sets / 5000, "{points}, {way}: {} beyond 10 standard errors", found.far);
         }
     }
 }
