@@ -39,7 +39,7 @@ export const match = {
     "Without --camera the focal length comes from the images' EXIF data; without either the matches are given and the orientation is null, with the " +
     'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
     'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, ' +
-    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. A camera that is not calibrated is estimated with the orientation (orientation.cameras).',
+    'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. What is known of a camera that is not calibrated stands in orientation.cameras.',
   async run(call) {
     const {
       positionals: [leftPath = '', rightPath = ''],

@@ -82,8 +82,11 @@ fn orient_calibrated(
     let neighbourhood = NEIGHBOURHOOD_PX * interior.left.pixel_mm() / interior.focal_mm;
     let sigma = earlier.sigma0_mm.unwrap_or(0.0) / earlier.focal_mm;
     let (measured, pose) = (Measured { positions: &kept, weights: &kept_weights, sigma, neighbourhood }, RelativePose { rotation, base });
-    let cameras =
-        self_calibration::calibrated(interior, &measured, pose).unwrap_or_else(|| SelfCalibration::of_priors(interior, &measured, pose));
+    let estimated = match self_calibration::tells_more(interior) {
+        true => self_calibration::calibrated(interior, &measured, pose),
+        false => None,
+    };
+    let cameras = estimated.unwrap_or_else(|| SelfCalibration::of_priors(interior, &measured, pose));
     let found = orient_with(positions, weights, &cameras.interior, cameras.shared_errors(positions), options)?;
     Ok(RelativeOrientation { cameras: Some(cameras.cameras()), ..found })
 }

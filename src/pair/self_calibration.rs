@@ -1,7 +1,7 @@
-//! The cameras of a pair that nobody calibrated: their constants enter the adjustment as unknowns with prior standard deviations.
+//! The cameras of a pair that nobody calibrated: their constants have prior standard deviations, which reach the total standard errors of
+//! ω φ κ by bz. Where the focal length is hardly known, the constants enter the adjustment as unknowns with that prior information.
 //!
-//! What the pair determines of them is estimated; what it does not determine keeps its prior, and reaches the total standard errors of
-//! ω φ κ by bz: by the inverse of a partitioned matrix, the covariance of the pose in the adjustment of all unknowns is that of the pose with
+//! By the inverse of a partitioned matrix, the covariance of the pose in the adjustment of all unknowns is that of the pose with
 //! fixed cameras and what the covariance of the cameras adds to it.
 
 use super::geometry::PairInterior;
@@ -20,6 +20,9 @@ const MODES: usize = 6;
 /// Prior standard deviation of each mode of the y-parallax, in standard errors of a coordinate: walls, roofs and the shape of a point's
 /// surroundings give matches of one part of the image an error of the same sign.
 const SHARED_PARALLAX: f64 = 0.15;
+
+/// Standard deviation of a focal length, as a share of it, up to which the constants of a camera stay as they were given.
+const KNOWN_FOCAL: f64 = 0.1;
 
 /// Steps after which the adjustment ends, and the longest change of an unknown in one of them.
 const MOST_STEPS: usize = 50;
@@ -56,7 +59,13 @@ pub(super) struct Measured<'a> {
     pub neighbourhood: f64,
 }
 
-/// Whether anything of the cameras is to be estimated.
+/// Whether the pair tells more of its cameras than is known. A focal length of EXIF is nearer the true one than what real pairs of flat ground
+/// tell: the errors of their matches are not independent, nor those of their lenses what k1 describes.
+pub(super) fn tells_more(interior: &PairInterior) -> bool {
+    [&interior.left, &interior.right].iter().any(|side| side.uncertainty.is_some_and(|known| known.focal > KNOWN_FOCAL))
+}
+
+/// Whether anything of the cameras is not known.
 pub(super) fn is_wanted(interior: &PairInterior) -> bool {
     interior.left.uncertainty.is_some() || interior.right.uncertainty.is_some()
 }

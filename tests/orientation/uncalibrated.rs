@@ -15,8 +15,16 @@ fn px(interior: &Interior, [x, y]: [f64; 2]) -> [f64; 2] {
 }
 
 #[test]
-fn total_standard_errors_hold_what_is_not_known_of_the_camera() {
-    let uncertainty = CameraUncertainty::EXIF;
+fn total_standard_errors_hold_what_exif_does_not_tell() {
+    check(CameraUncertainty::EXIF);
+}
+
+#[test]
+fn total_standard_errors_hold_what_the_pair_does_not_tell_of_an_unknown_camera() {
+    check(CameraUncertainty { focal: 0.15, ..CameraUncertainty::ASSUMED });
+}
+
+fn check(uncertainty: CameraUncertainty) {
     let nominal = CameraMm::without_distortion(FOCAL_MM, Some(PIXEL_MM));
     let (mut with, mut without) = ([0.0; 5], [0.0; 5]);
     let mut focal = 0.0;
