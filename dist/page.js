@@ -7230,13 +7230,13 @@ function sourceText(state) {
 	if (state.results.match?.value.estimated != null) return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
 	return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;
 }
-/** What the orientation tells of a camera that nobody calibrated. */
+/** What is known of a camera that nobody calibrated. */
 function estimatedText(state) {
 	const camera = state.results.orientation?.value.cameras?.[0];
 	const interior = interiorInUse(state)?.left;
 	if (camera == null || interior === void 0) return "";
 	const [focal, error] = [camera.focal_mm, camera.focal_standard_error_mm].map((v) => v / pixelMm(interior));
-	return `, corrected with the orientation to a focal length of ${fixed(focal ?? NaN, 0)} ± ${fixed(error ?? NaN, 0)} px`;
+	return `, focal length ${fixed(focal ?? NaN, 0)} ± ${fixed(error ?? NaN, 0)} px`;
 }
 /** The offset of the right image: estimated, or given. */
 function offsetGroup(store) {
