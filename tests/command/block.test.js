@@ -263,11 +263,12 @@ test('surveyed points place the block', () => {
     tiepoint(...BLOCK.call, '--out', at, '--control', control, '--marks', stranger).stderr,
     /image measurements: got the point P9; allowed: points of the table of control points/,
   );
-  const outside = file(at, 'outside.csv', ['photo_00000.png,P0,-500,99999', ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))].join('\n'));
-  assert.match(
-    tiepoint(...BLOCK.call, '--out', folder(), '--control', control, '--marks', outside).stderr,
-    /got \(-500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/,
-  );
+  const outside = (/** @type {string} */ place) => {
+    const seen = [`photo_00000.png,P0,${place}`, ...marks.filter((mark) => !mark.startsWith('photo_00000.png,P0,'))];
+    return tiepoint(...BLOCK.call, '--out', folder(), ...known, '--control', control, '--marks', file(at, 'outside.csv', seen.join('\n'))).stderr;
+  };
+  assert.match(outside('-500,9'), /got \(-500, 9\) for P0 in photo_00000\.png, outside any image/);
+  assert.match(outside('500,99999'), /got \(500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
   const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
   assert.ok(
