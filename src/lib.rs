@@ -37,8 +37,9 @@ pub use adjustment::{
     Similarity, adjust_block,
 };
 pub use camera::{
-    Camera, CameraMm, CameraUncertainty, ExifCamera, ExifImage, ExifPosition, Fiducial, FiducialModel, FiducialOrientation, FreeParameters,
-    Interior, Pose, angles_from_rotation, orient_fiducials, rotation_from_angles,
+    Attitude, Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, DroneRecord, ExifCamera, ExifImage, ExifPosition, Fiducial,
+    FiducialModel, FiducialOrientation, FreeParameters, Interior, Pose, RtkSolution, angles_from_rotation, orient_fiducials,
+    rotation_from_angles,
 };
 pub use catalogue::{Parameter, ParameterKind, acting, with_defaults};
 pub use descriptors::{

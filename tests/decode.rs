@@ -22,6 +22,8 @@ mod jpeg;
 mod limits;
 #[path = "decode/photographs.rs"]
 mod photographs;
+#[path = "decode/xmp.rs"]
+mod xmp;
 
 use tiepoint::{DecodeLimits, Decoded, Error};
 

@@ -6,6 +6,8 @@
 //! # Source
 //! Brown 1971, Close-range camera calibration, in the direction from object to image, as OpenCV and COLMAP write it.
 
+use nalgebra::{Matrix3, Vector3};
+
 /// Number of parameters of a camera: f, c_x, c_y, k₁, k₂, k₃, p₁, p₂.
 pub(crate) const CAMERA_PARAMETERS: usize = 8;
 
@@ -19,6 +21,21 @@ const SETTLED: f64 = 1e-14;
 /// 1 + k₁r² + k₂r⁴ + k₃r⁶.
 pub(crate) fn radial_factor([k1, k2, k3]: [f64; 3], r2: f64) -> f64 {
     1.0 + r2 * (k1 + r2 * (k2 + r2 * k3))
+}
+
+/// k₁, k₂, k₃ by which r (1 + k₁r² + k₂r⁴ + k₃r⁶) comes nearest to s, by least squares over pairs (r, s); `farthest` is the largest r.
+pub(super) fn fitted_terms(pairs: impl Iterator<Item = (f64, f64)>, farthest: f64) -> [f64; 3] {
+    let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
+    for (from, to) in pairs {
+        // In units of the farthest radius the powers stay near each other.
+        let t2 = (from / farthest) * (from / farthest);
+        let row = Vector3::new(t2, t2 * t2, t2 * t2 * t2) * from;
+        normal += row * row.transpose();
+        right += row * (to - from);
+    }
+    let solved = normal.lu().solve(&right).filter(|terms| terms.iter().all(|term| term.is_finite()));
+    let r2 = farthest * farthest;
+    solved.map_or([0.0; 3], |terms| [terms.x / r2, terms.y / (r2 * r2), terms.z / (r2 * r2 * r2)])
 }
 
 /// By how much the tangential terms of a correction move a position (x, y) of the photo, y up: r²·P + 2 (P·x)·x.

@@ -1,10 +1,10 @@
 //! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
 
-use super::distortion::{MOST_STEPS, radial_factor, tangential_shift, undistorted};
-use super::{Camera, CameraUncertainty, ExifCamera};
+use super::distortion::{MOST_STEPS, fitted_terms, radial_factor, tangential_shift, undistorted};
+use super::{Camera, CameraOrigin, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
 use crate::{Cause, Computation, Error};
-use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{Matrix2, Vector2};
 use serde::{Deserialize, Serialize};
 
 /// The constants of a camera.
@@ -44,13 +44,21 @@ impl CameraMm {
         }
     }
 
-    /// The camera of an EXIF block: principal point in the middle of the image, no distortion, nothing calibrated.
+    /// The camera that a file names, with what is not known of it: principal point in the middle of the image and no distortion, but where
+    /// XMP says more.
     ///
     /// # Errors
-    /// [`Error::InvalidOption`] where the block's focal length or pixel size is outside the range of a camera.
+    /// [`Error::InvalidOption`] where its focal length or pixel size is outside the range of a camera; [`Error::InvalidInput`] for a panorama.
     pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        let uncertainty = Some(CameraUncertainty::EXIF);
-        let camera = Self { uncertainty, ..Self::without_distortion(exif.focal_mm, exif.pixel_mm) };
+        if exif.origin == CameraOrigin::Panorama {
+            let allowed = "a photograph of a central perspective".into();
+            return Err(Error::InvalidInput { what: "the camera of the file", got: "a panorama".into(), allowed });
+        }
+        let camera = match &exif.lens {
+            Some(lens) => lens.photo_camera()?,
+            None => Self::without_distortion(exif.focal_mm, exif.pixel_mm),
+        };
+        let camera = Self { uncertainty: Some(CameraUncertainty::of(exif.origin)), ..camera };
         camera.check().map(|()| camera)
     }
 
@@ -122,24 +130,16 @@ impl Camera {
             return Ok([0.0; 3]);
         }
         let farthest = self.farthest_corner();
-        let (mut normal, mut right) = (Matrix3::zeros(), Vector3::zeros());
-        for k in 1..=RADII {
-            // In units of the farthest radius the powers stay near each other.
-            let t = k as f64 / RADII as f64;
-            let measured = t * farthest;
+        let rays = (1..=RADII).map(|k| {
+            let measured = k as f64 / RADII as f64 * farthest;
             let [ideal, _] = undistorted([measured, 0.0], self.radial, [0.0; 2]).ok_or(Error::NotConverged {
                 computation: Computation::DistortionCorrection,
                 iterations: MOST_STEPS,
                 cause: Cause::FoldedBeyond { radius_px: measured * self.focal_px },
             })?;
-            let t2 = t * t;
-            let row = Vector3::new(t2, t2 * t2, t2 * t2 * t2) * measured;
-            normal += row * row.transpose();
-            right += row * (ideal - measured);
-        }
-        let solved = normal.lu().solve(&right).filter(|terms| terms.iter().all(|term| term.is_finite()));
-        let r2 = farthest * farthest;
-        Ok(solved.map_or([0.0; 3], |terms| [terms.x / r2, terms.y / (r2 * r2), terms.z / (r2 * r2 * r2)]))
+            Ok((measured, ideal))
+        });
+        Ok(fitted_terms(rays.collect::<Result<Vec<_>, Error>>()?.into_iter(), farthest))
     }
 
     /// The tangential terms beside the radial ones, in units of the focal length.

@@ -1,4 +1,4 @@
-//! Cameras, exterior orientation, and the way from pixels to photo coordinates: interior orientation, EXIF.
+//! Cameras, exterior orientation, and the way from pixels to photo coordinates: interior orientation, EXIF and XMP.
 
 mod distortion;
 mod exif;
@@ -6,18 +6,23 @@ mod exif_block;
 mod fiducials;
 mod interior;
 mod mm;
+mod origin;
 mod pose;
 mod px;
 mod rotation;
+mod sensors;
 mod uncertainty;
+mod xmp;
 
 pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens, radial_factor, undistorted};
-pub use exif::{ExifCamera, ExifImage, ExifPosition};
+pub use exif::{DroneRecord, ExifCamera, ExifImage, ExifPosition};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
 pub use interior::Interior;
 pub use mm::CameraMm;
+pub use origin::{CameraCaution, CameraOrigin};
 pub use pose::Pose;
 pub(crate) use pose::{is_rotation, matrix, orthonormal, product, turn_of};
 pub use px::{Camera, FreeParameters};
 pub use rotation::{angles_from_rotation, rotation_from_angles};
 pub use uncertainty::CameraUncertainty;
+pub use xmp::{Attitude, RtkSolution};

@@ -1,5 +1,6 @@
 //! What is not known of a camera that nobody calibrated.
 
+use super::origin::CameraOrigin;
 use crate::Error;
 use crate::catalogue::refuse;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,21 @@ impl CameraUncertainty {
         Ok(())
     }
 
+    /// Of a camera that a file names, by where it is known from.
+    pub fn of(origin: CameraOrigin) -> Self {
+        match origin {
+            CameraOrigin::XmpCalibration => Self::XMP_CALIBRATION,
+            CameraOrigin::XmpDewarped => Self { focal: Self::XMP_CALIBRATION.focal, k1: Self::XMP_CALIBRATION.k1, ..Self::EXIF },
+            CameraOrigin::XmpDesign => Self { focal: 0.02, ..Self::EXIF },
+            CameraOrigin::ExifFocalPlane | CameraOrigin::Exif35Mm | CameraOrigin::SensorTable => Self::EXIF,
+            // In mm: marks or a given pixel side turn it into angles.
+            CameraOrigin::FocalLengthAlone => Self::EXIF,
+            CameraOrigin::Panorama => Self::ASSUMED,
+        }
+    }
+
+    /// Of a camera whose calibration stands in XMP.
+    pub const XMP_CALIBRATION: Self = Self { focal: 0.01, principal_point: 0.003, k1: 0.01 };
     /// Of a camera whose focal length stands in EXIF: rounded, of the lens at infinity, on a sensor whose size is rounded too.
     pub const EXIF: Self = Self { focal: 0.05, principal_point: 0.01, k1: 0.05 };
     /// Of a camera of which nothing is known: [`ASSUMED_FOCAL`](Self::ASSUMED_FOCAL) fits lenses from wide angles to short telephotos.

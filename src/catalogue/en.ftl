@@ -114,9 +114,24 @@ side-right = right
 no-geometry-too-few-matches = { $matches } different matches are given; at least { $needed } are needed
 no-geometry-chance = { $agreeing } of { $matches } matches agree on one geometry, no more than would by chance
 
+camera-origin-xmp-calibration = XMP (calibrated)
+camera-origin-xmp-dewarped = XMP (calibrated, distortion already removed)
+camera-origin-xmp-design = XMP (as designed)
+camera-origin-exif-focal-plane = EXIF
+camera-origin-exif35-mm = EXIF (35 mm equivalent)
+camera-origin-sensor-table = EXIF and the listed size of its sensor
+camera-origin-focal-length-alone = EXIF (focal length in mm alone)
+camera-origin-panorama = XMP (panorama)
+
+camera-caution-resized = taken with { $taken_width_px } x { $taken_height_px } px, resized to { $width_px } x { $height_px } px: its focal length in px is scaled
+camera-caution-cropped = taken with { $taken_width_px } x { $taken_height_px } px, but { $width_px } x { $height_px } px large: it was cropped, and its focal length in px is not known; give the camera if you know it
+camera-caution-contradiction = XMP gives a focal length of { FIXED($xmp_focal_px, digits: 0) } px, EXIF of { FIXED($exif_focal_px, digits: 0) } px: that of EXIF is used
+camera-caution-panorama = a panorama ({ $projection }): it has no central perspective, and no camera
+
 no-orientation-no-camera = no camera is given and the { $side } image names no focal length
 no-orientation-no-focal-length = fiducial marks are given, but no focal length
 no-orientation-no-pixel-size = the { $side } image has neither fiducial marks nor a pixel size
+no-orientation-panorama = the { $side } image is a panorama: it has no central perspective, and no camera
 no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
 no-orientation-refused = { $error }
@@ -324,6 +339,11 @@ remark-doubtful-focal =
     the focal length of { $label } is { $focal_px } px, { SIGNIFICANT($sides, digits: 2) } of the longer side of the image, where { $least } to { $most } are usual{ $in_mm ->
         [true] : is it in mm?
        *[false] {""}
+    }
+remark-cautioned-cameras =
+    { $camera_caution }: { $images }{ $images_more ->
+        [0] {""}
+       *[other] {" "}and { $images_more } more
     }
 remark-impossible-positions =
     impossible GNSS positions and heights are ignored: { $images }{ $images_more ->

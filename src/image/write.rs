@@ -31,7 +31,8 @@ mod tests {
         let decoded = decode(&write_png(image.view(), None), &DecodeLimits::default()).unwrap();
         assert_eq!((decoded.grey, decoded.format, decoded.camera), (image.clone(), "PNG", None));
         let [make, model] = ["Tiepoint", "Simulated 3"].map(|text| Some(text.to_string()));
-        let camera = ExifCamera { make: make.clone(), model: model.clone(), focal_mm: 85.25, pixel_mm: Some(0.008) };
+        let camera =
+            ExifCamera { make: make.clone(), model: model.clone(), focal_mm: 85.25, pixel_mm: Some(0.008), ..ExifCamera::default() };
         for (longitude_deg, latitude_deg, height_m) in
             [(8.123_456_789, 50.987_654_321, Some(812.345_67)), (-70.5, -33.25, Some(-12.5)), (0.25, 1.0, None)]
         {
@@ -43,7 +44,7 @@ mod tests {
                     camera,
                     orientation: Some(1),
                     position: Some(position),
-                    impossible: None,
+                    ..ExifImage::default()
                 };
                 let read = ExifImage::read(&write_png(image.view(), Some(&exif)), 37, 21);
                 let own = read.position.unwrap();

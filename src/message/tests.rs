@@ -3,9 +3,9 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
-    BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault, ImageReason,
-    Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome, PairRule, Remark, Rule, Side,
-    UnorientedReason, Unsettled, Warning,
+    BlockWarning, CameraCaution, CameraOrigin, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault,
+    ImageFault, ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome,
+    PairRule, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
 };
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
@@ -38,6 +38,8 @@ fn family<M: Message>() -> Family {
 fn families() -> Vec<Family> {
     vec![
         family::<BlockWarning>(),
+        family::<CameraCaution>(),
+        family::<CameraOrigin>(),
         family::<CameraParameter>(),
         family::<Cause>(),
         family::<Connection>(),

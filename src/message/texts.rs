@@ -10,9 +10,10 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 18] = [
+pub(super) const NESTED: [&str; 19] = [
     "block_warning",
     "camera",
+    "camera_caution",
     "camera_parameter",
     "cause",
     "computation",

@@ -67,6 +67,8 @@ pub fn match_described_pair(
     let found = geometry.as_ref().and_then(|geometry| geometry.as_ref().ok());
     let sizes = [left, right].map(|image| (image.grey.width(), image.grey.height()));
     let interior = match (interior, found) {
+        // No camera that may be assumed sees a panorama.
+        (Err(reason @ NoOrientation::Panorama { .. }), _) => Err(reason),
         (Err(reason), Some(found)) => PairInterior::assumed(found, sizes).ok_or(reason),
         (interior, _) => interior,
     };

@@ -16,6 +16,8 @@ messages! {
         NoFocalLength,
         /// An image with neither fiducial marks nor a pixel size.
         NoPixelSize { side: Side },
+        /// An image of no central perspective.
+        Panorama { side: Side },
         NoGeometry { no_geometry: NoGeometry },
         PureRotation,
         /// The orientation refuses the matches.

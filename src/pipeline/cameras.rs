@@ -1,7 +1,7 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::Remark;
-use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
+use crate::{Camera, CameraOrigin, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 
 /// A camera before its calibration.
@@ -71,6 +71,11 @@ impl CameraRules {
         Err(Error::InvalidInput { what: "the cameras", got, allowed: format!("patterns that fit names as {}", shown.join(", ")) })
     }
 
+    /// Whether the camera of an image is given.
+    pub fn fits(&self, name: &str) -> bool {
+        self.0.iter().any(|rule| rule.fits(name))
+    }
+
     /// The index of the rule that an image fits, and its camera.
     pub(super) fn camera_of(&self, name: &str, size: [u32; 2], exif: &ExifImage) -> (Option<usize>, InitialCamera) {
         let rule = self.0.iter().position(|rule| rule.fits(name));
@@ -115,12 +120,18 @@ fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
     let name: Vec<&str> = exif.make.iter().filter(|make| !is_in_model(make)).chain(&exif.model).map(String::as_str).collect();
     let parts = [
         (!name.is_empty()).then(|| name.join(" ")),
-        camera.map(|camera| format!("{} mm", camera.focal_mm)),
+        camera.map(|camera| format!("{} mm", (camera.focal_mm * 1e3).round() / 1e3)),
         Some(format!("{} x {} px", size[0], size[1])),
     ];
+    // No focal length makes a panorama a photograph.
+    let camera = camera.filter(|camera| camera.origin != CameraOrigin::Panorama);
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
-    InitialCamera { label: parts.into_iter().flatten().collect::<Vec<_>>().join(", "), focal_px, pixel_mm, ..plain(size) }
+    let plain = InitialCamera { label: parts.into_iter().flatten().collect::<Vec<_>>().join(", "), focal_px, pixel_mm, ..plain(size) };
+    match camera.and_then(|camera| camera.lens.as_deref()) {
+        Some(&Camera { principal_point_px, radial, tangential, .. }) => InitialCamera { principal_point_px, radial, tangential, ..plain },
+        None => plain,
+    }
 }
 
 fn of_rule(rule: &CameraRule, size: [u32; 2], exif: &ExifImage) -> InitialCamera {
@@ -175,7 +186,7 @@ mod tests {
 
     fn exif(make: &str, model: &str, focal_mm: f64) -> ExifImage {
         let [make, model] = [make, model].map(|text| Some(text.to_string()));
-        let camera = ExifCamera { make: make.clone(), model: model.clone(), focal_mm, pixel_mm: Some(0.005) };
+        let camera = ExifCamera { make: make.clone(), model: model.clone(), focal_mm, pixel_mm: Some(0.005), ..ExifCamera::default() };
         ExifImage { make, model, camera: Some(camera), ..ExifImage::default() }
     }
 

@@ -1,7 +1,7 @@
 //! What of the input is not taken as it was given, or is hardly right.
 
 use crate::message::messages;
-use crate::{Error, Failure, Interruption};
+use crate::{CameraCaution, Error, Failure, Interruption};
 use serde::{Deserialize, Serialize};
 
 messages! {
@@ -15,6 +15,8 @@ messages! {
         /// A focal length that hardly is one in px. `label`: of the camera; `sides`: the focal length in longer sides of the image, of which
         /// `least` to `most` are usual; `in_mm`: whether it is small enough to be one in mm.
         DoubtfulFocal { label: String, focal_px: f64, sides: f64, least: f64, most: f64, in_mm: bool },
+        /// What speaks against the camera that files name.
+        CautionedCameras { camera_caution: CameraCaution, images: Vec<String> },
         /// GNSS positions, or their heights, that cannot be.
         ImpossiblePositions { images: Vec<ImpossiblePosition> },
         /// The block comes from a project file that holds less than is known of a block.

@@ -5,8 +5,8 @@ use super::control::gnss_observation;
 use super::input::{Checked, RunInput};
 use super::{BlockRun, ImpossiblePosition, InitialCamera, JoinedPoints, RefinementTable, Remark, RunImage, SkippedImage};
 use crate::{
-    BlockDescription, BlockModel, Connection, Error, ExifImage, Failure, FeatureMatch, ImageFeatures, KnownImage, Reconstruction,
-    TiePoints, TwoView, local_from_geographic,
+    BlockDescription, BlockModel, CameraCaution, Connection, Error, ExifImage, Failure, FeatureMatch, ImageFeatures, KnownImage,
+    Reconstruction, TiePoints, TwoView, local_from_geographic,
 };
 
 /// Positions of an image's features in px.
@@ -101,6 +101,7 @@ impl State {
         self.images.iter_mut().zip(of).for_each(|(image, camera)| image.camera = camera);
         self.remarks.extend(self.input.unused_cameras.drain(..).map(|images| Remark::UnusedCamera { images }));
         self.remarks.extend(doubtful(&self.cameras));
+        self.remarks.extend(self.cautioned_cameras());
         self.remarks.extend(self.impossible_positions());
         self.describe()
     }
@@ -108,6 +109,20 @@ impl State {
     /// The EXIF of an image as far as the run uses its GNSS position.
     fn gnss<'a>(&self, exif: &'a ExifImage) -> Option<&'a crate::ExifPosition> {
         exif.position.as_ref().filter(|_| self.input.use_gnss)
+    }
+
+    /// What speaks against the cameras of the files whose cameras were not given, each once, with its images.
+    fn cautioned_cameras(&self) -> Vec<Remark> {
+        let mut found: Vec<(CameraCaution, Vec<String>)> = Vec::new();
+        for image in self.images.iter().filter(|image| !self.input.rules.fits(&image.name)) {
+            for caution in image.exif.camera.iter().flat_map(|camera| &camera.cautions) {
+                match found.iter_mut().find(|(known, _)| known == caution) {
+                    Some((_, images)) => images.push(image.name.clone()),
+                    None => found.push((caution.clone(), vec![image.name.clone()])),
+                }
+            }
+        }
+        found.into_iter().map(|(camera_caution, images)| Remark::CautionedCameras { camera_caution, images }).collect()
     }
 
     fn impossible_positions(&self) -> Option<Remark> {

@@ -1,30 +1,30 @@
 //! The camera of EXIF blocks made here.
 
-use tiepoint::ExifCamera;
+use tiepoint::{CameraOrigin, ExifCamera};
 
 use crate::decode;
 use crate::jpeg_writer::{Jpeg, segment};
 
 /// Type and value of an EXIF field.
 #[derive(Clone)]
-enum Value {
+pub enum Value {
     Text(&'static str),
     Short(u16),
     Rational(u32, u32),
     Double(f64),
 }
 
-const MAKE: u16 = 271;
-const MODEL: u16 = 272;
-const FOCAL_LENGTH: u16 = 37386;
-const PIXEL_X: u16 = 40962;
-const PIXEL_Y: u16 = 40963;
-const PLANE_X: u16 = 41486;
-const PLANE_UNIT: u16 = 41488;
-const FOCAL_35: u16 = 41989;
+pub const MAKE: u16 = 271;
+pub const MODEL: u16 = 272;
+pub const FOCAL_LENGTH: u16 = 37386;
+pub const PIXEL_X: u16 = 40962;
+pub const PIXEL_Y: u16 = 40963;
+pub const PLANE_X: u16 = 41486;
+pub const PLANE_UNIT: u16 = 41488;
+pub const FOCAL_35: u16 = 41989;
 
 /// A TIFF structure with one directory of the first fields and an EXIF directory of the others.
-fn exif_block(fields: &[(u16, Value)]) -> Vec<u8> {
+pub fn exif_block(fields: &[(u16, Value)]) -> Vec<u8> {
     let (exif, mut main): (Vec<_>, Vec<_>) = fields.iter().cloned().partition(|(tag, _)| *tag >= 0x8000);
     let mut block = b"II*\0\x08\0\0\0".to_vec();
     let main_length = 2 + 12 * (main.len() + 1) + 4;
@@ -80,7 +80,11 @@ use Value::{Double, Rational, Short, Text};
 #[test]
 fn make_model_and_focal_length() {
     let camera = camera(&[(MAKE, Text("  Canon ")), (MODEL, Text("PowerShot")), (FOCAL_LENGTH, Rational(45, 10))]).unwrap();
-    assert_eq!(camera, ExifCamera { make: Some("Canon".into()), model: Some("PowerShot".into()), focal_mm: 4.5, pixel_mm: None });
+    let origin = CameraOrigin::FocalLengthAlone;
+    assert_eq!(
+        camera,
+        ExifCamera { make: Some("Canon".into()), model: Some("PowerShot".into()), focal_mm: 4.5, origin, ..ExifCamera::default() }
+    );
 }
 
 #[test]

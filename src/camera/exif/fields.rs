@@ -1,5 +1,7 @@
 //! The fields of EXIF, read where they stand: a hostile block costs no memory, and time for three directories at most.
 
+use super::blocks::exif_block;
+
 /// Directories hold some dozens of entries; more than these are not read.
 const MOST_ENTRIES: usize = 1_000;
 /// Text is cut there.
@@ -25,6 +27,7 @@ const TEXT: u16 = 2;
 const SHORT: u16 = 3;
 const LONG: u16 = 4;
 const RATIONAL: u16 = 5;
+const UNDEFINED: u16 = 7;
 const SIGNED_RATIONAL: u16 = 10;
 const FLOAT: u16 = 11;
 const DOUBLE: u16 = 12;
@@ -45,7 +48,7 @@ struct Values<'a> {
 impl<'a> Fields<'a> {
     /// Finds the EXIF of a JPEG, PNG, TIFF or WebP file.
     pub fn of(file: &'a [u8]) -> Option<Self> {
-        let block = block_of(file)?;
+        let block = exif_block(file)?;
         let little_endian = match block {
             [b'I', b'I', 42, 0, ..] => true,
             [b'M', b'M', 0, 42, ..] => false,
@@ -75,6 +78,11 @@ impl<'a> Fields<'a> {
         })
     }
 
+    /// The first number of a field, where it is finite and above 0.
+    pub fn positive(&self, tag: Tag) -> Option<f64> {
+        self.number(tag).filter(|n| n.is_finite() && *n > 0.0)
+    }
+
     /// Three ratios; those that the field lacks are 0.
     pub fn three_ratios(&self, tag: Tag) -> Option<[f64; 3]> {
         let values = self.values(tag).filter(|values| values.kind == RATIONAL)?;
@@ -88,6 +96,11 @@ impl<'a> Fields<'a> {
         let line = String::from_utf8_lossy(&line[..line.len().min(MOST_TEXT_BYTES)]);
         let text = line.trim();
         (!text.is_empty()).then(|| text.to_owned())
+    }
+
+    /// The bytes of a field of single bytes.
+    pub fn bytes(&self, tag: Tag) -> Option<&'a [u8]> {
+        self.values(tag).filter(|values| values.kind == BYTE || values.kind == UNDEFINED).map(|values| values.bytes)
     }
 
     fn values(&self, (directory, number): Tag) -> Option<Values<'a>> {
@@ -109,7 +122,7 @@ impl<'a> Fields<'a> {
     fn values_of(&self, entry: &'a [u8]) -> Option<Values<'a>> {
         let kind = self.unsigned::<2>(&entry[2..])? as u16;
         let size = match kind {
-            BYTE | TEXT => 1,
+            BYTE | TEXT | UNDEFINED => 1,
             SHORT => 2,
             LONG | FLOAT => 4,
             RATIONAL | SIGNED_RATIONAL | DOUBLE => 8,
@@ -129,63 +142,5 @@ impl<'a> Fields<'a> {
         let bytes: &[u8; N] = bytes.first_chunk()?;
         let append = |n: u64, byte: &u8| n << 8 | u64::from(*byte);
         Some(if self.little_endian { bytes.iter().rev().fold(0, append) } else { bytes.iter().fold(0, append) })
-    }
-}
-
-/// The TIFF structure that holds the EXIF of a file.
-fn block_of(file: &[u8]) -> Option<&[u8]> {
-    match file {
-        [b'I', b'I', ..] | [b'M', b'M', ..] => Some(file),
-        [0xff, 0xd8, segments @ ..] => block_of_jpeg(segments),
-        [0x89, b'P', b'N', b'G', _, _, _, _, chunks @ ..] => block_of_chunks(chunks, |chunk| {
-            let (length, chunk) = chunk.split_first_chunk()?;
-            let (name, data) = chunk.split_first_chunk()?;
-            // A checksum follows.
-            Some((name, data, u32::from_be_bytes(*length), 4))
-        }),
-        [b'R', b'I', b'F', b'F', _, _, _, _, b'W', b'E', b'B', b'P', chunks @ ..] => block_of_chunks(chunks, |chunk| {
-            let (name, chunk) = chunk.split_first_chunk()?;
-            let (length, data) = chunk.split_first_chunk()?;
-            let length = u32::from_le_bytes(*length);
-            Some((name, data, length, length & 1))
-        }),
-        _ => None,
-    }
-}
-
-/// The name of a chunk, what follows its head, its length, and the bytes between it and the next chunk.
-type Chunk<'a> = (&'a [u8; 4], &'a [u8], u32, u32);
-
-fn block_of_chunks<'a>(mut chunks: &'a [u8], read: impl Fn(&'a [u8]) -> Option<Chunk<'a>>) -> Option<&'a [u8]> {
-    loop {
-        let (name, data, length, gap) = read(chunks)?;
-        let (data, rest) = data.split_at_checked(length as usize)?;
-        if name.eq_ignore_ascii_case(b"exif") {
-            return Some(data);
-        }
-        chunks = rest.get(gap as usize..)?;
-    }
-}
-
-fn block_of_jpeg(mut rest: &[u8]) -> Option<&[u8]> {
-    loop {
-        rest = &rest[rest.iter().position(|&byte| byte == 0xff)?..];
-        rest = &rest[rest.iter().position(|&byte| byte != 0xff)?..];
-        let (&marker, after) = rest.split_first()?;
-        rest = after;
-        match marker {
-            // A stuffed byte, or a marker that stands alone.
-            0x00 | 0x01 | 0xd0..=0xd7 => continue,
-            0xd8 | 0xd9 => return None,
-            _ => {}
-        }
-        let length = usize::from(u16::from_be_bytes(*rest.first_chunk()?));
-        let (segment, after) = rest.split_at_checked(length)?;
-        if marker == 0xe1
-            && let Some(block) = segment.get(2..).and_then(|body| body.strip_prefix(b"Exif\0\0"))
-        {
-            return Some(block);
-        }
-        rest = after;
     }
 }

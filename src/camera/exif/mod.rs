@@ -1,20 +1,20 @@
-//! What EXIF tells of an image: its camera, how it is to be turned, where it was taken.
+//! What EXIF and XMP tell of an image: its camera, how it is to be turned, where and in which attitude it was taken.
 
+mod blocks;
+mod camera;
 mod fields;
 
-use serde::{Deserialize, Serialize};
+pub use camera::ExifCamera;
 
+use self::blocks::xmp_packet;
 use self::fields::{Directory, Fields, Tag};
+use super::xmp::{Attitude, RtkSolution, Xmp};
+use serde::{Deserialize, Serialize};
 
 const MAKE: Tag = (Directory::Main, 0x010f);
 const MODEL: Tag = (Directory::Main, 0x0110);
+const XMP: Tag = (Directory::Main, 700);
 const ORIENTATION: Tag = (Directory::Main, 0x0112);
-const FOCAL_LENGTH: Tag = (Directory::Exif, 0x920a);
-const PIXEL_X_DIMENSION: Tag = (Directory::Exif, 0xa002);
-const PIXEL_Y_DIMENSION: Tag = (Directory::Exif, 0xa003);
-const FOCAL_PLANE_X_RESOLUTION: Tag = (Directory::Exif, 0xa20e);
-const FOCAL_PLANE_RESOLUTION_UNIT: Tag = (Directory::Exif, 0xa210);
-const FOCAL_LENGTH_IN_35_MM_FILM: Tag = (Directory::Exif, 0xa405);
 const LATITUDE_REF: Tag = (Directory::Gps, 1);
 const LATITUDE: Tag = (Directory::Gps, 2);
 const LONGITUDE_REF: Tag = (Directory::Gps, 3);
@@ -23,19 +23,7 @@ const ALTITUDE_REF: Tag = (Directory::Gps, 5);
 const ALTITUDE: Tag = (Directory::Gps, 6);
 const H_POSITIONING_ERROR: Tag = (Directory::Gps, 31);
 
-/// Camera data of an EXIF block.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct ExifCamera {
-    pub make: Option<String>,
-    pub model: Option<String>,
-    /// Focal length in mm.
-    pub focal_mm: f64,
-    /// Side of a pixel of the stored image in mm, from the focal-plane resolution or the 35 mm equivalent; absent where neither is given.
-    pub pixel_mm: Option<f64>,
-}
-
-/// What the EXIF of an image tells beside its pixels; what it does not tell is absent.
+/// What EXIF and XMP of an image tell beside its pixels; what they do not tell is absent.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct ExifImage {
@@ -50,6 +38,26 @@ pub struct ExifImage {
     /// What of the recorded position cannot be and was left out, with its value: all of it, or the height alone.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub impossible: Option<String>,
+    /// Of the drone that took it; absent where it recorded nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drone: Option<Box<DroneRecord>>,
+}
+
+/// What a drone recorded of itself and its camera.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct DroneRecord {
+    /// Of the gimbal that carries the camera: a pitch of -90° looks down.
+    pub gimbal: Option<Attitude>,
+    /// Of the aircraft: a pitch of 0° is level.
+    pub aircraft: Option<Attitude>,
+    /// Of the camera, as Pix4D defines it: a pitch of 0° looks down.
+    pub camera: Option<Attitude>,
+    /// Above the place of take-off.
+    pub relative_height_m: Option<f64>,
+    /// Above the ellipsoid or the sea: makers do not agree.
+    pub absolute_height_m: Option<f64>,
+    pub rtk: Option<RtkSolution>,
 }
 
 /// A place on the earth as a receiver had it.
@@ -67,69 +75,40 @@ pub struct ExifPosition {
 }
 
 impl ExifImage {
-    /// Reads the EXIF of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px. Of a file without EXIF nothing is known.
+    /// Reads the EXIF and the XMP of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px. Of a file without either
+    /// nothing is known; of a damaged one, what can be read.
     ///
     /// # Source
     /// CIPA DC-008-2019, Exif 2.32, sections 4.6.4 to 4.6.6.
     pub fn read(file: &[u8], width: u64, height: u64) -> Self {
-        let Some(exif) = Fields::of(file) else { return Self::default() };
+        let (exif, xmp) = metadata(file);
+        let camera = ExifCamera::of(exif.as_ref(), &xmp, [width, height]);
+        let Xmp { gimbal, aircraft, camera: attitude, relative_height_m, absolute_height_m, rtk, .. } = xmp;
+        let drone = DroneRecord { gimbal, aircraft, camera: attitude, relative_height_m, absolute_height_m, rtk };
+        let drone = (drone != DroneRecord::default()).then(|| Box::new(drone));
+        let Some(exif) = exif else { return Self { camera, drone, ..Self::default() } };
         let (position, impossible) = position(&exif);
         let orientation = exif.number(ORIENTATION).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);
-        Self {
-            make: exif.text(MAKE),
-            model: exif.text(MODEL),
-            camera: ExifCamera::of(&exif, width, height),
-            orientation,
-            position,
-            impossible,
-        }
+        Self { make: exif.text(MAKE), model: exif.text(MODEL), camera, orientation, position, impossible, drone }
     }
 }
-
-/// Diagonal of the 36 mm x 24 mm frame to which the 35 mm equivalent of a focal length refers.
-const FRAME_DIAGONAL_MM: f64 = 43.266_615_305_567_87;
 
 impl ExifCamera {
-    /// Reads the camera from the EXIF of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px.
+    /// Reads the camera from the EXIF and the XMP of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px.
     ///
-    /// Absent where the file has no EXIF, where it is damaged, or where it does not name the focal length.
+    /// Absent where neither names the focal length.
     pub fn read(file: &[u8], width: u64, height: u64) -> Option<Self> {
-        Self::of(&Fields::of(file)?, width, height)
-    }
-
-    fn of(exif: &Fields<'_>, width: u64, height: u64) -> Option<Self> {
-        let focal_mm = positive(exif, FOCAL_LENGTH)?;
-        let pixel_mm = focal_plane_pixel_mm(exif, width, height).or_else(|| equivalent_pixel_mm(exif, focal_mm, width, height));
-        Some(Self { make: exif.text(MAKE), model: exif.text(MODEL), focal_mm, pixel_mm })
+        let (exif, xmp) = metadata(file);
+        Self::of(exif.as_ref(), &xmp, [width, height])
     }
 }
 
-/// Pixel side from the focal-plane resolution, which counts pixels of the image as the camera took it.
-fn focal_plane_pixel_mm(exif: &Fields<'_>, width: u64, height: u64) -> Option<f64> {
-    let unit_mm = match exif.number(FOCAL_PLANE_RESOLUTION_UNIT).map_or(2, |unit| unit as u32) {
-        2 => 25.4,
-        3 => 10.0,
-        4 => 1.0,
-        5 => 0.001,
-        _ => return None,
-    };
-    let taken_pixel_mm = unit_mm / positive(exif, FOCAL_PLANE_X_RESOLUTION)?;
-    // The longer sides are compared, since software that turns an image upright may leave the EXIF as it was.
-    let taken_side = positive(exif, PIXEL_X_DIMENSION).map(|x| x.max(positive(exif, PIXEL_Y_DIMENSION).unwrap_or(0.0)));
-    let stored_side = width.max(height) as f64;
-    plausible(taken_pixel_mm * taken_side.map_or(1.0, |taken| taken / stored_side))
-}
-
-/// Pixel side from the focal length that has the same angle of view on the 35 mm frame, diagonal to diagonal.
-fn equivalent_pixel_mm(exif: &Fields<'_>, focal_mm: f64, width: u64, height: u64) -> Option<f64> {
-    let equivalent_mm = positive(exif, FOCAL_LENGTH_IN_35_MM_FILM)?;
-    let diagonal_px = (width as f64 * width as f64 + height as f64 * height as f64).sqrt();
-    plausible(focal_mm / equivalent_mm * FRAME_DIAGONAL_MM / diagonal_px)
-}
-
-/// A pixel side between 0.1 µm and 1 mm: anything else is a damaged field, not a camera.
-fn plausible(pixel_mm: f64) -> Option<f64> {
-    (1e-4..=1.0).contains(&pixel_mm).then_some(pixel_mm)
+/// The EXIF of a file, and its XMP, which a TIFF file holds in a field.
+fn metadata(file: &[u8]) -> (Option<Fields<'_>>, Xmp) {
+    let exif = Fields::of(file);
+    let in_tiff = || exif.as_ref().filter(|_| file.starts_with(b"II") || file.starts_with(b"MM")).and_then(|exif| exif.bytes(XMP));
+    let xmp = xmp_packet(file).or_else(in_tiff).map(Xmp::of).unwrap_or_default();
+    (exif, xmp)
 }
 
 /// Heights beyond so many metres are damaged fields.
@@ -155,7 +134,7 @@ fn position(exif: &Fields<'_>) -> (Option<ExifPosition>, Option<String>) {
     let height = exif.number(ALTITUDE).filter(|v| v.is_finite()).map(|v| sign * v + 0.0);
     let height_m = height.filter(|v| v.abs() <= MOST_HEIGHT_M);
     let impossible = height.filter(|_| height_m.is_none()).map(|v| format!("height {v} m"));
-    (Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: positive(exif, H_POSITIONING_ERROR) }), impossible)
+    (Some(ExifPosition { longitude_deg, latitude_deg, height_m, error_m: exif.positive(H_POSITIONING_ERROR) }), impossible)
 }
 
 /// Degrees, minutes and seconds with the hemisphere: positive in the first one.
@@ -168,10 +147,6 @@ fn angle(exif: &Fields<'_>, tag: Tag, hemisphere: Tag, [first, second]: [&str; 2
     };
     let degrees = degrees + minutes / 60.0 + seconds / 3600.0;
     degrees.is_finite().then_some(sign * degrees + 0.0)
-}
-
-fn positive(exif: &Fields<'_>, tag: Tag) -> Option<f64> {
-    exif.number(tag).filter(|n| n.is_finite() && *n > 0.0)
 }
 
 #[cfg(test)]

@@ -83,7 +83,13 @@ impl BlockScene {
         let [longitude_deg, latitude_deg, height_m] = self.recorded_position(index)?;
         let [make, model] = ["Tiepoint".to_string(), format!("Simulated {camera}")].map(Some);
         let exif = ExifImage {
-            camera: Some(ExifCamera { make: make.clone(), model: model.clone(), focal_mm: focal_px * pixel_mm, pixel_mm: Some(pixel_mm) }),
+            camera: Some(ExifCamera {
+                make: make.clone(),
+                model: model.clone(),
+                focal_mm: focal_px * pixel_mm,
+                pixel_mm: Some(pixel_mm),
+                ..ExifCamera::default()
+            }),
             position: Some(ExifPosition { longitude_deg, latitude_deg, height_m: Some(height_m), error_m: None }),
             make,
             model,
