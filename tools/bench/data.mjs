@@ -1,11 +1,12 @@
 /** The test images with truth, as the bench reads them. They are no part of the project; without them their figures are skipped. */
 
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { DATA, readJson } from '../lib/paths.mjs';
 import { Photo } from '../../pkg/node.js';
 
 /** @typedef {import('../score.mjs').Pinhole} Pinhole */
+/** @typedef {{ folder: string, a: string, b: string, truth: any, pose: { rotation: number[][], direction: number[] } }} PosedPair truth: of all images of the folder */
 
 /** @param {string} name @returns {boolean} whether a folder of test images is there; says so if not */
 export function have(name) {
@@ -59,6 +60,17 @@ function denseMap(name) {
       return [view.getFloat32(i * 8 + 4, true) + 0.5, view.getFloat32(i * 8, true) + 0.5];
     },
   };
+}
+
+/** Every pair of photographs whose pose is known.  @returns {PosedPair[]} */
+export function posedPairs() {
+  const folders = existsSync(DATA) ? readdirSync(DATA, { withFileTypes: true }).filter((entry) => entry.isDirectory()) : [];
+  return folders.flatMap(({ name: folder }) => {
+    if (!have(folder)) return [];
+    const truth = readJson(join(DATA, folder, 'truth.json'));
+    const known = (truth.pairs ?? []).filter((/** @type {any} */ { a, b, R }) => R && pinhole(truth, a) && pinhole(truth, b));
+    return known.map((/** @type {any} */ { a, b, R, t }) => ({ folder, a, b, truth, pose: { rotation: R, direction: t } }));
+  });
 }
 
 /** A pair of digital images with known pose.  @param {string} name @param {string} a @param {string} b */
