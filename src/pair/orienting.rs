@@ -20,7 +20,7 @@ const MOST_SIGMA0_PX: f64 = 3.0;
 /// Standard error of a position that was rounded to whole pixels: that of a uniform distribution of a width of 1.
 const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
 
-/// Rounds in which the cameras that nobody calibrated and the gross errors are told.
+/// Rounds in which unknown cameras and the gross errors are told by each other.
 const CALIBRATIONS: usize = 2;
 
 /// Whether all four positions of a match lie at the centres of pixels.
@@ -57,8 +57,9 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
     let weights = match_weights(&fits);
     let mut found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
     if self_calibration::is_wanted(interior) {
-        // The cameras decide which matches are gross errors, and these the cameras.
-        for _ in 0..CALIBRATIONS {
+        // Estimated cameras decide which matches are gross errors, and these the cameras; those that stay as given do not change.
+        let rounds = if self_calibration::tells_more(interior) { CALIBRATIONS } else { 1 };
+        for _ in 0..rounds {
             found = orient_calibrated(&positions, &weights, interior, &found, options)?;
         }
     }

@@ -1,0 +1,10 @@
+//! What the matches of one pair are to its self-calibration.
+
+/// Matches of one pair: positions in px, their weights, and the standard error of a coordinate of weight 1 in focal lengths.
+pub struct Measured<'a> {
+    pub positions: &'a [[f64; 4]],
+    pub weights: &'a [f64],
+    pub sigma: f64,
+    /// Side of a cell in which matches share errors, in focal lengths.
+    pub neighbourhood: f64,
+}
