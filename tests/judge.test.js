@@ -36,4 +36,8 @@ test('a pose is wrong beyond 1° where its region does not hold the truth', () =
     isWrong(errorsOf(orientation({ omega_deg: 3 + deg, half_widths_95: half(width), degrees_of_freedom: 1000, sigma0_a_priori_mm: null }), truth));
   assert.deepEqual([off(0.9, 0.1), off(1.1, 0.1), off(1.1, 0.56), off(1.1, 0.6)], [false, true, true, false]);
   assert.equal(isWrong(null), true);
+  const reference = { ...truth, uncertain: { rotation_deg: 0.5, direction_deg: 9 } };
+  const byReference = (/** @type {number} */ deg) =>
+    isWrong(errorsOf(orientation({ omega_deg: 3 + deg, half_widths_95: half(0.1), degrees_of_freedom: 1000, sigma0_a_priori_mm: null }), reference));
+  assert.deepEqual([byReference(1.4), byReference(1.6)], [false, true]);
 });

@@ -6,7 +6,14 @@ import { DATA, readJson } from '../lib/paths.mjs';
 import { Photo } from '../../pkg/node.js';
 
 /** @typedef {import('../score.mjs').Pinhole} Pinhole */
-/** @typedef {{ folder: string, a: string, b: string, truth: any, pose: { rotation: number[][], direction: number[] } }} PosedPair truth: of all images of the folder */
+/**
+ * @typedef {{ rotation: number[][], direction: number[], uncertain?: { rotation_deg: number, direction_deg: number } }} TruePose
+ *   X_right = R X_left + t, camera x right, y down, z forward; uncertain: by how much the truth itself may be off
+ * @typedef {{ folder: string, a: string, b: string, truth: any, pose: TruePose }} PosedPair truth: of all images of the folder
+ */
+
+/** What the test images say of references that are themselves reconstructions of flat blocks. */
+export const OF_REFERENCE = { rotation_deg: 1, direction_deg: 3 };
 
 /** @param {string} name @returns {boolean} whether a folder of test images is there; says so if not */
 export function have(name) {
@@ -69,7 +76,8 @@ export function posedPairs() {
     if (!have(folder)) return [];
     const truth = readJson(join(DATA, folder, 'truth.json'));
     const known = (truth.pairs ?? []).filter((/** @type {any} */ { a, b, R }) => R && pinhole(truth, a) && pinhole(truth, b));
-    return known.map((/** @type {any} */ { a, b, R, t }) => ({ folder, a, b, truth, pose: { rotation: R, direction: t } }));
+    const uncertain = truth.truth_kind?.includes('reference') ? OF_REFERENCE : undefined;
+    return known.map((/** @type {any} */ { a, b, R, t }) => ({ folder, a, b, truth, pose: { rotation: R, direction: t, uncertain } }));
   });
 }
 

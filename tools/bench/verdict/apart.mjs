@@ -3,7 +3,7 @@
 import { join } from 'node:path';
 import { flight_presets } from '../../../pkg/node.js';
 import { DATA, readJson } from '../../lib/paths.mjs';
-import { have } from '../data.mjs';
+import { have, OF_REFERENCE } from '../data.mjs';
 import { flight } from './flights.mjs';
 import { byExif, calibrated, photograph } from './photographs.mjs';
 import { multiplied, transposed } from './pictures.mjs';
@@ -125,7 +125,7 @@ function littlePhotographs() {
     .map(([a, b], k) => {
       const [one, other] = [a.reference, b.reference];
       const base = one.C.map((v, axis) => v - (other.C[axis] ?? 0));
-      const pose = { rotation: multiplied(other.R_cw, transposed(one.R_cw)), direction: other.R_cw.map((row) => dot(row, base)) };
+      const pose = { rotation: multiplied(other.R_cw, transposed(one.R_cw)), direction: other.R_cw.map((row) => dot(row, base)), uncertain: OF_REFERENCE };
       const posed = { folder, a: a.file, b: b.file, truth, pose };
       const make = () => (k % 2 === 0 ? byExif(posed) : calibrated(posed));
       return { kind: 'little overlap', name: `${folder} ${a.file} ${b.file}`, ...ofFolder(folder), isRight: false, make };

@@ -38,7 +38,7 @@ function table(what, outcomes) {
   console.log(
     `${what}: ${oriented(right ?? []).length} of ${right?.length} right pairs called oriented (${share(oriented(right ?? []).length, right?.length ?? 0)}; asked: 95 %), ` +
       `${oriented(outcomes).filter(isWrongOutcome).length} wrong poses called oriented (asked: 0), ${oriented(hard ?? []).length} of ${hard?.length} others called oriented; ` +
-      `of those called oriented that have a pose ${off(isOff)} are off by more than 1°, ${off(isOutside)} by more than their region of 99.9 %`,
+      `of those called oriented that have a pose ${off(isOff)} are off by more than 1° (and what their truth may be off by), ${off(isOutside)} by more than their region of 99.9 %`,
   );
 }
 

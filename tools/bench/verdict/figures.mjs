@@ -23,10 +23,18 @@ export function figures(output, sizes) {
     map: affine(accepted),
     geometry: geometry && { ...geometry, model: geometry.model.kind, homography: undefined },
     no_geometry,
-    interior: interior && { focal_mm: interior.focal_mm, uncertainty: interior.left.uncertainty ?? null, pixel_mm },
+    interior: interior && { focal_mm: interior.focal_mm, pixel_mm, left: inside(interior.left), right: inside(interior.right) },
     no_orientation,
     orientation: orientation && summary(orientation, pixel_mm ?? NaN),
   };
+}
+
+/** The sign of the area of a pixel, below 0 unless mirrored, and the place of the principal point in px.  @param {import('../../../pkg/node.js').Interior} interior */
+function inside({ parameters, principal_point_mm, uncertainty }) {
+  const [[a, b, tx], [d, e, ty]] = parameters;
+  const [x, y] = [principal_point_mm[0] - tx, principal_point_mm[1] - ty];
+  const area = a * e - b * d;
+  return { area: Math.sign(area), principal_px: [(x * e - y * b) / area, (y * a - x * d) / area], uncertainty: uncertainty ?? null };
 }
 
 /** @param {NonNullable<PairOutput['orientation']>} found @param {number} pixel_mm */

@@ -1,7 +1,7 @@
 /**
  * Whether a pose is wrong. It is where no pose exists: without overlap or base, or mirrored. Elsewhere it is wrong where it is off by more than 1°,
  * in rotation or base direction, and lies outside its own region of 99.9 % as well: an error that is stated is no lie, and one below 1° hurts
- * nobody who was told of standard errors. Both are counted by themselves too.
+ * nobody who was told of standard errors. Both are counted by themselves too. A truth that is a reconstruction itself adds what it may be off by.
  */
 
 import { directionError, poseOf, rotationError } from '../../score.mjs';
@@ -12,10 +12,11 @@ import { dot } from './views.mjs';
  * @typedef {import('../../../pkg/node.js').RelativeOrientation} RelativeOrientation
  * @typedef {import('../../../pkg/node.js').FiveParameters} FiveParameters
  * @typedef {import('./views.mjs').Pose} Pose
- * @typedef {{ rotation_deg: number, direction_deg: number, inRegion: number }} Errors inRegion: the largest error of ω φ κ by bz by its half-width of 99.9 %, jointly
+ * @typedef {{ rotation_deg: number, direction_deg: number, over_deg: number, inRegion: number }} Errors
+ *   over_deg: by how much the larger of them exceeds what is allowed; inRegion: the largest error of ω φ κ by bz by its half-width of 99.9 %, jointly
  */
 
-export const MOST_DEG = 1;
+const MOST_DEG = 1;
 
 /** Probability of the region, and of the interval of each of five unknowns that all hold jointly (Bonferroni). */
 const OUTSIDE_REGION = 0.001;
@@ -24,15 +25,15 @@ const UNKNOWNS = /** @type {const} */ (['omega_deg', 'phi_deg', 'kappa_deg', 'by
 /** @param {RelativeOrientation} orientation @param {Pose} truth @returns {Errors} */
 export function errorsOf(orientation, truth) {
   const pose = poseOf(orientation);
-  return {
-    rotation_deg: rotationError(pose.rotation, truth.rotation),
-    direction_deg: directionError(pose.direction, truth.direction),
-    inRegion: inRegion(orientation, truth),
-  };
+  const rotation_deg = rotationError(pose.rotation, truth.rotation);
+  const direction_deg = directionError(pose.direction, truth.direction);
+  const { uncertain = { rotation_deg: 0, direction_deg: 0 } } = truth;
+  const over_deg = Math.max(rotation_deg - uncertain.rotation_deg, direction_deg - uncertain.direction_deg) - MOST_DEG;
+  return { rotation_deg, direction_deg, over_deg, inRegion: inRegion(orientation, truth) };
 }
 
 /** @param {Errors} errors */
-export const isOff = ({ rotation_deg, direction_deg }) => Math.max(rotation_deg, direction_deg) > MOST_DEG;
+export const isOff = ({ over_deg }) => over_deg > 0;
 
 /** @param {Errors} errors */
 export const isOutside = ({ inRegion }) => !(inRegion <= 1);

@@ -6,8 +6,7 @@ import * as pictures from './pictures.mjs';
  * @typedef {import('./pictures.mjs').Picture} Picture
  * @typedef {import('../../../pkg/node.js').Fiducial} Fiducial
  * @typedef {{ picture: Picture, fiducials: Fiducial[] }} View marks at positions of this picture, which may lie outside; none of a digital camera
- * @typedef {import('../../score.mjs').Matrix} Matrix
- * @typedef {{ rotation: Matrix, direction: number[] }} Pose X_right = R X_left + t, camera x right, y down, z forward
+ * @typedef {import('../data.mjs').TruePose} Pose
  * @typedef {import('../../../pkg/node.js').CameraMm} CameraMm
  * @typedef {{ left: View, right: View, camera: import('../../../pkg/node.js').Given<CameraMm> | null, pose: Pose | null }} Pair
  */
@@ -42,7 +41,7 @@ export const withPicture = (view, change) => ({ ...view, picture: change(view.pi
 export function exchanged({ left, right, camera, pose }) {
   if (!pose) return { left: right, right: left, camera, pose };
   const rotation = pictures.transposed(pose.rotation);
-  return { left: right, right: left, camera, pose: { rotation, direction: rotation.map((row) => -dot(row, pose.direction)) } };
+  return { left: right, right: left, camera, pose: { ...pose, rotation, direction: rotation.map((row) => -dot(row, pose.direction)) } };
 }
 
 /** @param {number[]} a @param {number[]} b */
