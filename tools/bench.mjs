@@ -1,11 +1,12 @@
 #!/usr/bin/env node
-/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default accuracy speed features geometry rivals refinement sizes workers page blocks memory kills`. */
+/** `npm run bench`: the project's figures, measured now. Names of parts run these alone: `npm run bench -- strategies calibration statistics default verdict accuracy speed features geometry rivals refinement sizes workers page blocks memory kills`. */
 
 /** @type {Record<string, () => Promise<void>>} */
 const PARTS = {
   strategies: async () => (await import('./bench/strategies.mjs')).strategies(),
   calibration: async () => (await import('./bench/calibration.mjs')).calibration(),
   default: async () => (await import('./bench/default.mjs')).byDefault(),
+  verdict: async () => (await import('./bench/verdict.mjs')).verdict(),
   statistics: async () => (await import('./bench/statistics.mjs')).statistics(),
   accuracy: async () => (await import('./bench/accuracy.mjs')).accuracy(),
   speed: async () => (await import('./bench/speed.mjs')).speed(),

@@ -100,7 +100,9 @@ async function typeChecks(steps) {
   await steps.check('types', 'format and lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'ci', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
-  await steps.check('types', 'layers and texts of the page', () => nodeTest(['layers', 'words'].map((name) => join(ROOT, 'tests', `${name}.test.js`))));
+  await steps.check('types', 'layers and texts of the page, judge of the bench', () =>
+    nodeTest(['layers', 'words', 'judge'].map((name) => join(ROOT, 'tests', `${name}.test.js`))),
+  );
 }
 
 /** `concurrency`: so many files at the same time.  @param {Steps} steps @param {string} group @param {string} name @param {Record<string, string>} env */

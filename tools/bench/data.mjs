@@ -1,11 +1,19 @@
 /** The test images with truth, as the bench reads them. They are no part of the project; without them their figures are skipped. */
 
-import { existsSync, readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { DATA, readJson } from '../lib/paths.mjs';
 import { Photo } from '../../pkg/node.js';
 
 /** @typedef {import('../score.mjs').Pinhole} Pinhole */
+/**
+ * @typedef {{ rotation: number[][], direction: number[], uncertain?: { rotation_deg: number, direction_deg: number } }} TruePose
+ *   X_right = R X_left + t, camera x right, y down, z forward; uncertain: by how much the truth itself may be off
+ * @typedef {{ folder: string, a: string, b: string, truth: any, pose: TruePose }} PosedPair truth: of all images of the folder
+ */
+
+/** What the test images say of references that are themselves reconstructions of flat blocks. */
+export const OF_REFERENCE = { rotation_deg: 1, direction_deg: 3 };
 
 /** @param {string} name @returns {boolean} whether a folder of test images is there; says so if not */
 export function have(name) {
@@ -59,6 +67,18 @@ function denseMap(name) {
       return [view.getFloat32(i * 8 + 4, true) + 0.5, view.getFloat32(i * 8, true) + 0.5];
     },
   };
+}
+
+/** Every pair of photographs whose pose is known.  @returns {PosedPair[]} */
+export function posedPairs() {
+  const folders = existsSync(DATA) ? readdirSync(DATA, { withFileTypes: true }).filter((entry) => entry.isDirectory()) : [];
+  return folders.flatMap(({ name: folder }) => {
+    if (!have(folder)) return [];
+    const truth = readJson(join(DATA, folder, 'truth.json'));
+    const known = (truth.pairs ?? []).filter((/** @type {any} */ { a, b, R }) => R && pinhole(truth, a) && pinhole(truth, b));
+    const uncertain = truth.truth_kind?.includes('reference') ? OF_REFERENCE : undefined;
+    return known.map((/** @type {any} */ { a, b, R, t }) => ({ folder, a, b, truth, pose: { rotation: R, direction: t, uncertain } }));
+  });
 }
 
 /** A pair of digital images with known pose.  @param {string} name @param {string} a @param {string} b */

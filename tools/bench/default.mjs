@@ -3,13 +3,10 @@
  * all kinds. Medians of the errors, and of the errors by the total standard errors that are printed with them.
  */
 
-import { readdirSync } from 'node:fs';
-import { join } from 'node:path';
 import { flight_preset, flight_presets, match_pair, message, Photo, score_matches, simulate } from '../../pkg/node.js';
-import { DATA, readJson } from '../lib/paths.mjs';
 import { cameraOf } from './accuracy.mjs';
 import { directionError, poseOf, rotationError, sampsonShare } from '../score.mjs';
-import { have, pinhole, photoOf } from './data.mjs';
+import { photoOf, pinhole, posedPairs } from './data.mjs';
 
 /**
  * @typedef {import('../../pkg/node.js').PairOutput} PairOutput
@@ -83,19 +80,12 @@ function summary(what, outcomes) {
 
 /** Every pair of photographs whose pose is known, with its calibrated cameras or without any.  @param {boolean} calibrated @returns {Generator<Case>} */
 function* photographs(calibrated) {
-  const folders = readdirSync(DATA, { withFileTypes: true }).filter((entry) => entry.isDirectory());
-  for (const { name } of folders) {
-    if (!have(name)) continue;
-    const truth = readJson(join(DATA, name, 'truth.json'));
-    for (const { a, b, R, t } of truth.pairs ?? []) {
-      const [left, right] = [a, b].map((file) => pinhole(truth, file));
-      if (!left || !right || !R) continue;
-      const pose = { rotation: R, direction: t };
-      const share = (/** @type {Float64Array} */ matches) => sampsonShare(matches, left, right, R, t).share;
-      const photos = { left: photoOf(name, a), right: photoOf(name, b) };
-      const input = calibrated ? { camera: cameraOf(left, photos.left.width, photos.left.height) } : {};
-      yield { name: `${name} ${a} ${b}${calibrated ? ', calibrated' : ''}`, ...photos, input, pose, share };
-    }
+  for (const { folder, a, b, truth, pose } of posedPairs()) {
+    const [left, right] = [pinhole(truth, a), pinhole(truth, b)];
+    const share = (/** @type {Float64Array} */ matches) => sampsonShare(matches, left, right, pose.rotation, pose.direction).share;
+    const photos = { left: photoOf(folder, a), right: photoOf(folder, b) };
+    const input = calibrated ? { camera: cameraOf(left, photos.left.width, photos.left.height) } : {};
+    yield { name: `${folder} ${a} ${b}${calibrated ? ', calibrated' : ''}`, ...photos, input, pose, share };
   }
 }
 

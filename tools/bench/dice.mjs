@@ -8,3 +8,13 @@ export function dice(seed) {
     return state / 2 ** 32;
   };
 }
+
+/** Numbers of the normal distribution with the standard deviation 1, by the sum of twelve uniform ones.  @param {number} seed */
+export function normal(seed) {
+  const uniform = dice(seed);
+  return () => {
+    let sum = -6;
+    for (let k = 0; k < 12; k++) sum += uniform();
+    return sum;
+  };
+}
