@@ -1,7 +1,7 @@
 /**
  * Whether the verdict of a pair keeps its word: more than 500 pairs, most of half of which must not be called oriented, run with nothing set.
  *
- * `--quick` takes every eleventh pair of each kind; `TIEPOINT_VERDICT_LINES` names a file for one line of JSON a pair.
+ * `--quick` takes every eleventh pair of each kind, `--only=TEXT` those with the text in kind or name; `TIEPOINT_VERDICT_LINES` names a file for one line of JSON a pair.
  */
 
 import { appendFileSync, writeFileSync } from 'node:fs';
@@ -28,7 +28,9 @@ const QUICK = 11;
 export function verdict() {
   const quick = process.argv.includes('--quick');
   const lines = process.env.TIEPOINT_VERDICT_LINES;
-  const pairs = chosen(allPairs(), quick ? QUICK : 1);
+  const only = process.argv.find((word) => word.startsWith('--only='))?.slice('--only='.length) ?? '';
+  const wanted = allPairs().filter(({ kind, name }) => `${kind}, ${name}`.includes(only));
+  const pairs = chosen(wanted, quick ? QUICK : 1);
   if (lines) writeFileSync(lines, '');
   console.log(`Verdicts of ${pairs.length} pairs${quick ? ', one of eleven of each kind' : ''}, nothing set`);
   const outcomes = pairs.map((given, k) => {

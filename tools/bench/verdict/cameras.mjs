@@ -1,9 +1,10 @@
-/** Right photographs with a wrong camera: judged by their true pose, as the right pairs are. */
+/** Right photographs with a wrong camera, or none at all: judged by their true pose, as the right pairs are. */
 
 import { flight_presets } from '../../../pkg/node.js';
 import { posedPairs } from '../data.mjs';
 import { flight } from './flights.mjs';
-import { calibrated } from './photographs.mjs';
+import { byExif, calibrated, withoutExif } from './photographs.mjs';
+import { hasExif } from './right.mjs';
 import { ofFolder, ofSeed } from './sites.mjs';
 
 /** @typedef {import('./pairs.mjs').Given} Given @typedef {import('./views.mjs').View} View @typedef {import('./views.mjs').Pair} Pair @typedef {import('./views.mjs').Fiducial} Fiducial */
@@ -20,7 +21,7 @@ const MARKS = [
 
 /** @returns {Given[]} */
 export function wrongCameras() {
-  return [...wrongFocal(), ...wrongMarks()];
+  return [...wrongFocal(), ...oldExif(), ...noCamera(), ...wrongMarks()];
 }
 
 /** @returns {Given[]} */
@@ -47,6 +48,43 @@ function wrongFocal() {
       return { ...pair, camera: { ...pair.camera, focal_mm: by * (pair.camera?.focal_mm ?? NaN) } };
     },
   }));
+}
+
+/** Halved photographs whose program kept the side of a pixel in the EXIF data as it was, and changed the number of pixels: only make and model tell.  @returns {Given[]} */
+function oldExif() {
+  const whole = (/** @type {View} */ view) => {
+    const { exif } = view.picture;
+    const camera = exif?.camera && { ...exif.camera, pixel_mm: (exif.camera.pixel_mm ?? NaN) / 2 };
+    return { ...view, picture: { ...view.picture, exif: exif && { ...exif, camera: camera ?? null } } };
+  };
+  return posedPairs()
+    .filter(({ folder }, k) => hasExif(folder) && k % 5 === 2)
+    .map((posed) => ({
+      kind: 'EXIF of another size',
+      name: `${posed.folder} ${posed.a} ${posed.b}`,
+      ...ofFolder(posed.folder),
+      isRight: false,
+      make: () => {
+        const pair = byExif(posed);
+        return { ...pair, left: whole(pair.left), right: whole(pair.right) };
+      },
+    }));
+}
+
+/** Nothing is known of the camera: the pair may tell enough of it, or not.  @returns {Given[]} */
+function noCamera() {
+  return posedPairs()
+    .filter(({ folder }, k) => !hasExif(folder) || k % 5 === 3)
+    .map((posed) => ({
+      kind: 'no camera',
+      name: `${posed.folder} ${posed.a} ${posed.b}`,
+      ...ofFolder(posed.folder),
+      isRight: false,
+      make: () => {
+        const { left, right, pose } = byExif(posed);
+        return { left: withoutExif(left), right: withoutExif(right), camera: null, pose };
+      },
+    }));
 }
 
 /** @returns {Given[]} */
