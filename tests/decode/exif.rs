@@ -119,6 +119,20 @@ fn pixel_from_the_35_mm_equivalent() {
 }
 
 #[test]
+fn pixel_from_the_size_of_the_sensor() {
+    let fields =
+        |fields: &[(u16, Value)]| [&[(MAKE, Text("DJI")), (MODEL, Text("FC6310")), (FOCAL_LENGTH, Rational(88, 10))], fields].concat();
+    // 400 x 300 px of 13.2 mm x 8.8 mm: all of the height, and part of the width.
+    let listed = camera(&fields(&[])).unwrap();
+    assert_eq!((listed.origin, pixel_um(&fields(&[]))), (CameraOrigin::SensorTable, Some(29.333)));
+    let equivalent = camera(&fields(&[(FOCAL_35, Short(24))])).unwrap();
+    assert_eq!(equivalent.origin, CameraOrigin::Exif35Mm, "what the file says goes before the table");
+    // The focal plane of this camera's EXIF has 6.198 mm.
+    let compact = [(MAKE, Text("Canon")), (MODEL, Text("Canon PowerShot SX260 HS")), (FOCAL_LENGTH, Rational(45, 10))];
+    assert!((pixel_um(&compact).unwrap() / (6198.0 / 400.0) - 1.0).abs() < 0.03);
+}
+
+#[test]
 fn without_a_focal_length_there_is_no_camera() {
     assert_eq!(camera(&[(MAKE, Text("Canon"))]), None);
     for focal in [Rational(0, 1), Rational(5, 0), Rational(0, 0)] {
