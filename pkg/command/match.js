@@ -1,6 +1,7 @@
 // @ts-check
 import { withText } from '../messages.js';
 import { defaults, matches_csv, message, points_csv, resolved, write_pair_project } from '../node.js';
+import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
 import { describeOrientation, orientationOf, UNKNOWNS } from './orient.js';
@@ -36,7 +37,7 @@ export const match = {
   positionals: ['LEFT', 'RIGHT'],
   options: OPTIONS,
   details:
-    "Without --camera the focal length comes from the images' EXIF data; without either the matches are given and the orientation is null, with the " +
+    "Without --camera the focal length comes from the images' XMP and EXIF data (file_cameras, each with its origin and cautions); without either the matches are given and the orientation is null, with the " +
     'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
     'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, ' +
     'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. What is known of a camera that is not calibrated stands in orientation.cameras.',
@@ -58,7 +59,8 @@ export const match = {
     const output = await progress.step('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
     const known = truth && { truth, score: matchScoreOf(output, truth, right) };
     const score = known && scoreOf(output, known.truth, known.score);
-    const result = { ...resultOf(output, settings), ...(score ? { score } : {}) };
+    const cameras = [left, right].map((photo) => photo.info().camera);
+    const result = { ...resultOf(output, settings, cameras), ...(score ? { score } : {}) };
     const written = progress.step('writing', () =>
       typeof out === 'string' ? write(out, projectOf({ images: [leftPath, rightPath], masks: maskPaths(call) }, pair, output, known), result) : [],
     );
@@ -68,6 +70,7 @@ export const match = {
     else
       print(
         ...describe(output),
+        ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
       );
@@ -80,8 +83,8 @@ function noteWithoutEffect(values) {
   if (given.length > 0) note(`without effect, since the camera is not known: ${given.join(', ')}`);
 }
 
-/** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings */
-export function resultOf(output, settings) {
+/** The JSON form.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @param {readonly import('./file-cameras.js').FileCamera[]} cameras of the files */
+export function resultOf(output, settings, cameras) {
   const { matches, ...rejected } = output.match.counts;
   return {
     counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
@@ -94,6 +97,7 @@ export function resultOf(output, settings) {
     no_geometry: output.match.no_geometry && withText('no_geometry', output.match.no_geometry),
     interior: output.interior,
     pixel_mm: output.pixel_mm,
+    file_cameras: fileCamerasOf(cameras),
     settings: resolved(settings),
   };
 }

@@ -35,6 +35,9 @@ impl CameraUncertainty {
     }
 
     /// Of a camera that a file names, by where it is known from.
+    ///
+    /// Designed and calibrated focal lengths of single cameras, of which users publish the XMP, differ by 0.3 % (Phantom 4 RTK, 3666.67 and
+    /// 3656.48 px; Mavic 3 Enterprise, 3725.15 and 3713.29 px): 2 % leaves room for lenses that focus.
     pub fn of(origin: CameraOrigin) -> Self {
         match origin {
             CameraOrigin::XmpCalibration => Self::XMP_CALIBRATION,
@@ -47,7 +50,9 @@ impl CameraUncertainty {
         }
     }
 
-    /// Of a camera whose calibration stands in XMP.
+    /// Of a camera whose calibration stands in XMP. That of a Phantom 4 RTK has 3659.8 px in x and 3653.2 px in y, of square pixels, which shows
+    /// 0.2 % of its errors; 1 % allows for another distance, temperature and shock since. Between the calibration of a Parrot Sequoia and its EXIF are
+    /// 1.4 % (RGB) and 0.6 % (green).
     pub const XMP_CALIBRATION: Self = Self { focal: 0.01, principal_point: 0.003, k1: 0.01 };
     /// Of a camera whose focal length stands in EXIF: rounded, of the lens at infinity, on a sensor whose size is rounded too.
     pub const EXIF: Self = Self { focal: 0.05, principal_point: 0.01, k1: 0.05 };

@@ -11,7 +11,7 @@ use super::layout::{FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use super::{jpeg, png, tiff};
 use crate::Error;
-use crate::camera::ExifCamera;
+use crate::camera::{DroneRecord, ExifCamera, ExifImage};
 
 /// What a file may ask for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,10 @@ pub struct Decoded {
     pub format: &'static str,
     /// Bits a sample held in the file: 8 or 16.
     pub bits_per_sample: u8,
-    /// The camera, where the file's EXIF names its focal length.
+    /// The camera, where the file's EXIF or XMP names its focal length.
     pub camera: Option<ExifCamera>,
+    /// What the drone recorded that took it.
+    pub drone: Option<Box<DroneRecord>>,
 }
 
 /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file to grey values 0..255.
@@ -51,7 +53,7 @@ pub struct Decoded {
 pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
     let layout = read_layout(bytes)?;
     check_limits(&layout, bytes, limits)?;
-    let camera = ExifCamera::read(bytes, layout.width, layout.height);
+    let ExifImage { camera, drone, .. } = ExifImage::read(bytes, layout.width, layout.height);
     let pixels = (layout.width * layout.height) as usize;
     let (grey, bits_per_sample) = match layout.format {
         Format::Jpeg => (jpeg::decode(bytes, pixels)?, 8),
@@ -62,7 +64,7 @@ pub fn decode(bytes: &[u8], limits: &DecodeLimits) -> Result<Decoded, Error> {
         Format::WebP => decode_with(WebPDecoder::new(Cursor::new(bytes)), &layout, limits)?,
     };
     let grey = GreyImage::new(layout.width as usize, layout.height as usize, grey)?;
-    Ok(Decoded { grey, format: layout.format.name(), bits_per_sample, camera })
+    Ok(Decoded { grey, format: layout.format.name(), bits_per_sample, camera, drone })
 }
 
 /// Refuses what the header declares too large, what is too short for that, or what the machine does not have.

@@ -22,6 +22,8 @@ export interface Messages {
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
+    camera_caution: CameraCaution;
+    camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
     /** Texts of the page itself: `kind` names one, the other fields are its figures. */

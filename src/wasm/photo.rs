@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, set, thrown};
 use crate::{
-    DecodeLimits, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced, ReportImage, Strategy, WindowOptions,
-    decode, describe, describe_image, detect, reduce_to, window_moments,
+    DecodeLimits, Decoded, DroneRecord, Error, ExifCamera, GreyImage, GreyView, PairImage, PairSettings, PointSet, Reduced, ReportImage,
+    Strategy, WindowOptions, decode, describe, describe_image, detect, reduce_to, window_moments,
 };
 use js_sys::Uint8Array;
 use wasm_bindgen::JsValue;
@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** What is known of a decoded image. */
-export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null }
+export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null; drone: DroneRecord | null }
 
 /** An image halved a number of times: grey values 0..255, row by row. */
 export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
@@ -55,20 +55,21 @@ pub struct Photo {
     format: &'static str,
     bits_per_sample: u8,
     camera: Option<ExifCamera>,
+    drone: Option<Box<DroneRecord>>,
 }
 
 #[wasm_bindgen]
 impl Photo {
     /// Decodes a JPEG, PNG, TIFF, BMP, PNM or WebP file.
     pub fn decode(bytes: &[u8]) -> JsResult<Photo> {
-        let decoded = decode(bytes, &DecodeLimits::default()).map_err(thrown)?;
-        Ok(Self { grey: decoded.grey, format: decoded.format, bits_per_sample: decoded.bits_per_sample, camera: decoded.camera })
+        let Decoded { grey, format, bits_per_sample, camera, drone } = decode(bytes, &DecodeLimits::default()).map_err(thrown)?;
+        Ok(Self { grey, format, bits_per_sample, camera, drone })
     }
 
     /// Takes grey values 0..255, row by row.
     pub fn from_grey(width: usize, height: usize, grey: Vec<u8>) -> JsResult<Photo> {
         let grey = GreyImage::new(width, height, grey).map_err(thrown)?;
-        Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None })
+        Ok(Self { grey, format: "grey values", bits_per_sample: 8, camera: None, drone: None })
     }
 
     #[wasm_bindgen(getter)]
@@ -81,7 +82,7 @@ impl Photo {
         self.grey.height()
     }
 
-    /// Size, format and camera.
+    /// Size, format, camera and drone.
     #[wasm_bindgen(unchecked_return_type = "PhotoInfo")]
     pub fn info(&self) -> JsValue {
         object([
@@ -90,6 +91,7 @@ impl Photo {
             ("format", self.format.into()),
             ("bits_per_sample", self.bits_per_sample.into()),
             ("camera", pack(&self.camera)),
+            ("drone", pack(&self.drone)),
         ])
     }
 

@@ -37,7 +37,16 @@ for (const [name, ...args] of [
     const { output, settings, truth } = project;
     const score = truth && scoreOf(output, truth, truth.score);
     // Through text, in which JSON has null for what is not finite.
-    const opened = JSON.parse(JSON.stringify({ ...resultOf(output, settings), ...(score ? { score } : {}) }));
+    const opened = JSON.parse(
+      JSON.stringify({
+        ...resultOf(
+          output,
+          settings,
+          project.images.map(({ camera }) => camera ?? null),
+        ),
+        ...(score ? { score } : {}),
+      }),
+    );
     assert.deepEqual(opened, result);
     assert.ok(tiepoint(...args).stdout.startsWith(describe(output).join('\n')));
     assert.equal(write_pair_project(project), bytes.toString());

@@ -93,16 +93,6 @@ impl ExifImage {
     }
 }
 
-impl ExifCamera {
-    /// Reads the camera from the EXIF and the XMP of a JPEG, PNG, TIFF or WebP file whose stored image has `width` x `height` px.
-    ///
-    /// Absent where neither names the focal length.
-    pub fn read(file: &[u8], width: u64, height: u64) -> Option<Self> {
-        let (exif, xmp) = metadata(file);
-        Self::of(exif.as_ref(), &xmp, [width, height])
-    }
-}
-
 /// The EXIF of a file, and its XMP, which a TIFF file holds in a field.
 fn metadata(file: &[u8]) -> (Option<Fields<'_>>, Xmp) {
     let exif = Fields::of(file);

@@ -1,5 +1,6 @@
 /** The camera: typed, loaded, or from EXIF; and the offset between the images. */
 import { allowedOfCamera, allowedOfOffset } from '../engine/checks';
+import { message } from '../../shared/crate';
 import type { CameraMm, ExifCamera } from '../../shared/crate';
 import { comparesGradients, pairCameras } from '../state/keys';
 import { interiorInUse } from '../state/interior';
@@ -86,7 +87,8 @@ function exifText(name: string, exif: ExifCamera): string {
   const make = exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make;
   const camera = [make, exif.model].filter((part) => part != null).join(' ');
   const pixel = exif.pixel_mm == null ? 'no pixel size' : `pixel ${significant(exif.pixel_mm)} mm`;
-  return `EXIF, ${name}: ${camera === '' ? 'camera not named' : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.`;
+  const cautions = (exif.cautions ?? []).map((caution) => ` Caution: ${message('camera_caution', caution)}.`).join('');
+  return `${message('camera_origin', exif.origin ?? 'exif_focal_plane')}, ${name}: ${camera === '' ? 'camera not named' : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.${cautions}`;
 }
 
 function sourceText(state: State): string {
@@ -102,8 +104,8 @@ function sourceText(state: State): string {
   const used = pairCameras(state);
   const told = estimatedText(state);
   if (state.camera !== null) return `In use: the values below${state.truth === null ? '' : ' (they came with the sample)'}. ${exif}`;
-  if (!('missing' in used)) return `In use: EXIF${told}. Values below replace it. ${exif}`;
-  if (state.results.match?.value.estimated != null) {
+  if (!('missing' in used)) return `In use: the photos' own camera${told}. Values below replace it. ${exif}`;
+  if (used.missing.kind !== 'panorama' && state.results.match?.value.estimated != null) {
     return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
   }
   return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;

@@ -47,6 +47,7 @@ const cameraOfExif = { left: remember(camera_of_exif), right: remember(camera_of
 
 function cameraOf(state: State, side: Side): CameraMm | NoOrientation {
   const exif = state.results[side === 'left' ? 'openLeft' : 'openRight']?.value.info.camera ?? null;
+  if (state.camera === null && exif?.origin === 'panorama') return { kind: 'panorama', side };
   const marked = state.photos[side].fiducials.length > 0;
   const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
   if (camera === null) return marked ? { kind: 'no_focal_length' } : { kind: 'no_camera', side };
@@ -124,7 +125,8 @@ function compute(state: State): WantedKeys {
     [descriptorsLeft, descriptorsRight, gradients ? '' : offset],
     [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])],
   );
-  const interiors = 'missing' in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
+  const unknown = settings === null || ('missing' in cameras && cameras.missing.kind === 'panorama') ? null : estimatedFrom(state, settings, match);
+  const interiors = 'missing' in cameras ? [unknown] : [interiorLeft, interiorRight];
   const orientable = fromOnePlace(state, match) ? null : '';
   const truth = truthOf(state);
   return {

@@ -117,6 +117,7 @@ export function withProject(state: State, { project, images, overviews, masks, e
     format,
     bits_per_sample,
     camera: camera ?? null,
+    drone: null,
   });
   const nothing = () => ({ moments: new Float64Array(), gradients: new Uint8Array() });
   put('openLeft', { info: info(left), overview: overviews.left });

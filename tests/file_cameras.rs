@@ -1,0 +1,60 @@
+//! Pairs whose cameras stand in their files.
+#![cfg(not(target_arch = "wasm32"))]
+
+use tiepoint::{
+    Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, ExifCamera, GreyImage, NoOrientation, PairImage, PairInput,
+    PairResult, PairSettings, Side, Strategy, match_pair,
+};
+
+/// A pair of grey planes, of which no strategy finds anything.
+fn result(camera: &ExifCamera, input: &PairInput, strategy: Strategy) -> PairResult {
+    let grey = GreyImage::new(200, 150, vec![99; 200 * 150]).unwrap();
+    let image = PairImage { grey: grey.view(), exif: Some(camera), mask: None };
+    let mut settings = PairSettings::default();
+    settings.matching.strategy = strategy;
+    match_pair(image, image, input, &settings).unwrap()
+}
+
+fn file_camera(origin: CameraOrigin) -> ExifCamera {
+    ExifCamera { focal_mm: 0.2, pixel_mm: Some(0.001), origin, ..ExifCamera::default() }
+}
+
+#[test]
+fn a_panorama_is_not_oriented_unless_its_camera_is_given() {
+    let camera = file_camera(CameraOrigin::Panorama);
+    for strategy in [Strategy::Moments, Strategy::Gradient] {
+        let found = result(&camera, &PairInput::default(), strategy);
+        assert_eq!(found.orientation.unwrap_err(), NoOrientation::Panorama { side: Side::Left });
+        assert!(found.interior.is_none());
+    }
+    let input = PairInput { camera: Some(CameraMm::without_distortion(0.2, Some(0.001))), ..PairInput::default() };
+    assert!(result(&camera, &input, Strategy::Moments).interior.is_some());
+}
+
+#[test]
+fn a_cropped_photo_counts_as_one_of_an_unknown_camera() {
+    let [taken_width_px, taken_height_px, width_px, height_px] = [4000, 3000, 200, 150];
+    let cropped = CameraCaution::Cropped { taken_width_px, taken_height_px, width_px, height_px };
+    let camera = ExifCamera { pixel_mm: None, cautions: vec![cropped], ..file_camera(CameraOrigin::FocalLengthAlone) };
+    let found = result(&camera, &PairInput::default(), Strategy::Moments);
+    assert_eq!(found.orientation.unwrap_err(), NoOrientation::NoPixelSize { side: Side::Left });
+}
+
+#[test]
+fn the_lens_of_a_file_is_the_interior_orientation_with_what_its_origin_is_worth() {
+    let lens = Camera {
+        principal_point_px: [103.0, 74.0],
+        radial: [-0.2, 0.05, 0.0],
+        pixel_mm: Some(0.001),
+        ..Camera::without_distortion(200, 150, 210.0)
+    };
+    let camera = ExifCamera { focal_mm: 0.21, lens: Some(Box::new(lens)), ..file_camera(CameraOrigin::XmpCalibration) };
+    let interior = result(&camera, &PairInput::default(), Strategy::Moments).interior.unwrap();
+    assert_eq!(interior.left.uncertainty, Some(CameraUncertainty::XMP_CALIBRATION));
+    let ([x, y], [u, v]) = (interior.left.photo_mm(20.0, 20.0), lens.direction([20.0, 20.0]).unwrap());
+    assert!((x / interior.focal_mm - u).abs() < 1e-4 && (y / interior.focal_mm + v).abs() < 1e-4, "{x} {y} {u} {v}");
+    for origin in [CameraOrigin::Exif35Mm, CameraOrigin::SensorTable] {
+        let interior = result(&file_camera(origin), &PairInput::default(), Strategy::Moments).interior.unwrap();
+        assert_eq!(interior.left.uncertainty, Some(CameraUncertainty::EXIF));
+    }
+}
