@@ -182,3 +182,26 @@ fn nested_and_overlapping_exif_directories_cost_little() {
     let (_, most, time) = cost(|| ExifImage::read(&tiff, 16, 16));
     assert!(most < MB && time < Duration::from_millis(200), "{most} bytes, {time:?}");
 }
+
+#[test]
+fn megabytes_of_xmp_cost_little() {
+    let _alone = MEASURING.lock();
+    let attributes: String = (0..60_000).map(|k| format!(" a{k}=\"\" xmlns:b{k}=\"http://pix4d.com/camera/1.0\"")).collect();
+    let packets = [
+        "<drone-dji:Yaw>".repeat(200_000).into_bytes(),
+        format!("<x{attributes}>").into_bytes(),
+        "<a b='".repeat(200_000).into_bytes(),
+        "&a;".repeat(400_000).into_bytes(),
+        vec![0xff; 4 << 20],
+        [b"<Camera:Yaw>".to_vec(), vec![b'9'; 4 << 20]].concat(),
+        [b"<Camera:Yaw>".to_vec(), b"<rdf:li>1</rdf:li>".repeat(200_000)].concat(),
+    ];
+    for packet in packets {
+        // A TIFF sets no limit to a packet's length.
+        let tiff = [b"II*\0\x08\0\0\0\x01\0", entry(700, 1, packet.len() as u32, 26).as_slice(), &[0; 4], &packet].concat();
+        let (read, most, time) = cost(|| ExifImage::read(&tiff, 16, 16));
+        assert_eq!(read, ExifImage::default());
+        // The text of the first megabyte, of which a byte that is none takes three.
+        assert!(most < 8 * MB && time < Duration::from_millis(500), "{:?}: {most} bytes, {time:?}", &packet[..20]);
+    }
+}

@@ -96,10 +96,9 @@ impl Properties {
     }
 
     fn take_attributes(&mut self, element: &BytesStart<'_>, prefixes: &mut Vec<(String, Namespace)>) {
-        // Their number may be large: it is not checked whether one is there twice, which would compare all with all.
-        let attributes = || element.attributes().with_checks(false).flatten().collect::<Vec<_>>();
-        let attributes = attributes();
-        for attribute in &attributes {
+        // Their number may be large: they are read where they stand, and it is not checked whether one is there twice, which would compare all
+        // with all.
+        for attribute in element.attributes().with_checks(false).flatten() {
             let address = attribute.value.trim_end_matches('/');
             if let Some(prefix) = attribute.key.as_ref().strip_prefix("xmlns:")
                 && let Some((namespace, ..)) = NAMESPACES.iter().find(|(_, known, _)| *known == address)
@@ -108,7 +107,7 @@ impl Properties {
                 prefixes.push((prefix.to_owned(), *namespace));
             }
         }
-        for attribute in &attributes {
+        for attribute in element.attributes().with_checks(false).flatten() {
             if let Some(name) = property(attribute.key, prefixes) {
                 self.take(name, &attribute.value);
             }
