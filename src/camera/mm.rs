@@ -1,7 +1,7 @@
 //! The camera in mm, as certificates and the files of pairs have it, and from the camera of a block.
 
 use super::distortion::{MOST_STEPS, fitted_terms, radial_factor, tangential_shift, undistorted};
-use super::{Camera, CameraOrigin, CameraUncertainty, ExifCamera};
+use super::{Camera, CameraUncertainty, ExifCamera};
 use crate::catalogue::refuse;
 use crate::{Cause, Computation, Error};
 use nalgebra::{Matrix2, Vector2};
@@ -50,7 +50,7 @@ impl CameraMm {
     /// # Errors
     /// [`Error::InvalidOption`] where its focal length or pixel size is outside the range of a camera; [`Error::InvalidInput`] for a panorama.
     pub fn from_exif(exif: &ExifCamera) -> Result<Self, Error> {
-        if exif.origin == CameraOrigin::Panorama {
+        if exif.is_panorama() {
             let allowed = "a photograph of a central perspective".into();
             return Err(Error::InvalidInput { what: "the camera of the file", got: "a panorama".into(), allowed });
         }

@@ -3,10 +3,11 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
-    BlockWarning, CameraCaution, CameraOrigin, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault,
-    ImageFault, ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome,
-    PairRule, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
+    BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault, ImageReason,
+    Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome, PairRule, Remark, Rule, Side,
+    UnorientedReason, Unsettled, Warning,
 };
+use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -2,7 +2,7 @@
 
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
-use crate::{CameraMm, CameraOrigin, CameraUncertainty, Error, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
+use crate::{CameraMm, CameraUncertainty, Error, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
@@ -49,7 +49,7 @@ pub(super) fn pair_interior(
     let of = |side: Side, image: PairImage<'_>, photo: &PhotoInput| {
         let camera = match (&input.camera, image.exif) {
             (Some(camera), _) => *camera,
-            (None, Some(exif)) if exif.origin == CameraOrigin::Panorama => return Ok(Err(NoOrientation::Panorama { side })),
+            (None, Some(exif)) if exif.is_panorama() => return Ok(Err(NoOrientation::Panorama { side })),
             (None, Some(exif)) => CameraMm::from_exif(exif)?,
             (None, None) if photo.fiducials.is_empty() => {
                 return Ok(Err(NoOrientation::NoCamera { side }));

@@ -1,7 +1,7 @@
 //! Which images share a camera, and what is known of it before its calibration.
 
 use super::Remark;
-use crate::{Camera, CameraOrigin, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
+use crate::{Camera, CameraRule, Error, ExifImage, FreeParameters, KnownCamera, Pinhole, parse_camera_rules};
 use serde::{Deserialize, Serialize};
 
 /// A camera before its calibration.
@@ -124,7 +124,7 @@ fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
         Some(format!("{} x {} px", size[0], size[1])),
     ];
     // No focal length makes a panorama a photograph.
-    let camera = camera.filter(|camera| camera.origin != CameraOrigin::Panorama);
+    let camera = camera.filter(|camera| !camera.is_panorama());
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
     let plain = InitialCamera { label: parts.into_iter().flatten().collect::<Vec<_>>().join(", "), focal_px, pixel_mm, ..plain(size) };

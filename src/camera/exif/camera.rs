@@ -98,6 +98,11 @@ impl ExifCamera {
         Some(Self { focal_mm: focal_mm?, pixel_mm: by_exif.map(|(pixel, _)| pixel), origin, cautions, ..named })
     }
 
+    /// Whether it is no photograph of a central perspective.
+    pub fn is_panorama(&self) -> bool {
+        self.origin == CameraOrigin::Panorama
+    }
+
     /// Of a panorama: px a radian at its middle.
     fn of_panorama(self, projection: &str, circle_px: f64) -> Self {
         let focal_mm = circle_px.clamp(1.0, 1e7) / (2.0 * PI) * NOMINAL_PIXEL_MM;
