@@ -64,9 +64,9 @@ function judged(given) {
   const photos = [left, right].map(({ picture }) => photoOf(picture));
   const [first, second] = photos;
   if (!first || !second) throw new Error('a pair has two images');
-  const side = (/** @type {typeof left} */ { fiducials }) => ({
+  const side = (/** @type {typeof left} */ { fiducials, isWhole }) => ({
     fiducials,
-    ...(fiducials.length > 0 ? { origin: /** @type {[number, number]} */ ([0, 0]) } : {}),
+    ...(fiducials.length > 0 && !isWhole ? { origin: /** @type {[number, number]} */ ([0, 0]) } : {}),
   });
   const start = performance.now();
   let output = null;

@@ -92,7 +92,8 @@ function wrongMarks() {
   return Array.from({ length: 24 }, (_, k) => {
     const [preset, seed] = [flight_presets()[k % 4] ?? 'paper', 700 + k];
     const [what, change] = MARKS[(k >> 1) % MARKS.length] ?? ['', (marks) => marks];
-    const changed = (/** @type {View} */ view) => ({ ...view, fiducials: change(view.fiducials, k) });
+    const isWhole = what === 'marks outside';
+    const changed = (/** @type {View} */ view) => ({ ...view, fiducials: change(view.fiducials, k), isWhole });
     const isRightAlone = what.includes('right photo');
     const make = () => {
       const pair = flight(preset, seed);

@@ -20,6 +20,9 @@ const TURNS = /** @type {[number, number, number][]} */ ([
   [0, 0, 25],
 ]);
 
+/** @param {number} k @returns {[number, number, number]} */
+const turns = (k) => TURNS[k % TURNS.length] ?? [0, 0, 0];
+
 /** @returns {Given[]} */
 export function rotations() {
   const flights = Array.from({ length: 10 }, (_, k) => {
@@ -30,7 +33,7 @@ export function rotations() {
   const photographs = PHOTOGRAPHS.filter(([folder]) => have(folder)).flatMap(([folder, file], k) =>
     [0, 1].map((second) => {
       const make = () => byPhotograph(photograph(folder, file), 2 * k + second);
-      return { kind: 'pure rotation', name: `${folder}/${file}`, ...ofFolder(folder), isRight: false, make };
+      return { kind: 'pure rotation', name: `${folder}/${file}, turned by ${turns(2 * k + second).join('°, ')}°`, ...ofFolder(folder), isRight: false, make };
     }),
   );
   return [...flights, ...photographs, ...arches()];
@@ -65,7 +68,7 @@ function turnedView({ picture }, focal_px, k) {
     [0, 1 / focal_px, -y / focal_px],
     [0, 0, 1],
   ];
-  return { picture: noisy(warped(picture, multiplied(camera, multiplied(rotation(TURNS[k % TURNS.length] ?? [0, 0, 0]), inverse))), 2, 11 + k), fiducials: [] };
+  return { picture: noisy(warped(picture, multiplied(camera, multiplied(rotation(turns(k)), inverse))), 2, 11 + k), fiducials: [] };
 }
 
 /** @param {[number, number, number]} turns @returns {number[][]} */

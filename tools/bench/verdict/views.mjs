@@ -5,7 +5,8 @@ import * as pictures from './pictures.mjs';
 /**
  * @typedef {import('./pictures.mjs').Picture} Picture
  * @typedef {import('../../../pkg/node.js').Fiducial} Fiducial
- * @typedef {{ picture: Picture, fiducials: Fiducial[] }} View marks at positions of this picture, which may lie outside; none of a digital camera
+ * @typedef {{ picture: Picture, fiducials: Fiducial[], isWhole?: boolean }} View marks at positions of this picture, which may lie outside; none of a digital camera;
+ *   isWhole: said to be no part of a larger scan, so that they may not
  * @typedef {import('../data.mjs').TruePose} Pose
  * @typedef {import('../../../pkg/node.js').CameraMm} CameraMm
  * @typedef {{ left: View, right: View, camera: import('../../../pkg/node.js').Given<CameraMm> | null, pose: Pose | null }} Pair
