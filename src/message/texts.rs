@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 18] = [
+pub(super) const NESTED: [&str; 20] = [
     "block_warning",
     "camera",
     "camera_parameter",
@@ -22,6 +22,7 @@ pub(super) const NESTED: [&str; 18] = [
     "image_fault",
     "interruption",
     "no_geometry",
+    "no_orientation",
     "observed",
     "outcome",
     "rule",
@@ -29,6 +30,7 @@ pub(super) const NESTED: [&str; 18] = [
     "unit",
     "unoriented",
     "unsettled",
+    "warning",
 ];
 
 /// The texts of one language.
