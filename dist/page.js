@@ -5134,9 +5134,11 @@ function comparesGreyValues({ matching }) {
 	return matching.strategy === "correlation" || matching.strategy === "least-squares";
 }
 /** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
-function comparesGradients({ matching }) {
-	return matching.strategy === "gradient";
+function comparesGradients(settings) {
+	return inFull(settings).matching.strategy === "gradient";
 }
+/** The settings with what follows from them, as the strategy where it is to be chosen. */
+var inFull = remember(resolved);
 /** Whether a strategy compares the moments of windows. */
 function comparesMoments(settings) {
 	return !comparesGreyValues(settings) && !comparesGradients(settings);
@@ -5678,11 +5680,14 @@ var orientation = async (state, workers) => {
 	const { matches, fits } = needed(state, "match");
 	const ofPair = interiorInUse(state);
 	if (ofPair === null) throw new Error("no interior orientation is known");
+	const count = (name) => needed(state, name).points.length / 3;
+	const points = [count("pointsLeft"), count("pointsRight")];
 	return workers.client("pair").call("orient", {
 		matches,
 		fits,
 		interior: ofPair,
-		options: settingsOf(state).orientation
+		options: settingsOf(state).orientation,
+		points
 	});
 };
 var score = async (state, workers) => {
@@ -6023,6 +6028,7 @@ function projectOf(state, contents) {
 		};
 	};
 	const oriented = isCurrent(state, "orientation") ? orientation?.value ?? null : null;
+	const none = oriented === null ? whyNone(state) : null;
 	const interior = interiorInUse(state);
 	const points = ({ counts, threshold, points: at, frames }) => ({
 		counts,
@@ -6051,7 +6057,11 @@ function projectOf(state, contents) {
 			interior,
 			pixel_mm: null,
 			orientation: oriented,
-			no_orientation: oriented === null ? whyNone(state) : null
+			no_orientation: none,
+			verdict: oriented?.verdict ?? {
+				kind: "not_oriented",
+				no_orientation: whyNone(state)
+			}
 		},
 		truth: truthFor$1(state)
 	};
@@ -8357,12 +8367,14 @@ function resting(state, wanted, done) {
 		seconds: milliseconds / 1e3
 	});
 	const reason = whyNotOriented(state);
-	return reason === null ? {
-		text: `Done: ${matched}`,
-		kind: "done"
-	} : {
-		text: `${matched} ${reason}`,
+	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
+	if (reason !== null || verdict === void 0) return {
+		text: `${matched} ${reason ?? ""}`.trimEnd(),
 		kind: "partial"
+	};
+	return {
+		text: `${message("pair_verdict", verdict)} ${matched}`,
+		kind: verdict.kind === "oriented" ? "done" : "partial"
 	};
 }
 /** Matches that determine no orientation are a result all the same. */

@@ -875,14 +875,15 @@
 	}
 	/**
 	* Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
-	* of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+	* of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
 	* @param {Float64Array | number[]} matches
 	* @param {Float64Array | number[]} fits
 	* @param {PairInterior} interior
 	* @param {Given<OrientationOptions>} options
-	* @returns {RelativeOrientation}
+	* @param {[number, number]} [points]
+	* @returns {OrientedPair}
 	*/
-	function orient_matches(matches, fits, interior, options) {
+	function orient_matches(matches, fits, interior, options, points) {
 		let ptr0, len0, ptr1, len1;
 		try {
 			ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
@@ -894,7 +895,7 @@
 			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 8, 8);
 			throw e;
 		}
-		const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options);
+		const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options, points);
 		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
 		return takeFromExternrefTable0(ret[0]);
 	}
@@ -3404,7 +3405,7 @@
 		epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
 		score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
 		interior: interiorOf,
-		orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
+		orient: ({ matches, fits, interior: ofPair, options, points }) => orient_matches(matches, fits, ofPair, options, points),
 		reportOpen,
 		reportStep: () => reportInHand().step(),
 		reportPage: () => reportInHand().html(),

@@ -75,8 +75,8 @@ pub use outputs::{
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
-    PhotoInput, VerifiedMatches, describe_image, epipolar_line, match_described_pair, match_features, match_in_rounds, match_pair,
-    match_weights, observations, orient_matches, photo_interior,
+    PairVerdict, PhotoInput, VerifiedMatches, describe_image, epipolar_line, judged, match_described_pair, match_features, match_in_rounds,
+    match_pair, match_weights, observations, orient_matches, photo_interior,
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,

@@ -48,6 +48,7 @@ fn labels_and_helps_are_sentences() {
 fn what_has_no_effect_is_known() {
     let keys = |settings: &PairSettings| acting(PairSettings::parameters(), &settings.resolved()).into_iter().collect::<BTreeSet<_>>();
     let mut settings = PairSettings::default();
+    settings.matching.strategy = tiepoint::Strategy::Moments;
     let by_moments = keys(&settings);
     assert!(by_moments.contains("points.threshold") && by_moments.contains("window.side"), "{by_moments:?}");
     assert!(!by_moments.contains("multiscale.number") && !by_moments.contains("gradient.cell"), "{by_moments:?}");
@@ -55,6 +56,10 @@ fn what_has_no_effect_is_known() {
     let by_gradients = keys(&settings);
     assert!(by_gradients.contains("multiscale.number") && by_gradients.contains("geometry.largest_threshold_px"), "{by_gradients:?}");
     assert!(!by_gradients.contains("points.threshold") && !by_gradients.contains("matching.search"), "{by_gradients:?}");
+    assert!(!by_gradients.contains("matching.min_correlation"), "{by_gradients:?}");
+    settings.matching.strategy = tiepoint::Strategy::Auto;
+    let with_refinement = ["matching.template", "matching.min_correlation", "matching.max_standard_error"];
+    assert_eq!(keys(&settings), by_gradients.iter().copied().chain(with_refinement).collect());
     settings.geometry.threshold_px = Some(1.0);
     assert!(!keys(&settings).contains("geometry.largest_threshold_px"));
 }

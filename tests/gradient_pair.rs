@@ -141,7 +141,7 @@ fn points_under_a_mask_are_left_out() {
 fn refinement_follows_a_quarter_turn() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
     let mut settings = settings();
-    settings.matching.refine = Refinement::LeastSquares;
+    settings.matching.refine = Some(Refinement::LeastSquares);
     let result = matched(&sample.left, &turned(&sample.right), &PairInput::default(), &settings);
     assert!(result.matching.matches.len() > 1000, "{:?}", result.matching.counts);
     assert!(result.matching.matches.iter().all(|m| m.fit.is_some_and(|fit| fit.correlation > 0.7)));
@@ -222,7 +222,9 @@ fn film_borders_do_not_match() {
 fn an_upside_down_pair_is_not_oriented_by_wrong_matches_of_moments() {
     let sample = sample_pair(SAMPLE_SEED).unwrap();
     let right = turned(&turned(&sample.right));
-    let result = matched(&sample.left, &right, &input(&sample), &PairSettings::default());
+    let mut by_moments = PairSettings::default();
+    by_moments.matching.strategy = Strategy::Moments;
+    let result = matched(&sample.left, &right, &input(&sample), &by_moments);
     assert!(result.matching.matches.len() > 20, "no wrong matches: the test shows nothing");
     let reason = result.orientation.unwrap_err().to_string();
     assert!(reason.contains("σ0 is") && reason.contains("the matches are wrong"), "{reason}");

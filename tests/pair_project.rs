@@ -69,7 +69,7 @@ fn refined() -> &'static PairRun {
     static REFINED: OnceLock<PairRun> = OnceLock::new();
     REFINED.get_or_init(|| {
         let mut settings = strategy(Strategy::Moments);
-        settings.matching.refine = Refinement::LeastSquares;
+        settings.matching.refine = Some(Refinement::LeastSquares);
         settings.orientation.base_mm = Some(sample().base_mm);
         let result = matched(&sample().left, &sample().right, &known(), &settings);
         let positions = |m: &Match| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]];
@@ -112,10 +112,10 @@ fn a_pair_without_orientation_keeps_the_reason_with_its_figures() {
     let (left, right) = (&sample().left, &sample().right);
     let far = PairInput { offset: Some([4000.0, 0.0]), ..known() };
     let flat = GreyImage::new(80, 60, vec![50; 4800]).unwrap();
-    let gradients = strategy(Strategy::Gradient);
+    let (moments, gradients) = (strategy(Strategy::Moments), strategy(Strategy::Gradient));
     let cases = [
-        (matched(left, right, &far, &PairSettings::default()), far, "refused"),
-        (matched(left, right, &PairInput::default(), &PairSettings::default()), PairInput::default(), "no camera"),
+        (matched(left, right, &far, &moments), far, "refused"),
+        (matched(left, right, &PairInput::default(), &moments), PairInput::default(), "no camera"),
         (matched(&flat, &flat, &known_digital(), &gradients), known_digital(), "no geometry"),
     ];
     for (result, input, told) in cases {

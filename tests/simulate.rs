@@ -5,7 +5,7 @@ mod fingerprint;
 
 use tiepoint::{
     BlockFlight, BlockPreset, BlockScene, BlockView, Error, Fiducial, Flight, GreyImage, PairImage, PairInput, PairSettings, PhotoInput,
-    SAMPLE_SEED, Sample, check_flight, match_pair, rotation_from_angles, sample_pair, simulate, simulate_block, simulate_network,
+    SAMPLE_SEED, Sample, Strategy, check_flight, match_pair, rotation_from_angles, sample_pair, simulate, simulate_block, simulate_network,
 };
 
 /// A small flight over high buildings and hills with strong tilts, whose marks are measured without error.
@@ -524,6 +524,7 @@ fn whole_pixels_do_not_pass_for_precision() {
         let (left_photo, right_photo) = (photo(left_fiducials, left_origin), photo(right_fiducials, right_origin));
         let input = PairInput { camera: Some(camera), left: left_photo, right: right_photo, offset: None };
         let mut settings = PairSettings::default();
+        settings.matching.strategy = Strategy::Moments;
         settings.orientation.base_mm = Some(base_mm);
         let [left, right] = [&left, &right].map(|grey| PairImage { grey: grey.view(), exif: None, mask: None });
         let found = match_pair(left, right, &input, &settings).unwrap().orientation.unwrap();

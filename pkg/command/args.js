@@ -7,6 +7,7 @@ import { UsageError } from './errors.js';
 /**
  * @typedef {import('./options.js').Option} Option
  * @typedef {import('./options.js').Value} Value
+ * @typedef {import('./errors.js').ExitCode} ExitCode
  * @typedef {object} Command
  * @property {string} name
  * @property {string} summary one line
@@ -15,7 +16,7 @@ import { UsageError } from './errors.js';
  * @property {Command} [variant] what the command is when the flag of the variant's name is given
  * @property {Option[]} options
  * @property {string} details what `--help` says below the options
- * @property {(call: Call) => void | Promise<void>} run
+ * @property {(call: Call) => void | ExitCode | Promise<void | ExitCode>} run gives an exit code where all went well and there is more to tell
  * @typedef {{ positionals: string[], values: Map<string, Value> }} Call values: by option name, those that were given
  */
 

@@ -1,7 +1,12 @@
 // @ts-check
-/** The two ways a command fails, each told in one line. */
+/** The exit codes, and the two ways a command fails, each told in one line. */
 
 import { breakdownOf } from '../block/index.js';
+
+/**
+ * 0 done, 1 bad data, 2 a bad call, 3 done with a weak orientation, 4 done without one.
+ * @typedef {0 | 1 | 2 | 3 | 4} ExitCode
+ */
 
 /** A bad call: exit code 2. */
 export class UsageError extends Error {}

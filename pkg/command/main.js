@@ -26,7 +26,7 @@ function withHelp(command) {
   return { ...command, options: [...command.options, HELP_FLAG], ...(command.variant && { variant: withHelp(command.variant) }) };
 }
 
-/** @param {string[]} args what follows the program's name @returns {Promise<0 | 1 | 2>} the exit code */
+/** @param {string[]} args what follows the program's name @returns {Promise<import('./errors.js').ExitCode>} the exit code */
 export async function main(args) {
   const [name, ...rest] = args;
   const named = COMMANDS.find((c) => c.name === name);
@@ -34,7 +34,7 @@ export async function main(args) {
   try {
     if (!command) general(name, rest);
     else if (rest.includes('--help') || rest.includes('-h')) print(helpOf(command));
-    else await command.run(parse(command, rest));
+    else return (await command.run(parse(command, rest))) ?? 0;
     return 0;
   } catch (error) {
     const { line, code } = explain(error, (message) => withOptionNames(command?.options ?? [], message));

@@ -1,6 +1,6 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { defaults, matches_csv, message, points_csv, resolved, write_pair_project } from '../node.js';
+import { acting_parameters, defaults, matches_csv, message, points_csv, resolved, write_pair_project } from '../node.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
@@ -30,6 +30,9 @@ const OPTIONS = [
   ...SETTING_OPTIONS,
 ];
 
+/** @type {Record<PairOutput['verdict']['kind'], import('./errors.js').ExitCode>} */
+const EXIT_CODES = { oriented: 0, weak: 3, not_oriented: 4 };
+
 /** @type {import('./args.js').Command} */
 export const match = {
   name: 'match',
@@ -38,8 +41,8 @@ export const match = {
   options: OPTIONS,
   details:
     "Without --camera the focal length comes from the images' XMP and EXIF data (file_cameras, each with its origin and cautions); without either the matches are given and the orientation is null, with the " +
-    'reason. JSON: counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
-    'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With --strategy gradient also geometry (model, threshold_px, sigma_px, ' +
+    'reason. JSON: verdict (oriented, weak or not_oriented, with what decided), counts (left, right, matches, rejected by rule), matches [[x_left, y_left, x_right, y_right, measure], …], orientation as `tiepoint orient` ' +
+    'prints it, or null with no_orientation, which says why; rejected indices count matches from 0. With gradients also geometry (model, threshold_px, sigma_px, ' +
     'degenerate, focal) or null with no_geometry; where no camera is known, one is assumed. What is known of a camera that is not calibrated stands in orientation.cameras.',
   async run(call) {
     const {
@@ -48,6 +51,7 @@ export const match = {
     } = call;
     const input = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
+    noteNotActing(values, settings);
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     const truth = typeof truthPath === 'string' ? readTruth(truthPath) : null;
     if (typeof out === 'string') makeFolder(out);
@@ -74,8 +78,21 @@ export const match = {
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
       );
+    return EXIT_CODES[output.verdict.kind];
   },
 };
+
+/**
+ * Says which options have no effect beside the others, as those of moments where gradients are compared.
+ * @param {import('./args.js').Call['values']} values @param {import('../node.js').PairSettings} settings
+ */
+function noteNotActing(values, settings) {
+  const acting = new Set(acting_parameters(settings));
+  const idle = SETTING_OPTIONS.filter(({ name, key = '', section }) => section && values.has(name) && !acting.has(key));
+  if (idle.length === 0) return;
+  const { strategy } = resolved(settings).matching;
+  note(`without effect with the strategy ${strategy} and the other options: ${idle.map(({ name }) => `--${name}`).join(', ')}`);
+}
 
 /** Says which options did nothing for want of an interior orientation.  @param {import('./args.js').Call['values']} values */
 function noteWithoutEffect(values) {
@@ -87,6 +104,7 @@ function noteWithoutEffect(values) {
 export function resultOf(output, settings, cameras) {
   const { matches, ...rejected } = output.match.counts;
   return {
+    verdict: withText('pair_verdict', output.verdict),
     counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
     matches: rows(output.match.matches, 5),
     fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
@@ -164,6 +182,8 @@ function describeGeometry({ geometry, no_geometry: none }) {
 export function describe(output) {
   const { matches, ...rejected } = output.match.counts;
   return [
+    message('pair_verdict', output.verdict),
+    '',
     countTable([
       ['left', output.left],
       ['right', output.right],
@@ -175,9 +195,6 @@ export function describe(output) {
     ]),
     ...(output.offset ? [`offset ${output.offset.median_px.map((v) => fixed(v, 1)).join(', ')} px`] : []),
     ...describeGeometry(output.match),
-    '',
-    ...(output.orientation
-      ? describeOrientation(output.orientation, output.pixel_mm)
-      : [`not oriented: ${message('no_orientation', /** @type {import('../node.js').NoOrientation} */ (output.no_orientation))}`]),
+    ...(output.orientation ? ['', ...describeOrientation(output.orientation, output.pixel_mm)] : []),
   ];
 }

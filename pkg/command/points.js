@@ -22,7 +22,8 @@ export const points = {
   details:
     'JSON: width, height, threshold, counts (candidates, after_roundness, after_suppression) and points, each [x, y, value] in px; frames, each [scale in px, direction in rad], for points of many scales.',
   run({ positionals: [image = ''], values }) {
-    const settings = settingsOf(OPTIONS, values, defaults());
+    // The operators of the paper, where none is named; what matching chooses by itself is many scales.
+    const settings = { ...settingsOf(OPTIONS, values, defaults()), matching: { ...defaults().matching, strategy: /** @type {const} */ ('moments') } };
     const progress = new Progress({ steps: 2 });
     const photo = progress.step('reading', () => readPhoto(image));
     const file = values.get('mask');

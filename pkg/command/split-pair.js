@@ -1,7 +1,7 @@
 // @ts-check
 /** One pair by several workers: both images are described at the same time, and the search for nearest descriptors is cut into pieces. */
 
-import { match_described_pair, match_pair } from '../node.js';
+import { match_described_pair, match_pair, resolved } from '../node.js';
 import { ThreadPool } from './pool.js';
 
 /**
@@ -21,7 +21,7 @@ const DESCRIPTOR_BYTES = 128;
  * @param {Pair} pair @param {number} workers @returns {Promise<PairOutput>}
  */
 export async function matchPair({ left, right, input, settings, masks }, workers) {
-  if (workers === 1 || settings.matching.strategy !== 'gradient') return match_pair(left, right, input, settings, ...masks);
+  if (workers === 1 || resolved(settings).matching.strategy !== 'gradient') return match_pair(left, right, input, settings, ...masks);
   const pool = new ThreadPool(workers);
   try {
     const describe = (/** @type {Photo} */ photo, /** @type {Uint8Array | undefined} */ mask) => {

@@ -137,6 +137,7 @@ export interface Messages {
     remark: Remark;
     no_geometry: NoGeometry;
     no_orientation: NoOrientation;
+    pair_verdict: PairVerdict;
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
@@ -187,6 +188,9 @@ export interface PairOutput extends MatchedPair {
     right: DetectedPoints;
 }
 
+/** A relative orientation of matches, with what it is worth. */
+export type OrientedPair = RelativeOrientation & { verdict: PairVerdict };
+
 /** What becomes of the points of a pair. */
 export interface MatchedPair {
     /** Absent where the strategy needs none. */
@@ -195,9 +199,11 @@ export interface MatchedPair {
     interior: PairInterior | null;
     /** Side of a left pixel in mm. */
     pixel_mm: number | null;
-    orientation: RelativeOrientation | null;
+    orientation: OrientedPair | null;
     /** Why there is no orientation. */
     no_orientation: NoOrientation | null;
+    /** What the result is worth. */
+    verdict: PairVerdict;
 }
 
 
@@ -1344,7 +1350,7 @@ export type BlockView = "nadir" | "oblique" | "two-heights";
 /**
  * How the right point of a left one is found.
  */
-export type Strategy = "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
+export type Strategy = "auto" | "moments" | "invariants" | "correlation" | "least-squares" | "gradient";
 
 /**
  * Images that were read and those that were not.
@@ -1731,13 +1737,14 @@ export interface BlockSettings {
 export interface MatchOptions {
     /**
      * Moments and invariants compare interest points of both images, invariants also where these are rotated; correlation and least
-     * squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset.
+     * squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset; auto does so and
+     * refines the matches.
      */
     strategy: Strategy;
     /**
-     * Least squares matching moves each right position to a hundredth of a pixel and rejects what does not fit.
+     * Least squares matching moves each right position to a hundredth of a pixel; what does not fit is rejected, or stays where it is.
      */
-    refine: Refinement;
+    refine: Refinement | null;
     /**
      * Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
      * does so once, with a camera or without.
@@ -2812,7 +2819,7 @@ export type Computation = "affine_transformation" | "bundle_adjustment" | "by_an
 /**
  * What is done to the matches of any strategy.
  */
-export type Refinement = "none" | "least-squares";
+export type Refinement = "none" | "least-squares" | "where-possible";
 
 /**
  * What is done with matches that would give a point two observations in one image.
@@ -3035,7 +3042,7 @@ export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unkn
 /**
  * What makes an orientation weak although it could be computed.
  */
-export type Warning = { kind: "plane"; misfit: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number };
+export type Warning = { kind: "plane"; ratio: number; least: number } | { kind: "clustered"; coverage: number; least: number } | { kind: "rotation"; parallax_deg: number; least_deg: number } | { kind: "ill_conditioned"; condition: number; most: number } | { kind: "identical"; copies: number } | { kind: "behind"; points: number } | { kind: "sigma"; estimated_um: number; given_um: number } | { kind: "focal_length"; change_percent: number; w: number } | { kind: "few_places"; places: number; least: number } | { kind: "few_matches"; matches: number; least: number } | { kind: "few_agree"; accepted: number; matches: number } | { kind: "mirrored" } | { kind: "mirrored_marks"; side: Side } | { kind: "unknown_camera" } | { kind: "exact"; sigma0_px: number; least_px: number } | { kind: "wide_angle"; coverage: number; most: number } | { kind: "uncertain"; half_width_deg: number; most_deg: number } | { kind: "uncertain_base"; half_width_deg: number; most_deg: number } | { kind: "imprecise"; sigma0_px: number; most_px: number };
 
 /**
  * What may change from round to round of an adjustment.
@@ -3145,6 +3152,11 @@ export interface MatchReliability {
      */
     observed: number;
 }
+
+/**
+ * What the result of a pair is worth.
+ */
+export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
 
 /**
  * What the run reports of its input beside the images that it skips.
@@ -3732,9 +3744,9 @@ export function orient_fiducials(fiducials: Fiducial[], model: FiducialModel): F
 
 /**
  * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
- * of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+ * of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
  */
-export function orient_matches(matches: Float64Array | number[], fits: Float64Array | number[], interior: PairInterior, options: Given<OrientationOptions>): RelativeOrientation;
+export function orient_matches(matches: Float64Array | number[], fits: Float64Array | number[], interior: PairInterior, options: Given<OrientationOptions>, points?: [number, number]): OrientedPair;
 
 /**
  * Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
@@ -3932,7 +3944,7 @@ export interface InitOutput {
     readonly observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
     readonly open_pair_project: (a: number, b: number) => [number, number, number];
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
-    readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
+    readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
     readonly paper: () => any;
     readonly parameters: () => any;

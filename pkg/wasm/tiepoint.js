@@ -1598,14 +1598,15 @@ export function orient_fiducials(fiducials, model) {
 
 /**
  * Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
- * of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
+ * of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
  * @param {Float64Array | number[]} matches
  * @param {Float64Array | number[]} fits
  * @param {PairInterior} interior
  * @param {Given<OrientationOptions>} options
- * @returns {RelativeOrientation}
+ * @param {[number, number]} [points]
+ * @returns {OrientedPair}
  */
-export function orient_matches(matches, fits, interior, options) {
+export function orient_matches(matches, fits, interior, options, points) {
     let ptr0, len0, ptr1, len1;
     try {
         ptr0 = passArrayF64ToWasm0(matches, wasm.__wbindgen_malloc);
@@ -1617,7 +1618,7 @@ export function orient_matches(matches, fits, interior, options) {
         if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 8, 8); }
         throw e;
     }
-    const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options);
+    const ret = wasm.orient_matches(ptr0, len0, ptr1, len1, interior, options, points);
     if (ret[2]) {
         throw takeFromExternrefTable0(ret[1]);
     }

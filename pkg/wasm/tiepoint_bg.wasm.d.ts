@@ -68,7 +68,7 @@ export const nearest_piece: (a: number, b: number, c: number, d: number, e: numb
 export const observations: (a: number, b: number, c: any, d: any) => [number, number, number, number];
 export const open_pair_project: (a: number, b: number) => [number, number, number];
 export const orient_fiducials: (a: any, b: any) => [number, number, number];
-export const orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any) => [number, number, number];
+export const orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
 export const orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
 export const paper: () => any;
 export const parameters: () => any;

@@ -23,6 +23,7 @@ pub use origin::{CameraCaution, CameraOrigin};
 pub use pose::Pose;
 pub(crate) use pose::{is_rotation, matrix, orthonormal, product, turn_of};
 pub use px::{Camera, FreeParameters};
+pub(crate) use rotation::nearest_rotation;
 pub use rotation::{angles_from_rotation, rotation_from_angles};
 pub use uncertainty::CameraUncertainty;
 pub use xmp::{Attitude, RtkSolution};

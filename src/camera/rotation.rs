@@ -34,6 +34,16 @@ pub fn angles_from_rotation(m: &Matrix3<f64>) -> [f64; 3] {
     [omega, phi, kappa]
 }
 
+/// The rotation nearest to a matrix of positive determinant.
+pub(crate) fn nearest_rotation(matrix: &Matrix3<f64>) -> Option<Matrix3<f64>> {
+    if !matrix.iter().all(|v| v.is_finite()) {
+        return None;
+    }
+    let svd = matrix.svd(true, true);
+    let rotation = svd.u? * svd.v_t?;
+    (rotation.determinant() > 0.0).then_some(rotation)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

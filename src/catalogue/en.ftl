@@ -136,6 +136,15 @@ no-orientation-no-geometry = no geometry of the two views: { $no_geometry }
 no-orientation-pure-rotation = no base (pure rotation): the photos differ by a rotation alone
 no-orientation-refused = { $error }
 
+## What the result of a pair is worth.
+
+pair-verdict-oriented = Oriented from { $points } points, σ0 { FIXED($sigma0_px, digits: 2) } px; the right photo is turned by { FIXED($kappa_deg, digits: 2) }° ± { SIGNIFICANT($half_width_deg, digits: 2) }° (95 %).
+    .label = oriented
+pair-verdict-weak = Weak orientation from { $points } points. { $warning }
+    .label = weak
+pair-verdict-not-oriented = Not oriented: { $no_orientation }.
+    .label = not oriented
+
 ## What the geometry of two views is, and where it is degenerate.
 
 two-view-model-calibrated = orientation of calibrated cameras
@@ -162,7 +171,7 @@ degeneracy-pure-rotation = No base (pure rotation): the photos differ by a rotat
 
 ## Warnings about a relative orientation.
 
-warning-plane = All points lie in a plane within their precision: a second orientation fits nearly as well (misfit { FIXED($misfit, digits: 1) } σ0; from { $least } on a plane is excluded).
+warning-plane = All points lie in a plane within their precision: a second orientation fits nearly as well (its σ0 is { FIXED($ratio, digits: 2) } times as large; from { FIXED($least, digits: 2) } it is excluded).
 warning-clustered = The points cover a small part of the photo (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; at least { $least } is sound).
 warning-rotation = The photos hardly differ but by a rotation: the base is too short to be distinguished from noise and distortion (parallax { SIGNIFICANT($parallax_deg, digits: 2) }°; at least { SIGNIFICANT($least_deg, digits: 2) }° is sound).
 warning-ill-conditioned = The unknowns are hardly separable, as over a critical cylinder (condition { POWER($condition, digits: 1) }; up to { POWER($most, digits: 0) } is sound).
@@ -177,6 +186,20 @@ warning-behind =
        *[other] { $points } points are
     } left out: the rays meet behind a camera, as those of wrong matches and of mirrored coordinates do.
 warning-sigma = The residuals contradict the given σ0: it is { SIGNIFICANT($estimated_um, digits: 3) } µm, not { SIGNIFICANT($given_um, digits: 3) } µm. Standard errors and tests use the estimated one.
+warning-few-places = The matches lie in { $places ->
+        [one] 1 place
+       *[other] { $places } places
+    } of the photo; at least { $least } are sound.
+warning-few-matches = Only { $matches } matches took part; as many may agree on a repeated pattern, at least { $least } are sound.
+warning-few-agree = Only { $accepted } of { $matches } matches agree with the orientation.
+warning-mirrored = The right photo shows the ground mirrored.
+warning-mirrored-marks = The fiducial marks lie mirrored in the { $side } image: is the scan mirrored, or are their coordinates?
+warning-unknown-camera = Neither a camera nor EXIF data tell the focal length, which was estimated from the matches and from what is usual: give it.
+warning-exact = σ0 is { SIGNIFICANT($sigma0_px, digits: 1) } px, as of parts of one image; two photographs do not agree to better than { $least_px } px.
+warning-wide-angle = The points reach far from the axis for their focal length (root mean square { FIXED($coverage, digits: 2) } focal lengths from their middle; up to { $most } is common): is the focal length too short?
+warning-uncertain = The rotation is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
+warning-uncertain-base = The direction of the base is known to ±{ SIGNIFICANT($half_width_deg, digits: 2) }° only (95 %); up to ±{ $most_deg }° is sound.
+warning-imprecise = σ0 is { FIXED($sigma0_px, digits: 1) } px; matching reaches { FIXED($most_px, digits: 1) } px where the camera and its distortion are right.
 warning-focal-length = The residuals ask for a focal length that differs by { FIXED($change_percent, digits: 2) } % ({ FIXED($w, digits: 1) } standard errors), which would move the result out of its 95 % intervals.
 
 ## Pairs of a block: what came of matching them, and why they were chosen.

@@ -6,6 +6,8 @@ use crate::catalogue::{choices, options};
 choices! {
     /// How the right point of a left one is found.
     pub enum Strategy {
+        /// By gradients, with least squares matching of all matches that it confirms: for photos of which nothing is known.
+        Auto = "auto" ("automatic"),
         /// The right interest point of the least dissimilarity of normalised moments (DM, eq. 16).
         Moments = "moments" ("moments (DM)"),
         /// The same with the seven invariants (DI, eq. 15).
@@ -25,19 +27,24 @@ impl Strategy {
         match self {
             Self::Moments => Some(Measure::Dm),
             Self::Invariants => Some(Measure::Di),
-            Self::Correlation | Self::LeastSquares | Self::Gradient => None,
+            Self::Auto | Self::Correlation | Self::LeastSquares | Self::Gradient => None,
         }
+    }
+
+    /// What is done where a strategy is to be chosen: all that works with points works so.
+    pub fn resolved(self) -> Self {
+        if self == Self::Auto { Self::Gradient } else { self }
     }
 
     /// Whether the strategy looks for the right point near an expected place.
     pub fn needs_offset(self) -> bool {
-        self != Self::Gradient
+        self.resolved() != Self::Gradient
     }
 
     /// The share of the second best measure that the best may have, where none is chosen: the paper's, and Lowe's.
     pub const fn default_ambiguity(self) -> f64 {
         match self {
-            Self::Gradient => 0.8,
+            Self::Auto | Self::Gradient => 0.8,
             _ => 0.9,
         }
     }
@@ -47,8 +54,10 @@ choices! {
     /// What is done to the matches of any strategy.
     pub enum Refinement {
         None = "none",
-        /// Each right position is moved to where least squares matching finds it.
+        /// Each right position is moved to where least squares matching finds it; a match that it does not confirm is rejected.
         LeastSquares = "least-squares" ("least squares"),
+        /// The same, but a match that it does not confirm stays where it is, and counts as its residuals deserve.
+        WherePossible = "where-possible" ("least squares where possible"),
     }
 }
 
@@ -68,11 +77,13 @@ options! {
         section "Matching";
 
         /// Moments and invariants compare interest points of both images, invariants also where these are rotated; correlation and least
-        /// squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset.
-        strategy: Strategy = Strategy::Moments, "Strategy";
+        /// squares compare grey values; gradient matches photos of any rotation, scale and obliquity and needs no offset; auto does so and
+        /// refines the matches.
+        strategy: Strategy = Strategy::Auto, "Strategy";
 
-        /// Least squares matching moves each right position to a hundredth of a pixel and rejects what does not fit.
-        refine: Refinement = Refinement::None, "Refinement", acts "matching.strategy is not least-squares";
+        /// Least squares matching moves each right position to a hundredth of a pixel; what does not fit is rejected, or stays where it is.
+        refine: Option<Refinement> = None, "Refinement", absent "where-possible for auto, none otherwise",
+            acts "matching.strategy is not least-squares";
 
         /// Once the pair is oriented, it is matched again near the epipolar lines, until nothing changes; this needs a camera. Gradient always
         /// does so once, with a camera or without.
@@ -105,11 +116,11 @@ options! {
         /// The side of the window whose grey values correlation and least squares matching compare: larger ones are more distinct and
         /// tolerate less relief.
         template: usize = 13, "Correlation window", in "px", odd 5..=63,
-            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares";
+            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares, where-possible";
 
         /// A match by grey values with a lower correlation coefficient is rejected: higher keeps fewer, more certain matches.
         min_correlation: f64 = 0.7, "Minimum correlation", -1..=1,
-            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares";
+            acts "matching.strategy is correlation, least-squares or matching.refine is least-squares, where-possible";
 
         /// Correlation: the window that is found must correlate best with the left point it came from. Gradient: the descriptor that is found
         /// must be nearest to that of the left point.
@@ -118,7 +129,7 @@ options! {
         /// A least squares match whose right position has a larger standard error is rejected, as on an edge along which it can slide: higher
         /// keeps more, less precise matches.
         max_standard_error: f64 = 0.2, "Maximum standard error", in "px", 0.001..=10,
-            acts "matching.strategy is least-squares or matching.refine is least-squares";
+            acts "matching.strategy is least-squares or matching.refine is least-squares, where-possible";
 
         /// Ignores what lies at the same place of both frames and matches by itself, as film borders, fiducial marks and data strips.
         without_frame: bool = true, "Frame ignored", acts "matching.strategy is gradient", named "keep-frame";
@@ -131,6 +142,12 @@ impl MatchOptions {
     pub(super) fn is_ambiguous(&self, best: f64, second: f64) -> bool {
         let ambiguity = self.ambiguity();
         ambiguity < 1.0 && second.is_finite() && best >= ambiguity * second
+    }
+
+    /// What is done to the matches: as chosen, or what belongs to the strategy.
+    pub fn refine(&self) -> Refinement {
+        let own = if self.strategy == Strategy::Auto { Refinement::WherePossible } else { Refinement::None };
+        self.refine.unwrap_or(own)
     }
 
     /// The share of the second best measure that the best may have: as chosen, or the strategy's own.

@@ -8,13 +8,15 @@ use crate::LocalFrame;
 
 const UNDEFORMED: [[f64; 2]; 2] = [[1.0, 0.0], [0.0, 1.0]];
 
-/// Moves the right position of each match to where least squares matching finds it; a match that it cannot confirm is refused.
+/// Moves the right position of each match to where least squares matching finds it; a match that it cannot confirm is refused, or stays
+/// where it is.
 ///
 /// Matches that least squares matching found keep what they have. Measures stay those of the strategy.
 ///
 /// Where the points have scales and directions, the right window is that of the left one turned and enlarged as these tell.
 pub(crate) fn refine(set: MatchSet, left: MatchImage<'_>, right: MatchImage<'_>, options: &MatchOptions) -> MatchSet {
-    if options.refine == Refinement::None {
+    let refinement = options.refine();
+    if refinement == Refinement::None {
         return set;
     }
     let mut matching = LeastSquares::new(options.template);
@@ -25,7 +27,9 @@ pub(crate) fn refine(set: MatchSet, left: MatchImage<'_>, right: MatchImage<'_>,
         let frames = left.frames.get(k).zip(verdict.best.and_then(|best| right.frames.get(best)));
         let affine = frames.map_or(UNDEFORMED, |(left, right)| between(left, right));
         let refined = located(matching.fit((left.grey, [point.x, point.y]), (right.grey, start), affine, &limits), options);
-        verdict.rule = refined.rule;
+        if refinement == Refinement::LeastSquares {
+            verdict.rule = refined.rule;
+        }
         if refined.rule == Rule::Matched {
             (verdict.position, verdict.fit) = (refined.position, refined.fit);
         }

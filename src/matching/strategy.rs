@@ -9,7 +9,7 @@ use crate::Error;
 /// Moments and invariants choose among the right interest points: see [`match_points`]. Correlation and least squares matching search
 /// the right image itself, at the left points. These go through the rules of many-to-one and y-parallax. Gradients choose among all right
 /// points, wherever they lie: the geometry of the two views has to verify them, before they can be refined. Every refused point keeps
-/// the rule that refused it. A refinement moves the right positions only; a match that it cannot confirm is refused.
+/// the rule that refused it. A refinement moves the right positions only.
 ///
 /// # Errors
 /// As [`match_points`]; [`Error::InvalidInput`] where the descriptors are not those of the strategy.
@@ -27,7 +27,7 @@ pub fn match_images<'a>(
         }
         Strategy::Correlation => area::correlate(left, right.grey, expected, options)?,
         Strategy::LeastSquares => area::adjust(left, right.grey, expected, options)?,
-        Strategy::Gradient => {
+        Strategy::Auto | Strategy::Gradient => {
             return gradients::match_gradients((left, left.gradients()?), (right, right.gradients()?), expected.nearest, options);
         }
     };

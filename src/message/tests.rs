@@ -4,8 +4,8 @@ use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
     BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault, ImageReason,
-    Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome, PairRule, Remark, Rule, Side,
-    UnorientedReason, Unsettled, Warning,
+    Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome, PairRule, PairVerdict,
+    Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -55,6 +55,7 @@ fn families() -> Vec<Family> {
         family::<NamedCamera>(),
         family::<NoGeometry>(),
         family::<NoOrientation>(),
+        family::<PairVerdict>(),
         family::<Observed>(),
         family::<OverviewWarning>(),
         family::<PairOutcome>(),

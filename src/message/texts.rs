@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 19] = [
+pub(super) const NESTED: [&str; 21] = [
     "block_warning",
     "camera",
     "camera_caution",
@@ -23,6 +23,7 @@ pub(super) const NESTED: [&str; 19] = [
     "image_fault",
     "interruption",
     "no_geometry",
+    "no_orientation",
     "observed",
     "outcome",
     "rule",
@@ -30,6 +31,7 @@ pub(super) const NESTED: [&str; 19] = [
     "unit",
     "unoriented",
     "unsettled",
+    "warning",
 ];
 
 /// The texts of one language.

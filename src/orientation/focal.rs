@@ -9,6 +9,13 @@ use nalgebra::SVector;
 
 /// Below this (in units of the focal length) residuals are rounding.
 const LEAST_SIGMA: f64 = 1e-11;
+/// The root mean square of the y-parallaxes, in standard errors, that the residuals must owe to the focal length. Neighbouring matches and
+/// those of one surface share errors, which the test takes for many independent ones: with the true focal length they imitate up to
+/// 0.24 of it, on simulated flights of all kinds.
+const LEAST_PARALLAX: f64 = 0.25;
+
+/// From this condition on, as of a narrow field of view, what matches share does not imitate a focal length: on no right pair.
+const NARROW: f64 = 1e4;
 
 /// A focal length that the observations contradict.
 #[derive(Debug, Clone, Copy)]
@@ -19,8 +26,8 @@ pub(super) struct FocalMisfit {
     pub w: f64,
 }
 
-/// Tests whether a change of the focal length of both photos lowers the residuals beyond chance, with the significance `alpha0`, and whether it
-/// moves an unknown out of its 95 % interval: only then is it given.
+/// Tests whether a change of the focal length of both photos lowers the residuals beyond chance, with the significance `alpha0`, and beyond
+/// what matches share, and whether it moves an unknown out of its 95 % interval: only then is it given.
 ///
 /// `weights`: those of the accepted observations in the normal equations; `half_widths`: of the intervals of ω φ κ (radians), by bz (mm).
 ///
@@ -30,7 +37,7 @@ pub(super) fn misfit(
     adjusted: &Adjusted,
     (rays, weights): (&[Ray], &[f64]),
     half_widths: &[f64; 5],
-    base_mm: f64,
+    (base_mm, condition): (f64, f64),
     alpha0: f64,
 ) -> Option<FocalMisfit> {
     let freedom = rays.len().checked_sub(6).filter(|freedom| *freedom > 0)?;
@@ -56,7 +63,9 @@ pub(super) fn misfit(
     let w = change / (left / freedom as f64 * solution.cofactors[(5, 5)]).sqrt();
     let moved = derivatives(pose, base_mm) * Unknowns::from_fn(|k, _| solution.step[k]);
     let leaves = (0..5).any(|k| moved[k].abs() > half_widths[k]);
-    (w.abs() > student_limit(alpha0, freedom) && leaves).then_some(FocalMisfit { change, w })
+    let by_shared = if condition > NARROW { 0.0 } else { LEAST_PARALLAX * (freedom as f64).sqrt() };
+    let least_w = student_limit(alpha0, freedom).max(by_shared);
+    (w.abs() > least_w && leaves).then_some(FocalMisfit { change, w })
 }
 
 /// Half-widths of 95 % intervals by the covariance of the unknowns and the limit of Student's distribution.

@@ -8,13 +8,14 @@ use super::focal;
 use super::identical::Different;
 use super::normals::{Matrix5, correlations};
 use super::observed::{Limits, Weighted};
+use super::plane::PlaneFit;
 use super::precision::{check_describable, parameters, propagated, signed_base, standard_errors};
 use super::refusal::{check_geometry, check_input, check_result, near_vertical};
 use super::rejection::{Clean, adjust_without_gross_errors, corrections};
 use super::reliability::Judgement;
 use super::result::{ErrorEllipse, GlobalTest, PointStatistics, Warning};
 use super::robust_start::{median_parallax, robust_start};
-use super::warning::{condition, parallax_beside_rotation, plane_misfit, spread, warnings};
+use super::warning::{condition, parallax_beside_rotation, spread, warnings};
 use super::weighting::reweight;
 use super::{ErrorModel, Observation, OrientationMethod, OrientationOptions, RelativeOrientation, neighbours, shared};
 use crate::math::{chi_square_quantile, normal_quantile, student_limit, variance_left};
@@ -209,9 +210,11 @@ impl Outcome {
         let total = sigma.map(|sigma| self.total(&propagated, sigma));
         let student = freedom.map_or_else(|| normal_quantile(0.975), |freedom| student_limit(0.05, freedom));
         let (condition, spread) = (condition(&correlations), spread(kept));
-        let plane_misfit = plane_misfit(kept, adjusted.sigma);
+        let plane = PlaneFit::of(kept, adjusted.sigma);
         let beside_rotation = parallax_beside_rotation(kept);
-        let mut warnings = warnings(condition, plane_misfit, spread, (beside_rotation, adjusted.sigma));
+        let both_poses =
+            plane.as_ref().and_then(|plane| plane.warning(Weighted { rays: kept, weights: kept_solved }, &adjusted.pose, adjusted.sigma));
+        let mut warnings = warnings(condition, both_poses, spread, (beside_rotation, adjusted.sigma));
         if self.behind > 0 {
             warnings.push(Warning::Behind { points: self.behind });
         }
@@ -221,7 +224,8 @@ impl Outcome {
         }
         let in_normals: Vec<f64> = kept_solved.iter().zip(&self.factors).map(|(weight, factor)| weight * factor).collect();
         let half_widths = total.map(|covariance| focal::half_widths(&covariance, student));
-        let misfit = half_widths.and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), &widths, self.base_mm, options.alpha0));
+        let misfit =
+            half_widths.and_then(|widths| focal::misfit(adjusted, (kept, &in_normals), &widths, (self.base_mm, condition), options.alpha0));
         warnings.extend(misfit.map(|found| Warning::FocalLength { change_percent: 100.0 * found.change, w: found.w }));
         let ellipse = total.map(|c| ErrorEllipse::new(c[(3, 3)], c[(3, 4)], c[(4, 4)]));
         let cofactors: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| propagated[(i, j)] / (focal_mm * focal_mm)));
@@ -245,7 +249,7 @@ impl Outcome {
             cofactors,
             correlations,
             condition,
-            plane_misfit,
+            plane_misfit: plane.map(|plane| plane.misfit),
             spread,
             parallax_beside_rotation_mm: beside_rotation * focal_mm,
             warnings,

@@ -1,6 +1,7 @@
 //! What relative orientation takes and gives.
 
 use super::OrientationMethod;
+use crate::Side;
 use crate::camera::rotation_from_angles;
 use crate::message::messages;
 use nalgebra::{Matrix3, Vector3};
@@ -116,9 +117,9 @@ messages! {
     #[serde(tag = "kind", rename_all = "snake_case")]
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum Warning as "warning" {
-        /// All points lie in a plane within what the observations can tell: a second pose fits nearly as well. `misfit`: to the plane, in
-        /// standard errors.
-        Plane { misfit: f64, least: f64 },
+        /// All points lie in a plane within what the observations can tell: a second pose fits nearly as well. `ratio`: its σ₀ by that of this
+        /// one; from `least` on it would be excluded.
+        Plane { ratio: f64, least: f64 },
         /// The points cover a small part of the photos: their root mean square distance from their middle, in focal lengths.
         Clustered { coverage: f64, least: f64 },
         /// The photos hardly differ but by a rotation, which leaves this median parallax: the base is too short to be told from noise and
@@ -134,6 +135,54 @@ messages! {
         Sigma { estimated_um: f64, given_um: f64 },
         /// The residuals ask for another focal length, which would move unknowns out of their intervals; `w`: in standard errors.
         FocalLength { change_percent: f64, w: f64 },
+        /// The matches that took part lie in few places of the photo; those of one place share errors, as a wrong pattern does.
+        FewPlaces { places: usize, least: usize },
+        /// Few matches took part, or few of the points were matched: as many agree on the geometry of a repeated pattern.
+        FewMatches { matches: usize, least: usize },
+        /// Many matches do not agree with the orientation.
+        FewAgree { accepted: usize, matches: usize },
+        /// The right photo shows the ground mirrored.
+        Mirrored,
+        /// The fiducial marks lie mirrored in the scan.
+        MirroredMarks { side: Side },
+        /// Nobody told the focal length: it was estimated with the orientation, from what is usual.
+        UnknownCamera,
+        /// The matches agree better than those of two photographs ever do.
+        Exact { sigma0_px: f64, least_px: f64 },
+        /// The points reach farther from the axis than those of perspective cameras do: their root mean square distance from their middle, in
+        /// focal lengths.
+        WideAngle { coverage: f64, most: f64 },
+        /// The rotation is known within a wide interval of 95 % only.
+        Uncertain { #[serde(with = "crate::json::infinite")] half_width_deg: f64, most_deg: f64 },
+        /// The direction of the base is.
+        UncertainBase { #[serde(with = "crate::json::infinite")] half_width_deg: f64, most_deg: f64 },
+        /// The standard error of a photo coordinate is larger than matching leaves it.
+        Imprecise { sigma0_px: f64, most_px: f64 },
+    }
+}
+
+impl Warning {
+    /// Whether the orientation may be wrong or of little use. The other warnings tell what was done about the observations, or what the
+    /// intervals hold already.
+    pub fn is_weakness(&self) -> bool {
+        match self {
+            Self::Identical { .. } | Self::Behind { .. } | Self::Sigma { .. } | Self::IllConditioned { .. } => false,
+            Self::Plane { .. }
+            | Self::Clustered { .. }
+            | Self::Rotation { .. }
+            | Self::FocalLength { .. }
+            | Self::FewPlaces { .. }
+            | Self::FewMatches { .. }
+            | Self::FewAgree { .. }
+            | Self::Mirrored
+            | Self::MirroredMarks { .. }
+            | Self::UnknownCamera
+            | Self::Exact { .. }
+            | Self::WideAngle { .. }
+            | Self::UncertainBase { .. }
+            | Self::Uncertain { .. }
+            | Self::Imprecise { .. } => true,
+        }
     }
 }
 

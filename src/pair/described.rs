@@ -25,7 +25,7 @@ impl DescribedImage {
         let descriptors = match strategy {
             Strategy::Moments | Strategy::Invariants => Descriptors::Moments(&self.moments),
             Strategy::Correlation | Strategy::LeastSquares => Descriptors::None,
-            Strategy::Gradient => Descriptors::Gradients(&self.gradients),
+            Strategy::Auto | Strategy::Gradient => Descriptors::Gradients(&self.gradients),
         };
         MatchImage { grey, points: &self.set.points, frames: &self.set.frames, descriptors }
     }

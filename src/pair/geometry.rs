@@ -2,11 +2,17 @@
 
 use super::input::{PairImage, PairInput, PhotoInput};
 use super::no_orientation::NoOrientation;
-use crate::{CameraMm, CameraUncertainty, Error, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
+use crate::{CameraMm, CameraUncertainty, Error, Fiducial, Interior, Side, TwoView, TwoViewModel, orient_fiducials};
 use serde::{Deserialize, Serialize};
 
 /// Side of a pixel where nobody knows it.
 const NOMINAL_PIXEL_MM: f64 = 0.001;
+
+/// How far outside the image a mark may have been measured, as a share of its side: the picture of a cut one is completed.
+const BEYOND: f64 = 0.05;
+
+/// Largest σ₀ of an interior orientation: film shrinks and scanners err by a few tenths of a millimetre at most.
+const LARGEST_MARKS_SIGMA0_MM: f64 = 1.0;
 
 /// The interior orientations of a pair, of one focal length.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -70,13 +76,36 @@ pub(super) fn pair_interior(
     })
 }
 
+/// Refuses marks that cannot have been measured in the image.
+fn check_marks(width: usize, height: usize, photo: &PhotoInput) -> Result<(), Error> {
+    let is_beyond = |v: f64, side: usize| !(-BEYOND * side as f64..=(1.0 + BEYOND) * side as f64).contains(&v);
+    let outside = |mark: &&Fiducial| photo.origin.is_none() && (is_beyond(mark.col, width) || is_beyond(mark.row, height));
+    match photo.fiducials.iter().find(outside) {
+        None => Ok(()),
+        Some(mark) => Err(Error::InvalidInput {
+            what: "fiducial marks",
+            got: format!("a mark at {}, {} px of an image of {width} × {height} px", mark.col, mark.row),
+            allowed: "marks within the image, or the origin of the image in the scan in which they were measured".into(),
+        }),
+    }
+}
+
 /// The interior orientation of one image: from its fiducials, or from the camera's pixel size.
 ///
 /// # Errors
-/// [`Error::InvalidOption`] for the camera; as [`orient_fiducials`]; [`Error::InvalidInput`] for an origin without fiducials.
+/// [`Error::InvalidOption`] for the camera; as [`orient_fiducials`]; [`Error::InvalidInput`] for an origin without fiducials, for marks
+/// outside the image without an origin, and for marks that contradict each other.
 pub fn photo_interior(camera: &CameraMm, width: usize, height: usize, photo: &PhotoInput) -> Result<Interior, Error> {
     if !photo.fiducials.is_empty() {
+        check_marks(width, height, photo)?;
         let marks = orient_fiducials(&photo.fiducials, photo.model)?;
+        if let Some(sigma0_mm) = marks.sigma0_mm.filter(|sigma0_mm| !(*sigma0_mm <= LARGEST_MARKS_SIGMA0_MM)) {
+            return Err(Error::InvalidInput {
+                what: "fiducial marks",
+                got: format!("σ0 of {sigma0_mm:.3} mm"),
+                allowed: format!("up to {LARGEST_MARKS_SIGMA0_MM} mm: marks are exchanged, or one is mistyped"),
+            });
+        }
         return Interior::from_fiducials(camera, &marks, photo.origin.unwrap_or([0.0; 2]));
     }
     match photo.origin {

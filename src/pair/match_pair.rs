@@ -7,6 +7,7 @@ use super::no_orientation::NoOrientation;
 use super::orienting::orient_matches;
 use super::rounds::{PairMatching, match_in_rounds};
 use super::settings::PairSettings;
+use super::weakness::judged;
 use crate::{
     Degeneracy, Error, Expectation, MatchSet, NearestTable, NoGeometry, OffsetField, PointSet, RelativeOrientation, TwoView,
     estimate_offset,
@@ -54,6 +55,7 @@ pub fn match_described_pair(
     input: &PairInput,
     settings: &PairSettings,
 ) -> Result<PairResult, Error> {
+    let settings = &settings.resolved();
     let interior = pair_interior(left, right, input)?;
     let strategy = settings.matching.strategy;
     let offset = match input.offset {
@@ -79,7 +81,8 @@ pub fn match_described_pair(
         _ if is_rotation => Err(NoOrientation::PureRotation),
         (Ok(interior), _) => match orient_matches(&matching.matches, interior, &settings.orientation) {
             Err(error) if error.is_usage() => return Err(error),
-            outcome => outcome.map_err(|error| NoOrientation::Refused { error }),
+            Ok(found) => Ok(judged(found, &matching.matches, interior, Some(described.each_ref().map(|image| image.set.points.len())))),
+            Err(error) => Err(NoOrientation::Refused { error }),
         },
     };
     let [left, right] = described.map(|image| image.set);

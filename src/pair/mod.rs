@@ -11,7 +11,9 @@ mod orienting;
 mod rounds;
 mod self_calibration;
 mod settings;
+mod verdict;
 mod verification;
+mod weakness;
 
 pub use described::{DescribedImage, describe_image};
 pub use epipolar::epipolar_line;
@@ -22,4 +24,6 @@ pub use no_orientation::NoOrientation;
 pub use orienting::{match_weights, observations, orient_matches};
 pub use rounds::{PairMatching, match_in_rounds};
 pub use settings::PairSettings;
+pub use verdict::PairVerdict;
 pub use verification::{FeatureMatchOptions, VerifiedMatches, match_features};
+pub use weakness::judged;

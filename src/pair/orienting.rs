@@ -2,15 +2,13 @@
 
 use super::geometry::PairInterior;
 use super::self_calibration::{self, Measured, SelfCalibration};
+use super::weakness::NEIGHBOURHOOD_PX;
 use crate::math::median;
 use crate::orientation::RelativePose;
 use crate::{
     Cause, Computation, Error, ErrorModel, Fit, Interior, Match, Observation, OrientationOptions, RelativeOrientation, SharedErrors,
-    orient_relative_with,
+    Warning, orient_relative_with,
 };
-
-/// Windows of points nearer than this overlap, or see the same edges and roofs.
-const NEIGHBOURHOOD_PX: f64 = 64.0;
 
 /// Largest standard error of a photo coordinate that matches of one scene have, in px of the left photo. They reach 0.1 to 0.4 px on the
 /// simulated flights, 0.04 to 0.8 px on most real pairs, and 1.6 and 2.4 px where 12 MP are distorted and nobody calibrated them. Wrong matches
@@ -22,6 +20,15 @@ const WHOLE_PIXEL_SIGMA: f64 = 0.288_675_134_594_812_9;
 
 /// Rounds in which unknown cameras and the gross errors are told by each other.
 const CALIBRATIONS: usize = 2;
+
+/// Images are one where more than this share of the matches lie within this distance of the same place of both: refinement moves them by less.
+const MOST_EQUAL: f64 = 0.9;
+const SAME_PX: f64 = 0.05;
+
+/// Matches of either kind, with a fit and without, whose scatter tells how precise they are: its standard error is then a tenth.
+const LEAST_OF_A_KIND: usize = 50;
+/// The least weight of matches without a fit: positions of features are not ten times poorer than those of windows.
+const LEAST_WEIGHT: f64 = 0.01;
 
 /// Whether all four positions of a match lie at the centres of pixels.
 fn are_whole_pixels(positions: &[f64; 4]) -> bool {
@@ -37,6 +44,9 @@ fn are_whole_pixels(positions: &[f64; 4]) -> bool {
 /// # Errors
 /// As [`orient_relative`](crate::orient_relative).
 pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
+    if are_of_one_photo(matches) {
+        return Err(Error::Degenerate { computation: Computation::RelativeOrientation, cause: Cause::NoParallax });
+    }
     let plain = orient_along_x(matches, interior, options);
     let is_across = match &plain {
         Ok(found) => found.parameters.by_mm.abs() > found.base_mm.abs(),
@@ -51,11 +61,22 @@ pub fn orient_matches(matches: &[Match], interior: &PairInterior, options: &Orie
     }
 }
 
+/// Whether both images show the same at the same places.
+fn are_of_one_photo(matches: &[Match]) -> bool {
+    let stays = |m: &&Match| (0..2).all(|k| (m.left_px[k] - m.right_px[k]).abs() < SAME_PX);
+    let equal = matches.iter().filter(stays).count();
+    !matches.is_empty() && equal as f64 > MOST_EQUAL * matches.len() as f64
+}
+
 fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &OrientationOptions) -> Result<RelativeOrientation, Error> {
     let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
     let fits: Vec<Option<Fit>> = matches.iter().map(|m| m.fit).collect();
-    let weights = match_weights(&fits);
+    let mut weights = match_weights(&fits);
     let mut found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
+    if let Some(weight) = weight_without_fit(&fits, &weights, &found) {
+        weights.iter_mut().zip(&fits).filter(|(_, fit)| fit.is_none()).for_each(|(own, _)| *own = weight);
+        found = orient_with(&positions, &weights, interior, Vec::new(), options)?;
+    }
     if self_calibration::is_wanted(interior) {
         // Estimated cameras decide which matches are gross errors, and these the cameras; those that stay as given do not change.
         let rounds = if self_calibration::tells_more(interior) { CALIBRATIONS } else { 1 };
@@ -64,7 +85,26 @@ fn orient_along_x(matches: &[Match], interior: &PairInterior, options: &Orientat
         }
     }
     check_precision(&found, interior.left.pixel_mm(), options)?;
+    if self_calibration::is_wanted(interior) {
+        // The intervals hold what is not known of the focal length.
+        found.warnings.retain(|warning| !matches!(warning, Warning::FocalLength { .. }));
+    }
     Ok(found)
+}
+
+/// The weight of the matches that least squares matching did not confirm, beside those that it did: the ratio of the variances of their
+/// y-parallaxes. `None` where either are too few to tell, or there is nothing to tell apart.
+fn weight_without_fit(fits: &[Option<Fit>], weights: &[f64], found: &RelativeOrientation) -> Option<f64> {
+    let scatter = |with_fit: bool| {
+        let own = fits.iter().zip(weights).zip(&found.points).filter(|((fit, _), _)| fit.is_some() == with_fit);
+        let mut sizes: Vec<f64> =
+            own.filter_map(|((_, weight), point)| point.map(|point| weight.sqrt() * point.parallax_mm.abs())).collect();
+        if sizes.len() < LEAST_OF_A_KIND { None } else { median(&mut sizes) }
+    };
+    let (refined, coarse) = (scatter(true)?, scatter(false)?);
+    let ratio = refined / coarse;
+    // A ratio of nothing by nothing is no weight.
+    (ratio * ratio).is_finite().then(|| (ratio * ratio).clamp(LEAST_WEIGHT, 1.0))
 }
 
 /// The orientation with the cameras that the matches tell which an earlier orientation accepted.

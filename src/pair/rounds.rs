@@ -8,7 +8,7 @@ use super::verification::{PairCameras, verify};
 use crate::matching::{refine, verified_set};
 use crate::{
     DescriptorMatch, Descriptors, EpipolarLines, Error, Expectation, Located, Match, MatchImage, MatchSet, NoGeometry, RelativeOrientation,
-    Strategy, TwoView, match_images,
+    TwoView, match_images,
 };
 
 /// Rounds after which matching ends even if a few points still change sides.
@@ -44,7 +44,7 @@ pub fn match_in_rounds<'a>(
 ) -> Result<PairMatching, Error> {
     let ([left, right], expected) = (images, expected.into());
     let mut set = match_images(left, right, expected, &settings.matching)?;
-    if settings.matching.strategy == Strategy::Gradient {
+    if !settings.matching.strategy.needs_offset() {
         return verified(images, &set, interior, settings);
     }
     let Some(interior) = interior.filter(|_| settings.matching.epipolar) else { return Ok(PairMatching { set, geometry: None }) };

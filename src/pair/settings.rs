@@ -40,12 +40,14 @@ impl PairSettings {
         .flatten()
     }
 
-    /// The settings with every absent option that follows from the others: the operator of the strategy, its roundness and window, the
-    /// ambiguity ratio. What follows from the images stays absent. Everything that takes settings resolves them so.
+    /// The settings with every option that follows from the others: the strategy that is to be chosen and its refinement, the operator of the
+    /// strategy, its roundness and window, the ambiguity ratio. What follows from the images stays absent. Everything that takes settings
+    /// resolves them so.
     pub fn resolved(&self) -> Self {
-        let gradients = self.matching.strategy == Strategy::Gradient;
-        let points = self.points.resolved(if gradients { Operator::Multiscale } else { Operator::Ground2 });
-        let matching = MatchOptions { ambiguity: Some(self.matching.ambiguity()), ..self.matching.clone() };
+        let strategy = self.matching.strategy.resolved();
+        let points = self.points.resolved(if strategy == Strategy::Gradient { Operator::Multiscale } else { Operator::Ground2 });
+        let (refine, ambiguity) = (Some(self.matching.refine()), Some(self.matching.ambiguity()));
+        let matching = MatchOptions { strategy, refine, ambiguity, ..self.matching.clone() };
         Self { points, matching, ..self.clone() }
     }
 }

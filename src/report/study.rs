@@ -3,7 +3,8 @@
 use super::input::ReportTruth;
 use super::text::five;
 use crate::{
-    DenseTruth, Error, MatchScore, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair, score_matches,
+    DenseTruth, Error, MatchScore, Operator, PairImage, PairInput, PairResult, PairSettings, Refinement, Strategy, match_pair,
+    score_matches,
 };
 
 /// A run of the pair.
@@ -20,12 +21,12 @@ pub struct Study {
 
 /// The settings of each study: those of the user first, then each strategy on the same points, with all else as the user has it.
 pub fn plan(settings: &PairSettings) -> Vec<(&'static str, PairSettings)> {
-    // An operator that follows from the strategy would give each strategy its own points.
-    let settings = &PairSettings { points: settings.resolved().points, ..settings.clone() };
+    // An operator that follows from the strategy would give each strategy its own points: where none is chosen, the paper's holds.
+    let on_same_points = PairSettings { points: settings.points.resolved(Operator::Ground2), ..settings.clone() };
     let by = |strategy: Strategy| {
-        let mut settings = settings.clone();
+        let mut settings = on_same_points.clone();
         settings.matching.strategy = strategy;
-        settings.matching.refine = Refinement::None;
+        settings.matching.refine = Some(Refinement::None);
         settings
     };
     let strategies = [

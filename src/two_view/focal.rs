@@ -3,9 +3,10 @@
 use super::frame::{Frame, View};
 use super::refine::refined;
 use super::result::FocalEstimate;
-use super::rotation::{Turn, nearest_rotation};
+use super::rotation::Turn;
 use super::scale::NoiseLimits;
 use super::transfer::square_transfer;
+use crate::camera::nearest_rotation;
 use crate::math::Candidate;
 use crate::orientation::{Field, Poses, Ray, RelativePose, square_distance};
 use nalgebra::Matrix3;

@@ -15,7 +15,6 @@ mod matches;
 mod models;
 mod options;
 mod parallax;
-mod plane_pose;
 mod refine;
 mod result;
 mod rotation;

@@ -6,6 +6,7 @@ use super::least_direction::by_rows;
 use super::refine::{Kind, Lines, refined};
 use super::scale::{Conditions, NoiseLimits};
 use super::transfer::{lines, square_transfer};
+use crate::camera::nearest_rotation;
 use crate::math::{BLOCK, Candidate, Problem};
 use crate::orientation::{Field, Ray};
 use nalgebra::{Matrix3, SVector, Vector3};
@@ -21,16 +22,6 @@ pub(super) fn two_point(sample: &[Ray; 2]) -> Option<Matrix3<f64>> {
         Some(Matrix3::from_columns(&[middle, across, middle.cross(&across)]))
     };
     Some(axes(2)? * axes(0)?.transpose())
-}
-
-/// The rotation nearest to a matrix of positive determinant.
-pub(super) fn nearest_rotation(matrix: &Matrix3<f64>) -> Option<Matrix3<f64>> {
-    if !matrix.iter().all(|v| v.is_finite()) {
-        return None;
-    }
-    let svd = matrix.svd(true, true);
-    let rotation = svd.u? * svd.v_t?;
-    (rotation.determinant() > 0.0).then_some(rotation)
 }
 
 /// The refinement of a rotation: three small turns.

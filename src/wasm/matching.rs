@@ -2,7 +2,7 @@
 
 use super::convert::{JsResult, numbers, object, pack, points, read, read_options, rows, set, thrown};
 use super::descriptors::read_pieces;
-use super::orientation::pack_orientation;
+use super::orientation::pack_oriented;
 use super::photo::{Photo, pack_points};
 use crate::{
     DescribedImage, Descriptor, Error, Expectation, Fit, GreyImage, InterestPoint, LocalFrame, Match, MatchOptions, MatchSet, NoGeometry,
@@ -49,6 +49,9 @@ export interface PairOutput extends MatchedPair {
     right: DetectedPoints;
 }
 
+/** A relative orientation of matches, with what it is worth. */
+export type OrientedPair = RelativeOrientation & { verdict: PairVerdict };
+
 /** What becomes of the points of a pair. */
 export interface MatchedPair {
     /** Absent where the strategy needs none. */
@@ -57,9 +60,11 @@ export interface MatchedPair {
     interior: PairInterior | null;
     /** Side of a left pixel in mm. */
     pixel_mm: number | null;
-    orientation: RelativeOrientation | null;
+    orientation: OrientedPair | null;
     /** Why there is no orientation. */
     no_orientation: NoOrientation | null;
+    /** What the result is worth. */
+    verdict: PairVerdict;
 }
 "#;
 
@@ -235,13 +240,15 @@ pub(super) fn pack_pair(result: &PairResult) -> JsValue {
 }
 
 fn pack_matched(result: &PairResult) -> JsValue {
+    let verdict = pack(&result.verdict());
     object([
         ("offset", pack(&result.offset)),
         ("match", pack_matching(&PairMatching { set: result.matching.clone(), geometry: result.geometry.clone() })),
         ("interior", pack(&result.interior)),
         ("pixel_mm", pack(&result.interior.as_ref().map(|i| i.left.pixel_mm()))),
-        ("orientation", result.orientation.as_ref().map_or(JsValue::NULL, pack_orientation)),
+        ("orientation", result.orientation.as_ref().map_or(JsValue::NULL, |o| pack_oriented(o, &verdict))),
         ("no_orientation", pack(&result.orientation.as_ref().err())),
+        ("verdict", verdict),
     ])
 }
 

@@ -19,6 +19,7 @@ export interface Messages {
     remark: Remark;
     no_geometry: NoGeometry;
     no_orientation: NoOrientation;
+    pair_verdict: PairVerdict;
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";

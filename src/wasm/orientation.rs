@@ -2,8 +2,8 @@
 
 use super::convert::{JsResult, numbers, pack, read, read_options, rows, set, thrown};
 use crate::{
-    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PhotoInput,
-    PointStatistics, RelativeOrientation, observations as photo_observations, orient_fiducials as orient_marks,
+    CameraMm, Error, ExifCamera, Fiducial, FiducialModel, Fit, Interior, Match, Observation, OrientationOptions, PairInterior, PairVerdict,
+    PhotoInput, PointStatistics, RelativeOrientation, judged, observations as photo_observations, orient_fiducials as orient_marks,
     orient_matches as orient_by_matches, orient_relative as orient_pair, photo_interior,
 };
 use serde::{Deserialize, Serialize};
@@ -83,14 +83,16 @@ pub fn observations(
 }
 
 /// Relative orientation from matches (stride 5) with what least squares matching found of them (stride 5, as `MatchResult.fits`; empty: all
-/// of weight 1). The total standard errors hold those of the interior orientations, where these have covariances.
-#[wasm_bindgen(unchecked_return_type = "RelativeOrientation")]
+/// of weight 1), with the verdict on it. `points`: how many the left and the right image have, where they were matched. The total standard errors hold those of the interior orientations, where these have covariances.
+#[wasm_bindgen(unchecked_return_type = "OrientedPair")]
 pub fn orient_matches(
     matches: &[f64],
     fits: &[f64],
     #[wasm_bindgen(unchecked_param_type = "PairInterior")] interior: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Given<OrientationOptions>")] options: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "[number, number]")] points: &JsValue,
 ) -> JsResult<JsValue> {
+    let points: Option<[usize; 2]> = if points.is_undefined() { None } else { read("points", points)? };
     let (interior, options): (PairInterior, OrientationOptions) = (read("interior", interior)?, read_options("orientation", options)?);
     let (rows, fits) = (rows::<5>("matches", matches)?, rows::<5>("fits", fits)?);
     if !fits.is_empty() && fits.len() != rows.len() {
@@ -109,7 +111,8 @@ pub fn orient_matches(
         fit: fits.get(k).and_then(fit),
     };
     let matches: Vec<Match> = rows.iter().enumerate().map(one).collect();
-    orient_by_matches(&matches, &interior, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+    let orientation = judged(orient_by_matches(&matches, &interior, &options).map_err(thrown)?, &matches, &interior, points);
+    Ok(pack_oriented(&orientation, &pack(&PairVerdict::of(&orientation, interior.left.pixel_mm()))))
 }
 
 /// Relative orientation of observations x, y left, x, y right in mm (stride 4), each of its weight, or all of weight 1.
@@ -130,6 +133,13 @@ pub fn orient_relative(
     let observed =
         rows.iter().enumerate().map(|(k, [xl, yl, xr, yr])| Observation { left: [*xl, *yl], right: [*xr, *yr], weight: weight(k) });
     orient_pair(&observed.collect::<Vec<_>>(), focal_mm, &options).map(|o| pack_orientation(&o)).map_err(thrown)
+}
+
+/// The orientation of matches, with the verdict on it.
+pub(super) fn pack_oriented(orientation: &RelativeOrientation, verdict: &JsValue) -> JsValue {
+    let packed = pack_orientation(orientation);
+    set(&packed, "verdict", verdict);
+    packed
 }
 
 /// The orientation, with the statistics of its points as one flat array.

@@ -19,7 +19,7 @@ const flat = image(folder(), 'flat.png', 80, 60, () => 50);
 function run(...args) {
   const out = folder();
   const { code, stdout, stderr } = tiepoint(...args, '--out', out, '--json');
-  assert.equal(code, 0, stderr);
+  assert.ok([0, 3, 4].includes(code ?? 1), stderr);
   const bytes = readFileSync(join(out, 'project.tiepoint'));
   return { result: JSON.parse(stdout), bytes, project: open_pair_project(bytes) };
 }
@@ -28,8 +28,8 @@ for (const [name, ...args] of [
   ['oriented, with its truth', ...call, '--refine', 'least-squares'],
   ['with a mask, by gradients', ...call, '--strategy', 'gradient', '--mask-left', half],
   ['by gradients of unknown cameras', 'match', left, right, '--strategy', 'gradient'],
-  ['without a camera', 'match', left, right],
-  ['without a match', ...call, '--offset', '4000,0'],
+  ['without a camera', 'match', left, right, '--strategy', 'moments'],
+  ['without a match', ...call, '--offset', '4000,0', '--strategy', 'moments'],
   ['of equal grey values', 'match', flat, flat, '--strategy', 'gradient', '--focal-px', '600'],
 ]) {
   test(`a pair that is opened says what the command said of it: ${name}`, () => {

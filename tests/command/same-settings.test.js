@@ -4,7 +4,18 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { test } from 'node:test';
-import { estimate_offset, interior, match_pair, match_photos, matches_csv, nearest_piece, parse_camera, parse_fiducials, Photo } from '../../pkg/node.js';
+import {
+  estimate_offset,
+  interior,
+  match_pair,
+  match_photos,
+  matches_csv,
+  nearest_piece,
+  parse_camera,
+  parse_fiducials,
+  Photo,
+  resolved,
+} from '../../pkg/node.js';
 import { folder, json, samplePair } from './command.js';
 
 const { at, call } = samplePair();
@@ -35,7 +46,7 @@ function byStages(settings) {
   const described = [left, right].map((photo) => photo.describe_points(settings));
   const [ofLeft, ofRight] = described;
   assert.ok(ofLeft && ofRight);
-  const gradient = settings.matching?.strategy === 'gradient';
+  const gradient = resolved(settings).matching.strategy === 'gradient';
   const offset = gradient ? null : estimate_offset(left.reduced(1024), right.reduced(1024));
   const interiors = {
     focal_mm: camera.focal_mm,
@@ -50,7 +61,8 @@ function byStages(settings) {
 
 for (const [name, file, settings, options] of /** @type {const} */ ([
   ['gradients', 'sample-gradient.csv', { matching: { strategy: 'gradient' } }, ['--strategy', 'gradient']],
-  ['moments', 'sample.csv', { points: { fraction: 0.148 } }, ['--fraction', '0.148']],
+  ['the default', 'sample.csv', {}, []],
+  ['moments', 'sample-moments.csv', { points: { fraction: 0.148 }, matching: { strategy: 'moments' } }, ['--fraction', '0.148', '--strategy', 'moments']],
   [
     'least squares',
     'sample-least-squares.csv',

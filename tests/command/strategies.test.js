@@ -5,7 +5,8 @@ import { json, samplePair, tiepoint } from './command.js';
 const { call } = samplePair();
 /** @param {string[]} options */
 const run = (...options) => json(...call, ...options);
-const moments = run();
+const BY_MOMENTS = ['--strategy', 'moments'];
+const moments = run(...BY_MOMENTS);
 
 test('the truth of the sample scores every strategy', () => {
   const shares = Object.fromEntries(
@@ -38,12 +39,20 @@ test('every left point has one verdict with any strategy', () => {
 });
 
 test('a refinement moves right positions between pixels and makes σ₀ smaller', () => {
-  const refined = run('--refine', 'least-squares');
+  const refined = run(...BY_MOMENTS, '--refine', 'least-squares');
   assert.ok(refined.orientation.sigma0_mm < 0.5 * moments.orientation.sigma0_mm);
   assert.equal(moments.fits, null);
   assert.equal(refined.fits.length, refined.counts.matches);
   assert.ok(refined.counts.rejected.not_converged > 0);
   assert.ok(refined.matches.some((/** @type {number[]} */ m) => (m[2] ?? 0) % 0.5 !== 0));
+});
+
+test('with nothing set all matches of gradients stay, and those that least squares matching confirms are refined', () => {
+  const [auto, gradient] = [run(), run('--strategy', 'gradient')];
+  assert.equal(auto.counts.matches, gradient.counts.matches);
+  const confirmed = auto.fits.filter((/** @type {number[]} */ fit) => fit[0] !== null);
+  assert.ok(confirmed.length > 0.5 * auto.counts.matches && confirmed.length < auto.counts.matches);
+  assert.ok(auto.orientation.sigma0_mm < 0.7 * gradient.orientation.sigma0_mm);
 });
 
 test('the limits of the strategies act', () => {
@@ -57,11 +66,11 @@ test('the limits of the strategies act', () => {
 });
 
 test('matching along epipolar lines needs a camera and finds more that is right', () => {
-  const along = run('--epipolar');
+  const along = run(...BY_MOMENTS, '--epipolar');
   assert.ok(along.score.right > moments.score.right && along.score.right_share > moments.score.right_share);
-  const { code, stdout, stderr } = tiepoint(...call.slice(0, 3), '--epipolar', '--base-mm', '92', '--json');
-  assert.equal(code, 0);
-  assert.deepEqual(JSON.parse(stdout).matches, json(...call.slice(0, 3)).matches);
+  const { code, stdout, stderr } = tiepoint(...call.slice(0, 3), ...BY_MOMENTS, '--epipolar', '--base-mm', '92', '--json');
+  assert.equal(code, 4);
+  assert.deepEqual(JSON.parse(stdout).matches, json(...call.slice(0, 3), ...BY_MOMENTS).matches);
   assert.equal(stderr, 'tiepoint: without effect, since the camera is not known: --epipolar, --base-mm\n');
 });
 
@@ -69,25 +78,25 @@ test('the statistics follow the options', () => {
   const { orientation } = moments;
   assert.equal(orientation.points.length, moments.counts.matches);
   assert.ok(orientation.points.every((/** @type {number[]} */ p) => p.length === 9));
-  const strict = run('--alpha0', '0.05').orientation;
+  const strict = run(...BY_MOMENTS, '--alpha0', '0.05').orientation;
   assert.ok(strict.rejected.length > orientation.rejected.length);
   const detectable = (/** @type {any} */ o) =>
     o.points.map((/** @type {number[]} */ p) => p[3]).sort((/** @type {number} */ a, /** @type {number} */ b) => a - b)[100];
-  assert.ok(detectable(run('--beta0', '0.95').orientation) > detectable(orientation));
+  assert.ok(detectable(run(...BY_MOMENTS, '--beta0', '0.95').orientation) > detectable(orientation));
   assert.equal(orientation.global_test, null);
   // A known σ₀ that is too small fails the test and rejects no more than the estimated one; a large one rejects less.
-  const [small, large] = ['0.01', '0.3'].map((sigma) => run('--sigma0-mm', sigma).orientation);
+  const [small, large] = ['0.01', '0.3'].map((sigma) => run(...BY_MOMENTS, '--sigma0-mm', sigma).orientation);
   assert.deepEqual([small.global_test.passed, large.global_test.passed], [false, false]);
   assert.ok(small.global_test.statistic > small.global_test.upper && large.global_test.statistic < large.global_test.lower);
   assert.deepEqual(small.rejected, orientation.rejected);
   assert.ok(large.rejected.length < orientation.rejected.length);
-  assert.notDeepEqual(run('--weighting', 'huber').orientation.by_mm, orientation.by_mm);
+  assert.notDeepEqual(run(...BY_MOMENTS, '--weighting', 'huber').orientation.by_mm, orientation.by_mm);
 });
 
 test('bad values are usage errors that name what is allowed', () => {
   const pair = call.slice(0, 3);
   for (const [options, pattern] of /** @type {const} */ ([
-    [['--strategy', 'sift'], /--strategy is sift; allowed: moments, invariants, correlation, least-squares, gradient/],
+    [['--strategy', 'sift'], /--strategy is sift; allowed: auto, moments, invariants, correlation, least-squares, gradient/],
     [['--refine', 'yes'], /--refine is yes; allowed: none, least-squares/],
     [['--template', '12'], /--template is 12; allowed: odd whole numbers from 5 to 63/],
     [['--min-correlation', '2'], /--min-correlation is 2; allowed: -1 to 1/],

@@ -19,11 +19,6 @@ test('the sample pair is matched and oriented, from a subfolder under the policy
 test('the browser finds the matches of the golden files', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
-  await part(page, 'tab-settings').click();
-  const field = page.locator('input[data-key="points.fraction"]:not([type="range"])').first();
-  await field.fill('0.148');
-  await field.press('Enter');
-  await again(page);
   /** @param {string} name */
   const same = async (name) => {
     // The golden file ends with a line of the orientation.
@@ -34,6 +29,13 @@ test('the browser finds the matches of the golden files', { skip: SKIP }, async 
     assert.equal((await saved(page, 'export-csv')).toString().trimEnd(), golden);
   };
   await same('sample.csv');
+  await part(page, 'tab-settings').click();
+  await choose(page, 'matching.strategy', 'moments');
+  const field = page.locator('input[data-key="points.fraction"]:not([type="range"])').first();
+  await field.fill('0.148');
+  await field.press('Enter');
+  await again(page);
+  await same('sample-moments.csv');
   await choose(page, 'matching.strategy', 'least-squares');
   await same('sample-least-squares.csv');
   await choose(page, 'matching.strategy', 'correlation');
@@ -98,6 +100,7 @@ test('the table of matches sorts, filters, and is linked to the images both ways
 test('grey values: settings that have no effect are left out, a point shows what was compared', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
+  await choose(page, 'matching.strategy', 'moments');
   const setting = (/** @type {string} */ key) => page.locator(`[data-key="${key}"]`).first();
   assert.ok((await setting('matching.max_measure').isVisible()) && !(await setting('matching.template').isVisible()));
   await choose(page, 'matching.strategy', 'least-squares');
@@ -169,6 +172,7 @@ test('two files are opened, matched, and a parameter recomputes what depends on 
   const { page, complaints, close } = await open();
   await part(page, 'file-input').setInputFiles(pngs());
   await done(page);
+  await choose(page, 'matching.strategy', 'moments');
   const before = { points: await number(page, 'count-left-after_suppression'), matches: await number(page, 'count-matches') };
   assert.ok(before.matches > 500);
   const field = page.locator('input[data-key="matching.max_measure"]:not([type="range"])').first();
@@ -236,6 +240,7 @@ test('a run can be cancelled and started again', { skip: SKIP }, async () => {
 test('a click and a key choose points, which tell their rule, moments and candidates', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
+  await choose(page, 'matching.strategy', 'moments');
   await part(page, 'view').focus();
   await page.keyboard.press('n');
   await part(page, 'tab-point').click();

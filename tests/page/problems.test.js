@@ -2,7 +2,7 @@
 
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { done, hosted, number, open, part, sample, SKIP } from './page.js';
+import { choose, done, hosted, number, open, part, sample, SKIP } from './page.js';
 
 hosted();
 
@@ -55,7 +55,7 @@ test('what is told of a file stands beside the result of the run', { skip: SKIP 
   const { page, complaints, close } = await open();
   await sample(page);
   await part(page, 'file-input').setInputFiles([{ name: 'camera.json', mimeType: 'application/json', buffer: Buffer.from('{"focal_mm": 153.4}') }]);
-  await says(page, 'status', /^Done: .*Camera data from camera\.json\.$/);
+  await says(page, 'status', /^(Oriented|Weak) .*Camera data from camera\.json\.$/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -73,6 +73,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
 }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
+  await choose(page, 'matching.strategy', 'moments');
   await part(page, 'tab-camera').click();
   for (const [id, text, pattern] of /** @type {const} */ ([
     ['camera-focal', '-5', /^Allowed: above 0, up to 100000, or empty\. The last valid value stays/],
@@ -101,7 +102,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
   await says(page, 'offset-found', /^Given/);
   await says(page, 'status', /^Origin of the left image in the scan: this value is not allowed/);
   await type(page, 'origin-left-col', '');
-  assert.match(await done(page), /^Done/);
+  assert.match(await done(page), /^Oriented/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -109,6 +110,7 @@ test('numbers of the camera, the offset and the origin that are not allowed are 
 test('an interior orientation that fails is the status, and figures of the earlier orientation go', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
+  await choose(page, 'matching.strategy', 'moments');
   assert.ok((await number(page, 'count-gross-errors')) > 0);
   await part(page, 'histogram-residuals').waitFor();
   await part(page, 'tab-camera').click();
@@ -219,17 +221,18 @@ test('each bad file of several is told, and what was open only where something w
 test('the status line says that a value is not allowed, until it is', { skip: SKIP }, async () => {
   const { page, complaints, close } = await open();
   await sample(page);
+  await choose(page, 'matching.strategy', 'moments');
   const field = page.locator('input[type="number"][data-key="points.suppression_window"]');
   await field.fill('4');
   await says(page, 'status', /^Suppression window: this value is not allowed\. The last valid one stays in use\.$/);
   assert.equal(await part(page, 'status').getAttribute('data-kind'), 'problem');
   await field.fill('3');
-  assert.match(await done(page), /^Done/);
+  assert.match(await done(page), /^Oriented/);
   await part(page, 'tab-camera').click();
   await type(page, 'camera-focal', '-5');
   await says(page, 'status', /^Focal length: this value is not allowed/);
   await type(page, 'camera-focal', '153.38');
-  assert.match(await done(page), /^Done/);
+  assert.match(await done(page), /^Oriented/);
   await part(page, 'mode-block').click();
   const pairs = page.locator('main.block input[type="number"][data-key="multiscale.number"]');
   await pairs.fill('-1');
@@ -245,7 +248,7 @@ test('a simulated pair that is swapped says that its truth is of the other order
   await sample(page);
   assert.ok(await part(page, 'score').isVisible());
   await part(page, 'swap').click();
-  await says(page, 'status', /^Done: .*holds in its own order only: swap again/);
+  await says(page, 'status', /^Oriented .*holds in its own order only: swap again/);
   assert.equal(await part(page, 'score').count(), 0);
   await part(page, 'swap').click();
   await part(page, 'score').waitFor();

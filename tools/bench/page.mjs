@@ -27,7 +27,7 @@ export async function page() {
     await watchPauses(tab);
     const started = performance.now();
     await tab.click('[data-testid="sample"]');
-    await tab.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Done'));
+    await tab.waitForFunction(() => document.querySelector('[data-testid="status"]')?.textContent?.startsWith('Oriented'));
     samples.push(performance.now() - started);
     pauses.push(await tab.evaluate(() => /** @type {Window & { longestPause?: number }} */ (window).longestPause ?? NaN));
     await context.close();

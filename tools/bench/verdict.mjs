@@ -21,7 +21,7 @@ import { photoOf } from './verdict/photographs.mjs';
  */
 
 /** What the caller sets. @type {import('../../pkg/node.js').Given<import('../../pkg/node.js').PairSettings>} */
-const SETTINGS = { matching: { strategy: 'gradient' } };
+const SETTINGS = {};
 /** With `--quick` one of so many pairs of each kind is run: no divisor of what their variants repeat after. */
 const QUICK = 11;
 
@@ -90,10 +90,7 @@ function judged(given) {
 }
 
 /** @param {PairOutput} output @returns {Verdict} */
-function verdictOf({ orientation }) {
-  if (!orientation) return 'not_oriented';
-  return orientation.warnings.length === 0 ? 'oriented' : 'weak';
-}
+const verdictOf = ({ verdict }) => verdict.kind;
 
 /** @param {Outcome} outcome */
 function told({ verdict, hasPose, errors, seconds }) {

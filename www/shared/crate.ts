@@ -22,6 +22,7 @@ export type {
   NearestPiece,
   NoOrientation,
   OffsetField,
+  OrientedPair,
   PairInput,
   PairInterior,
   PairProject,

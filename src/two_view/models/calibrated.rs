@@ -3,11 +3,10 @@
 use super::pure_rotation;
 use crate::Error;
 use crate::math::{Candidate, Problem, consensus};
-use crate::orientation::{Field, Poses, RelativePose, square_distance};
+use crate::orientation::{Field, Poses, RelativePose, poses_of_plane, square_distance};
 use crate::two_view::frame::rows;
 use crate::two_view::homography::Homographies;
 use crate::two_view::matches::{Found, Matches};
-use crate::two_view::plane_pose::poses_of_plane;
 use crate::two_view::result::{Degeneracy, TwoView, TwoViewModel};
 use crate::two_view::scale::Conditions;
 use crate::two_view::support::NEARLY_ALL_SAMPLES;

@@ -17,7 +17,7 @@ import type {
   PairProject,
   PhotoInfo,
   ReducedImage,
-  RelativeOrientation,
+  OrientedPair,
   ReportTruth,
   SamplePair,
   SampleImage,
@@ -127,8 +127,8 @@ export interface PairCalls {
   score: { input: ScoreInput; output: MatchScore };
   interior: { input: PhotoInput; output: InteriorOutput };
   orient: {
-    input: { matches: Float64Array; fits: Float64Array; interior: PairInterior; options: Settings['orientation'] };
-    output: RelativeOrientation;
+    input: { matches: Float64Array; fits: Float64Array; interior: PairInterior; options: Settings['orientation']; points: [number, number] };
+    output: OrientedPair;
   };
   // The report: `reportOpen` first; it gives what each step does.
   reportOpen: { input: ReportInput; output: string[] };

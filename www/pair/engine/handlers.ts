@@ -163,7 +163,7 @@ export const PAIR_HANDLERS: Handlers<PairCalls> = {
   epipolarLine: ({ from, x, y, model, interior: ofPair, width, height }) => epipolar_line(from, x, y, model, ofPair, width, height),
   score: (s) => score_matches(s.matches, s.leftPoints, s.rightPosition, s.left.width, s.left.height, s.right.width, s.right.height),
   interior: interiorOf,
-  orient: ({ matches, fits, interior: ofPair, options }) => orient_matches(matches, fits, ofPair, options),
+  orient: ({ matches, fits, interior: ofPair, options, points }) => orient_matches(matches, fits, ofPair, options, points),
   reportOpen,
   reportStep: () => reportInHand().step(),
   reportPage: () => reportInHand().html(),

@@ -87,7 +87,9 @@ const orientation: Run<StageValues['orientation']> = async (state, workers) => {
   const { matches, fits } = needed(state, 'match');
   const ofPair = interiorInUse(state);
   if (ofPair === null) throw new Error('no interior orientation is known');
-  return workers.client('pair').call('orient', { matches, fits, interior: ofPair, options: settingsOf(state).orientation });
+  const count = (name: 'pointsLeft' | 'pointsRight') => needed(state, name).points.length / 3;
+  const points: [number, number] = [count('pointsLeft'), count('pointsRight')];
+  return workers.client('pair').call('orient', { matches, fits, interior: ofPair, options: settingsOf(state).orientation, points });
 };
 
 const score: Run<StageValues['score']> = async (state, workers) => {

@@ -24,7 +24,9 @@ const PHASES: readonly [keyof PointCounts, string][] = [
 
 /** The settings by which the paper counted, whose Table 1 says nothing of others. */
 function countsAsPaper({ settings }: State): boolean {
-  return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({}).points.operator;
+  return (
+    settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({ matching: { strategy: 'moments' } }).points.operator
+  );
 }
 
 /** Rules that only some strategies have. */

@@ -1,4 +1,6 @@
 /** The status line: what runs, how far it is, what went wrong, and what to do. */
+import { message } from '../../shared/crate';
+import { isCurrent } from '../state/keys';
 import { STAGES } from '../state/stages';
 import { anyStale, currentFailure, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
@@ -19,7 +21,7 @@ export interface StatusActions {
 
 interface Line {
   text: string;
-  /** `partial`: matched, but not oriented. */
+  /** `partial`: matched, but not oriented, or weakly. */
   kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem';
 }
 
@@ -92,7 +94,9 @@ function resting(state: State, wanted: number, done: number): Line {
   // A pair that was opened took none.
   const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
-  return reason === null ? { text: `Done: ${matched}`, kind: 'done' } : { text: `${matched} ${reason}`, kind: 'partial' };
+  const verdict = isCurrent(state, 'orientation') ? state.results.orientation?.value.verdict : undefined;
+  if (reason !== null || verdict === undefined) return { text: `${matched} ${reason ?? ''}`.trimEnd(), kind: 'partial' };
+  return { text: `${message('pair_verdict', verdict)} ${matched}`, kind: verdict.kind === 'oriented' ? 'done' : 'partial' };
 }
 
 /** Matches that determine no orientation are a result all the same. */

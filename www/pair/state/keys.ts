@@ -2,7 +2,7 @@
  * What each stage's result depends on, as a key. A result is current where its key equals the wanted one; a stage whose key did not
  * change is not computed again, whatever was changed elsewhere.
  */
-import { camera_of_exif } from '../../shared/crate';
+import { camera_of_exif, resolved } from '../../shared/crate';
 import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
 import { truthOf } from './truth';
@@ -61,9 +61,12 @@ export function comparesGreyValues({ matching }: Settings): boolean {
 }
 
 /** Whether a strategy compares gradient descriptors: it looks for no expected place, and the geometry of the two views verifies its matches. */
-export function comparesGradients({ matching }: Settings): boolean {
-  return matching.strategy === 'gradient';
+export function comparesGradients(settings: Settings): boolean {
+  return inFull(settings).matching.strategy === 'gradient';
 }
+
+/** The settings with what follows from them, as the strategy where it is to be chosen. */
+const inFull = remember(resolved);
 
 /** Whether a strategy compares the moments of windows. */
 export function comparesMoments(settings: Settings): boolean {

@@ -33,6 +33,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
     return { name, content: contents[side], width_px: width, height_px: height, format, bits_per_sample, mask, camera: named };
   };
   const oriented = isCurrent(state, 'orientation') ? (orientation?.value ?? null) : null;
+  const none = oriented === null ? whyNone(state) : null;
   const interior = interiorInUse(state);
   const points = ({ counts, threshold, points: at, frames }: StageValues['pointsLeft']) => ({ counts, threshold, points: at, frames });
   const given = (side: Side) => ({ ...photos[side], model: fiducialModel });
@@ -48,7 +49,9 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
       interior,
       pixel_mm: null,
       orientation: oriented,
-      no_orientation: oriented === null ? whyNone(state) : null,
+      no_orientation: none,
+      // Made anew from the rest when the project is opened.
+      verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) },
     },
     truth: truthFor(state),
   };

@@ -13,7 +13,7 @@ import type {
   OffsetField,
   Settings,
   PhotoInfo,
-  RelativeOrientation,
+  OrientedPair,
   WindowReport,
 } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
@@ -115,7 +115,7 @@ export interface StageValues {
   match: PairMatches;
   interiorLeft: InteriorOutput;
   interiorRight: InteriorOutput;
-  orientation: RelativeOrientation;
+  orientation: OrientedPair;
   score: MatchScore;
   inspection: Inspection;
 }

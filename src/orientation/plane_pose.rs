@@ -1,14 +1,14 @@
 //! The relative orientations that the map of a plane allows: two, each with the base in either direction.
 
-use super::rotation::nearest_rotation;
-use crate::orientation::RelativePose;
+use super::coplanarity::RelativePose;
+use crate::camera::nearest_rotation;
 use nalgebra::Matrix3;
 
 /// The poses of a homography between calibrated views; none where it is a rotation.
 ///
 /// # Source
 /// Ma, Soatto, Košecká & Sastry 2004, An Invitation to 3-D Vision, section 5.3 (after Tsai & Huang 1982).
-pub(super) fn poses_of_plane(homography: &Matrix3<f64>) -> Vec<RelativePose> {
+pub(crate) fn poses_of_plane(homography: &Matrix3<f64>) -> Vec<RelativePose> {
     if !homography.iter().all(|v| v.is_finite()) {
         return Vec::new();
     }

@@ -1,0 +1,49 @@
+//! What the result of a pair is worth, in one sentence with the figures that decided.
+
+use super::match_pair::PairResult;
+use super::no_orientation::NoOrientation;
+use crate::message::messages;
+use crate::{RelativeOrientation, Side, Warning};
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// What the result of a pair is worth.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PairVerdict as "pair_verdict" {
+        /// The orientation is right within its intervals. `points`: matches that took part; `half_width_deg`: of the interval of 95 % of κ.
+        Oriented { points: usize, sigma0_px: f64, kappa_deg: f64, half_width_deg: f64 },
+        /// There is an orientation, which may be wrong or too poor to be used, for this reason.
+        Weak { points: usize, warning: Warning },
+        NotOriented { no_orientation: NoOrientation },
+    }
+}
+
+impl PairVerdict {
+    /// The verdict on an orientation of matches; `pixel_mm`: the pixel's size at photo scale.
+    pub fn of(orientation: &RelativeOrientation, pixel_mm: f64) -> Self {
+        let points = orientation.residuals_mm.len() - orientation.rejected.len();
+        match orientation.warnings.iter().find(|warning| warning.is_weakness()) {
+            Some(warning) => Self::Weak { points, warning: *warning },
+            None => Self::Oriented {
+                points,
+                sigma0_px: orientation.sigma0_mm.unwrap_or(0.0) / pixel_mm,
+                kappa_deg: orientation.parameters.kappa_deg,
+                half_width_deg: orientation.half_widths_95.map_or(f64::INFINITY, |half| half.kappa_deg),
+            },
+        }
+    }
+}
+
+impl PairResult {
+    /// What the result is worth.
+    pub fn verdict(&self) -> PairVerdict {
+        let no_orientation = match (&self.orientation, &self.interior) {
+            (Ok(orientation), Some(interior)) => return PairVerdict::of(orientation, interior.left.pixel_mm()),
+            (Ok(_), None) => NoOrientation::NoPixelSize { side: Side::Left },
+            (Err(no_orientation), _) => no_orientation.clone(),
+        };
+        PairVerdict::NotOriented { no_orientation }
+    }
+}

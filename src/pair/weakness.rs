@@ -1,0 +1,119 @@
+//! What makes the orientation of matches weak that the adjustment of their photo coordinates does not see.
+
+use super::geometry::PairInterior;
+use super::self_calibration;
+use crate::{Interior, Match, RelativeOrientation, Side, Warning};
+use std::collections::BTreeSet;
+
+/// Windows of points nearer than this overlap, or see the same edges and roofs.
+pub(super) const NEIGHBOURHOOD_PX: f64 = 64.0;
+
+/// The least number of places, each as large as a neighbourhood, whose matches agree.
+const LEAST_PLACES: usize = 16;
+/// Patterns that repeat, as roofs, facades and waves, gave up to 104 matches that agree on a wrong geometry.
+const LEAST_MATCHES: usize = 120;
+/// The least share of the matches that agree with a right orientation: of moments, three quarters are right where it is hard.
+const LEAST_SHARE: f64 = 0.6;
+/// The least share of the points of the image with fewer that is matched where photos show the same ground; repeated patterns reach 4 %.
+const LEAST_MATCHED: f64 = 0.035;
+/// Half the widths of the intervals of an angle and of the direction of the base within which an orientation is of use.
+const LARGEST_ANGLE_DEG: f64 = 5.0;
+const LARGEST_BASE_DEG: f64 = 20.0;
+/// σ₀ that matching reaches where the camera is right, and that it never reaches but within one image, in px.
+const LARGEST_SIGMA0_PX: f64 = 1.0;
+const LEAST_SIGMA0_PX: f64 = 0.02;
+/// Root mean square distance of points from their middle, in focal lengths, of an image that is twice as long as the focal length.
+const LARGEST_COVERAGE: f64 = 0.72;
+
+/// The orientation of matches with what speaks against it among its warnings; `points`: how many each image has, of which they were matched.
+pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInterior, points: Option<[usize; 2]>) -> RelativeOrientation {
+    let positions: Vec<[f64; 4]> = matches.iter().map(|m| [m.left_px[0], m.left_px[1], m.right_px[0], m.right_px[1]]).collect();
+    let accepted = accepted(&positions, &found.rejected);
+    let by_share = points.map_or(0.0, |[left, right]| LEAST_MATCHED * left.min(right) as f64);
+    let least_matches = LEAST_MATCHES.max(by_share.ceil() as usize);
+    let places = places_of(&accepted);
+    let agreeing = accepted.len() as f64 >= LEAST_SHARE * positions.len() as f64;
+    let [angle_deg, base_deg] = half_widths_deg(&found);
+    let sigma0_px = found.sigma0_mm.unwrap_or(0.0) / interior.left.pixel_mm();
+    let is_calibrated = !self_calibration::is_wanted(interior);
+    let marks = [(Side::Left, &interior.left), (Side::Right, &interior.right)];
+    let told = [
+        (is_mirrored(&accepted), Warning::Mirrored),
+        (is_inverted(marks[0].1), Warning::MirroredMarks { side: Side::Left }),
+        (is_inverted(marks[1].1), Warning::MirroredMarks { side: Side::Right }),
+        (self_calibration::tells_more(interior), Warning::UnknownCamera),
+        (!agreeing, Warning::FewAgree { accepted: accepted.len(), matches: positions.len() }),
+        (accepted.len() < least_matches, Warning::FewMatches { matches: accepted.len(), least: least_matches }),
+        (places < LEAST_PLACES, Warning::FewPlaces { places, least: LEAST_PLACES }),
+        (sigma0_px < LEAST_SIGMA0_PX, Warning::Exact { sigma0_px, least_px: LEAST_SIGMA0_PX }),
+        (sigma0_px > LARGEST_SIGMA0_PX, Warning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX }),
+        (is_calibrated && found.spread > LARGEST_COVERAGE, Warning::WideAngle { coverage: found.spread, most: LARGEST_COVERAGE }),
+        (!(angle_deg <= LARGEST_ANGLE_DEG), Warning::Uncertain { half_width_deg: angle_deg, most_deg: LARGEST_ANGLE_DEG }),
+        (!(base_deg <= LARGEST_BASE_DEG), Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
+    ];
+    let warnings = found.warnings.iter().copied().chain(told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning));
+    RelativeOrientation { warnings: warnings.collect(), ..found }
+}
+
+/// Half the widths of the intervals of the worst angle and of the direction of the base; infinite where there are none.
+fn half_widths_deg(found: &RelativeOrientation) -> [f64; 2] {
+    let Some(half) = found.half_widths_95 else { return [f64::INFINITY; 2] };
+    let across = libm::hypot(half.by_mm, half.bz_mm);
+    [half.omega_deg.max(half.phi_deg).max(half.kappa_deg), libm::atan2(across, found.base_mm.abs()).to_degrees()]
+}
+
+/// Whether rows do not count against y where columns count along x.
+fn is_inverted(interior: &Interior) -> bool {
+    let [at, right, below] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[col, row]| interior.photo_mm(col, row));
+    (right[0] - at[0]) * (below[1] - at[1]) - (right[1] - at[1]) * (below[0] - at[0]) > 0.0
+}
+
+fn accepted(positions: &[[f64; 4]], rejected: &[usize]) -> Vec<[f64; 4]> {
+    let mut is_accepted = vec![true; positions.len()];
+    rejected.iter().for_each(|k| is_accepted[*k] = false);
+    positions.iter().zip(is_accepted).filter(|(_, accepted)| *accepted).map(|(at, _)| *at).collect()
+}
+
+/// How many neighbourhoods of the photo where they are fewer hold matches: those of one share errors, and count as one.
+fn places_of(matches: &[[f64; 4]]) -> usize {
+    let cell = |v: f64| libm::floor(v / NEIGHBOURHOOD_PX) as i64;
+    let count = |side: usize| matches.iter().map(|at| [cell(at[side]), cell(at[side + 1])]).collect::<BTreeSet<_>>().len();
+    count(0).min(count(2))
+}
+
+/// Whether the best affine map from left to right positions changes their sense of rotation. Two views of one side of the ground keep it.
+fn is_mirrored(matches: &[[f64; 4]]) -> bool {
+    let mean = |k: usize| matches.iter().map(|at| at[k]).sum::<f64>() / matches.len().max(1) as f64;
+    let middle = [mean(0), mean(1), mean(2), mean(3)];
+    let sum = |i: usize, j: usize| matches.iter().map(|at| (at[i] - middle[i]) * (at[j] - middle[j])).sum::<f64>();
+    // The determinant of the map is that of this matrix by the positive one of the left positions.
+    sum(2, 0) * sum(3, 1) - sum(2, 1) * sum(3, 0) < 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn matches_of_one_neighbourhood_count_as_one() {
+        let at = |k: usize, step: f64| [step * k as f64, 10.0, 5.0 + step * k as f64, 10.0];
+        let near: Vec<_> = (0..50).map(|k| at(k, 1.0)).collect();
+        let far: Vec<_> = (0..50).map(|k| at(k, 64.0)).collect();
+        assert_eq!((places_of(&near), places_of(&far)), (1, 50));
+        assert_eq!(places_of(&accepted(&far, &(0..20).collect::<Vec<_>>())), 30);
+        // Many places of one photo, a single one of the other.
+        let onto_one: Vec<_> = far.iter().map(|p| [p[0], p[1], 3.0, 3.0]).collect();
+        assert_eq!(places_of(&onto_one), 1);
+    }
+
+    #[test]
+    fn a_mirrored_photo_is_told_from_a_turned_one() {
+        let at = |k: usize| [(37 * k % 101) as f64, (53 * k % 97) as f64];
+        let onto = |map: fn([f64; 2]) -> [f64; 2]| -> Vec<[f64; 4]> {
+            (0..40).map(|k| (at(k), map(at(k)))).map(|([a, b], [c, d])| [a, b, c, d]).collect()
+        };
+        assert!(is_mirrored(&onto(|[x, y]| [500.0 - x, y])) && is_mirrored(&onto(|[x, y]| [x, 500.0 - 2.0 * y])));
+        assert!(!is_mirrored(&onto(|[x, y]| [500.0 - x, 400.0 - y])) && !is_mirrored(&onto(|[x, y]| [y, 300.0 - x])));
+        assert!(!is_mirrored(&[]));
+    }
+}
