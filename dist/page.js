@@ -334,7 +334,7 @@ var Photo = class Photo {
 		return wasm.photo_height(this.__wbg_ptr) >>> 0;
 	}
 	/**
-	* Size, format and camera.
+	* Size, format, camera and drone.
 	* @returns {PhotoInfo}
 	*/
 	info() {
@@ -1251,7 +1251,7 @@ function __wbg_get_imports() {
 				arg0.stroke();
 			},
 			__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99);
+				return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c);
 			},
 			__wbindgen_generic_0000000000000002: function(arg0) {
 				return arg0;
@@ -1270,8 +1270,8 @@ function __wbg_get_imports() {
 		}
 	};
 }
-function wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3) {
-	return wasm.wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3);
+function wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3) {
+	return wasm.wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3);
 }
 var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
@@ -5117,6 +5117,10 @@ var cameraOfExif = {
 };
 function cameraOf$1(state, side) {
 	const exif = state.results[side === "left" ? "openLeft" : "openRight"]?.value.info.camera ?? null;
+	if (state.camera === null && exif?.origin === "panorama") return {
+		kind: "panorama",
+		side
+	};
 	const marked = state.photos[side].fiducials.length > 0;
 	const camera = state.camera ?? (exif === null ? null : cameraOfExif[side](exif));
 	if (camera === null) return marked ? { kind: "no_focal_length" } : {
@@ -5201,7 +5205,8 @@ function compute(state) {
 		descriptorsRight,
 		gradients ? "" : offset
 	], [settings?.matching, ofCameras(settings, [interiorLeft, interiorRight])]);
-	const interiors = "missing" in cameras ? [settings === null ? null : estimatedFrom(state, settings, match)] : [interiorLeft, interiorRight];
+	const unknown = settings === null || "missing" in cameras && cameras.missing.kind === "panorama" ? null : estimatedFrom(state, settings, match);
+	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
 	const orientable = fromOnePlace(state, match) ? null : "";
 	const truth = truthOf(state);
 	return {
@@ -6060,7 +6065,7 @@ function projectOf(state, contents) {
 			no_orientation: none,
 			verdict: oriented?.verdict ?? {
 				kind: "not_oriented",
-				no_orientation: whyNone(state)
+				no_orientation: none ?? whyNone(state)
 			}
 		},
 		truth: truthFor$1(state)
@@ -6156,7 +6161,8 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 		height: height_px,
 		format,
 		bits_per_sample,
-		camera: camera ?? null
+		camera: camera ?? null,
+		drone: null
 	});
 	const nothing = () => ({
 		moments: /* @__PURE__ */ new Float64Array(),
@@ -6428,6 +6434,14 @@ function countsOf(state) {
 		rejected: match === void 0 ? null : rejected
 	};
 }
+/** What the orientation is worth, as the command's JSON has it; null without one. */
+function verdictOf$1(state) {
+	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
+	return verdict === void 0 ? null : {
+		...verdict,
+		text: message("pair_verdict", verdict)
+	};
+}
 /** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
 function everything(state) {
 	const { left, right, match, orientation } = shownPair(state);
@@ -6441,10 +6455,11 @@ function everything(state) {
 			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
 			matches: "[x left, y left, x right, y right, measure]",
 			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
-			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]",
+			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations], null for one that it did not confirm",
 			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
 			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
 		},
+		verdict: verdictOf$1(state),
 		settings: state.settings,
 		images: {
 			left: imageOf(state, "left"),
@@ -6469,7 +6484,7 @@ function everything(state) {
 		},
 		matches: match === null ? null : rows(match.matches, 5),
 		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
-		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
+		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.every(Number.isNaN) ? null : fit.map(finite)),
 		verdicts: verdicts(state),
 		geometry: match?.geometry ?? null,
 		no_geometry: match?.no_geometry == null ? null : {
@@ -7227,17 +7242,19 @@ function mountCamera(host, store, loadFile) {
 	], () => fill(source, sourceText(store.state)));
 }
 function exifText(name, exif) {
+	if (exif.origin === "panorama") return (exif.cautions ?? []).map((caution) => `The ${name} image is ${message("camera_caution", caution)}.`).join(" ");
 	const camera = [exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make, exif.model].filter((part) => part != null).join(" ");
 	const pixel = exif.pixel_mm == null ? "no pixel size" : `pixel ${significant(exif.pixel_mm)} mm`;
-	return `EXIF, ${name}: ${camera === "" ? "camera not named" : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.`;
+	const cautions = (exif.cautions ?? []).map((caution) => ` Caution: ${message("camera_caution", caution)}.`).join("");
+	return `${message("camera_origin", exif.origin ?? "exif_focal_plane")}, ${name}: ${camera === "" ? "camera not named" : camera}, f = ${significant(exif.focal_mm)} mm, ${pixel}.${cautions}`;
 }
 function sourceText(state) {
 	const exif = [["left", state.results.openLeft], ["right", state.results.openRight]].map(([name, opened]) => opened?.value.info.camera == null ? "" : exifText(name, opened.value.info.camera)).filter((text) => text !== "").join(" ");
 	const used = pairCameras(state);
 	const told = estimatedText(state);
 	if (state.camera !== null) return `In use: the values below${state.truth === null ? "" : " (they came with the sample)"}. ${exif}`;
-	if (!("missing" in used)) return `In use: EXIF${told}. Values below replace it. ${exif}`;
-	if (state.results.match?.value.estimated != null) return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
+	if (!("missing" in used)) return `In use: the photos' own camera${told}. Values below replace it. ${exif}`;
+	if (used.missing.kind !== "panorama" && state.results.match?.value.estimated != null) return `No camera is known: that of most photographs is assumed${told}. Values below replace it. ${exif}`;
 	return `Orientation needs a focal length, and a pixel size or fiducial marks. With matches of gradients it does without. ${exif}`;
 }
 /** What is known of a camera that nobody calibrated. */
@@ -7493,7 +7510,7 @@ var PHASES = [
 ];
 /** The settings by which the paper counted, whose Table 1 says nothing of others. */
 function countsAsPaper({ settings }) {
-	return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({}).points.operator;
+	return settings !== null && comparesMoments(settings) && resolved(settings).points.operator === resolved({ matching: { strategy: "moments" } }).points.operator;
 }
 /** Rules that only some strategies have. */
 var RARE = /* @__PURE__ */ new Set([
@@ -8104,6 +8121,7 @@ function whyNotOriented(state) {
 	if (match?.no_geometry != null) return `Not oriented: ${message("no_geometry", match.no_geometry)}. Do both photos show the same ground?`;
 	const cameras = pairCameras(state);
 	if (state.results.openLeft !== void 0 && state.results.openRight !== void 0 && "missing" in cameras && keys.orientation === null) {
+		if (cameras.missing.kind === "panorama") return `Not oriented: ${message("no_orientation", cameras.missing)}.`;
 		const untold = match?.geometry == null ? "" : ", and the matches do not determine the focal length";
 		return `Not oriented: ${message("no_orientation", cameras.missing)}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
 	}
@@ -8224,7 +8242,7 @@ function precision(state, result) {
 			name: "Misfit to a plane",
 			testid: "plane-misfit",
 			value: result.plane_misfit === null ? "–" : `${significant(result.plane_misfit)} σ₀`,
-			help: "How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief."
+			help: "How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation may fit as well; large over relief."
 		},
 		{
 			name: "Parallax beside a rotation",
@@ -8406,6 +8424,7 @@ function pickerOf(files) {
 			what: "any"
 		};
 	});
+	if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event("change"));
 	return (side, what = "any") => {
 		wanted = {
 			side,

@@ -335,7 +335,7 @@
 			return wasm.photo_height(this.__wbg_ptr) >>> 0;
 		}
 		/**
-		* Size, format and camera.
+		* Size, format, camera and drone.
 		* @returns {PhotoInfo}
 		*/
 		info() {
@@ -1232,7 +1232,7 @@
 					arg0.stroke();
 				},
 				__wbindgen_generic_0000000000000001: function(arg0, arg1) {
-					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99);
+					return makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c);
 				},
 				__wbindgen_generic_0000000000000002: function(arg0) {
 					return arg0;
@@ -1251,8 +1251,8 @@
 			}
 		};
 	}
-	function wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3) {
-		return wasm.wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99(arg0, arg1, arg2, arg3);
+	function wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3) {
+		return wasm.wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c(arg0, arg1, arg2, arg3);
 	}
 	var BlockSceneFinalization = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},

@@ -111,7 +111,8 @@ fn images_of_16_bits_give_points_and_matches() {
     assert!(itself.left.points.len() > 1000);
     assert!(itself.matching.matches.iter().all(|m| m.right == Some(m.left) && m.measure == 0.0));
     // Without parallax there is nothing to orient, and that is said.
-    assert!(itself.orientation.is_err_and(|reason| reason.to_string().contains("do not determine")));
+    let reason = itself.orientation.unwrap_err().to_string();
+    assert!(reason.contains("do not determine") || reason.contains("rotation alone"), "{reason}");
     // Turned by 27 deg against each other, which is beyond this strategy: it must end well all the same.
     assert!(run(&left, &right, &PairInput::default(), PointOptions::default()).is_ok());
 }

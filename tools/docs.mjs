@@ -57,7 +57,8 @@ export function optionsPage() {
       '',
       ...chapter(
         'Pairs',
-        '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`.',
+        '`tiepoint match` and `tiepoint report` take all of these; `points`, `moments` and `orient` those of their stage. In the package and the crate: `PairSettings`. ' +
+          'The strategy `auto` counts as `gradient` where an option says when it acts, with the refinement `where-possible`.',
         parameters(),
         defaults(),
       ),

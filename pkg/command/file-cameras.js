@@ -16,6 +16,7 @@ export function describeFileCameras(names, cameras) {
   return cameras.flatMap((camera, k) => {
     if (camera === null) return [];
     const cautions = (camera.cautions ?? []).map((caution) => `caution, ${names[k]}: ${message('camera_caution', caution)}`);
+    if (camera.origin === 'panorama') return cautions;
     return [`camera of ${names[k]}: ${nameOf(camera)}${focalOf(camera)}, from ${message('camera_origin', camera.origin ?? 'exif_focal_plane')}`, ...cautions];
   });
 }

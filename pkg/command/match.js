@@ -107,7 +107,7 @@ export function resultOf(output, settings, cameras) {
     verdict: withText('pair_verdict', output.verdict),
     counts: { left: output.left.counts, right: output.right.counts, matches, rejected },
     matches: rows(output.match.matches, 5),
-    fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5),
+    fits: output.match.fits.every(Number.isNaN) ? null : rows(output.match.fits, 5).map((fit) => (fit.every(Number.isNaN) ? null : fit)),
     orientation: output.orientation && orientationOf(output.orientation),
     no_orientation: output.no_orientation && withText('no_orientation', output.no_orientation),
     offset_px: output.offset?.median_px ?? null,

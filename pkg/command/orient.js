@@ -45,8 +45,12 @@ export const UNKNOWNS = /** @type {const} */ ([
   { name: 'bz', unit: 'mm', field: 'bz_mm' },
 ]);
 
-/** The JSON form.  @param {RelativeOrientation} o */
-export const orientationOf = (o) => ({ ...o, points: rows(o.points, 9), warnings: o.warnings.map((warning) => withText('warning', warning)) });
+/** The JSON form, without the verdict, which stands beside it.  @param {RelativeOrientation & { verdict?: unknown }} o */
+export const orientationOf = ({ verdict: _verdict, ...o }) => ({
+  ...o,
+  points: rows(o.points, 9),
+  warnings: o.warnings.map((warning) => withText('warning', warning)),
+});
 
 /** @param {import('../node.js').GlobalTest} test */
 const globalTest = ({ statistic, lower, upper, passed }) =>

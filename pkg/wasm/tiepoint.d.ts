@@ -141,6 +141,8 @@ export interface Messages {
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
+    camera_caution: CameraCaution;
+    camera_origin: CameraOrigin;
     camera_parameter: CameraParameter;
     error: { kind: string };
     /** Texts of the page itself: `kind` names one, the other fields are its figures. */
@@ -230,7 +232,7 @@ export type Emit = (path: string, text: string) => void;
 
 
 /** What is known of a decoded image. */
-export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null }
+export interface PhotoInfo { width: number; height: number; format: string; bits_per_sample: number; camera: ExifCamera | null; drone: DroneRecord | null }
 
 /** An image halved a number of times: grey values 0..255, row by row. */
 export interface ReducedImage { width: number; height: number; halvings: number; grey: Uint8Array }
@@ -1137,19 +1139,15 @@ export interface PositionPrior {
 export type CameraParameter = "focal" | "principal_x" | "principal_y" | "k1" | "k2" | "k3" | "p1" | "p2";
 
 /**
- * Camera data of an EXIF block.
+ * Angles as they were recorded.
  */
-export interface ExifCamera {
-    make: string | null;
-    model: string | null;
+export interface Attitude {
     /**
-     * Focal length in mm.
+     * From north to east.
      */
-    focal_mm: number;
-    /**
-     * Side of a pixel of the stored image in mm, from the focal-plane resolution or the 35 mm equivalent; absent where neither is given.
-     */
-    pixel_mm: number | null;
+    yaw_deg: number;
+    pitch_deg: number;
+    roll_deg: number;
 }
 
 /**
@@ -2165,6 +2163,34 @@ export interface Camera {
 }
 
 /**
+ * The camera that a file names, by EXIF, XMP and the table of sensors.
+ */
+export interface ExifCamera {
+    make: string | null;
+    model: string | null;
+    /**
+     * Focal length in mm.
+     */
+    focal_mm: number;
+    /**
+     * Side of a pixel of the stored image in mm; absent where nothing tells it. The focal length in px is `focal_mm / pixel_mm`.
+     */
+    pixel_mm: number | null;
+    /**
+     * Where the focal length in px comes from.
+     */
+    origin?: CameraOrigin;
+    /**
+     * What XMP says of the lens, in px of the stored image; absent where that is no more than a focal length.
+     */
+    lens?: Camera;
+    /**
+     * What speaks against it.
+     */
+    cautions?: CameraCaution[];
+}
+
+/**
  * The cameras and images of a block with whatever positions were observed.
  */
 export interface BlockDescription {
@@ -2679,6 +2705,59 @@ export interface TiePointCounts {
 export type LengthUnit = "millimetres" | "centimetres" | "inches" | "feet" | "kilometres";
 
 /**
+ * What EXIF and XMP of an image tell beside its pixels; what they do not tell is absent.
+ */
+export interface ExifImage {
+    /**
+     * Also where the focal length is not told.
+     */
+    make: string | null;
+    model: string | null;
+    camera: ExifCamera | null;
+    /**
+     * How the stored image is turned for display, 1..8 as the standard counts: 1 not at all, 3 half round, 6 a quarter to the right, 8 a
+     * quarter to the left, the others mirrored too. Positions in px are always those of the stored image.
+     */
+    orientation: number | null;
+    position: ExifPosition | null;
+    /**
+     * What of the recorded position cannot be and was left out, with its value: all of it, or the height alone.
+     */
+    impossible?: string;
+    /**
+     * Of the drone that took it; absent where it recorded nothing.
+     */
+    drone?: DroneRecord;
+}
+
+/**
+ * What a drone recorded of itself and its camera.
+ */
+export interface DroneRecord {
+    /**
+     * Of the gimbal that carries the camera: a pitch of -90° looks down.
+     */
+    gimbal: Attitude | null;
+    /**
+     * Of the aircraft: a pitch of 0° is level.
+     */
+    aircraft: Attitude | null;
+    /**
+     * Of the camera, as Pix4D defines it: a pitch of 0° looks down.
+     */
+    camera: Attitude | null;
+    /**
+     * Above the place of take-off.
+     */
+    relative_height_m: number | null;
+    /**
+     * Above the ellipsoid or the sea: makers do not agree.
+     */
+    absolute_height_m: number | null;
+    rtk: RtkSolution | null;
+}
+
+/**
  * What a point of an adjusted block is.
  */
 export type PointSource = { tie_point: number } | { ground_control: number };
@@ -3060,26 +3139,9 @@ export type TwoViewModel = { kind: "calibrated"; fundamental: [[number, number, 
 export type Datum = "free" | "gnss" | "control" | "gnss_and_control";
 
 /**
- * What the EXIF of an image tells beside its pixels; what it does not tell is absent.
+ * What speaks against the camera that a file names.
  */
-export interface ExifImage {
-    /**
-     * Also where the focal length is not told.
-     */
-    make: string | null;
-    model: string | null;
-    camera: ExifCamera | null;
-    /**
-     * How the stored image is turned for display, 1..8 as the standard counts: 1 not at all, 3 half round, 6 a quarter to the right, 8 a
-     * quarter to the left, the others mirrored too. Positions in px are always those of the stored image.
-     */
-    orientation: number | null;
-    position: ExifPosition | null;
-    /**
-     * What of the recorded position cannot be and was left out, with its value: all of it, or the height alone.
-     */
-    impossible?: string;
-}
+export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "contradiction"; xmp_focal_px: number; exif_focal_px: number } | { kind: "panorama"; projection: string };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -3154,6 +3216,20 @@ export interface MatchReliability {
 }
 
 /**
+ * What the receiver of a drone says of its solution.
+ */
+export interface RtkSolution {
+    /**
+     * 0 no position, 16 single point (metres), 32 to 49 floating solution (decimetres), 50 fixed solution (centimetres).
+     */
+    flag: number;
+    /**
+     * Standard deviations east, north and up; absent where one is not given.
+     */
+    standard_deviations_m: [number, number, number] | null;
+}
+
+/**
  * What the result of a pair is worth.
  */
 export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number; kappa_deg: number; half_width_deg: number } | { kind: "weak"; points: number; warning: Warning } | { kind: "not_oriented"; no_orientation: NoOrientation };
@@ -3161,7 +3237,7 @@ export type PairVerdict = { kind: "oriented"; points: number; sigma0_px: number;
 /**
  * What the run reports of its input beside the images that it skips.
  */
-export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "older_project"; version: number };
+export type Remark = { kind: "unused_camera"; images: string } | { kind: "doubtful_focal"; label: string; focal_px: number; sides: number; least: number; most: number; in_mm: boolean } | { kind: "cautioned_cameras"; camera_caution: CameraCaution; images: string[] } | { kind: "impossible_positions"; images: ImpossiblePosition[] } | { kind: "older_project"; version: number };
 
 /**
  * What two points are compared by.
@@ -3177,6 +3253,11 @@ export type ParameterKind = { kind: "integer"; min: number; max: number; odd: bo
  * What was observed of positions.
  */
 export type Observed = "positions" | "points" | "both";
+
+/**
+ * Where the focal length in px of a file's camera comes from, the most certain first.
+ */
+export type CameraOrigin = "xmp_calibration" | "xmp_dewarped" | "xmp_design" | "exif_focal_plane" | "exif35_mm" | "sensor_table" | "focal_length_alone" | "panorama";
 
 /**
  * Whether and how observations are refined before the block is oriented.
@@ -3246,7 +3327,7 @@ export type Failure = { kind: "unreadable"; message: string } | { kind: "refused
 /**
  * Why a pair has no orientation.
  */
-export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "refused"; error: { kind: string } };
+export type NoOrientation = { kind: "no_camera"; side: Side } | { kind: "no_focal_length" } | { kind: "no_pixel_size"; side: Side } | { kind: "panorama"; side: Side } | { kind: "no_geometry"; no_geometry: NoGeometry } | { kind: "pure_rotation" } | { kind: "refused"; error: { kind: string } };
 
 /**
  * Why a pair was chosen.
@@ -3405,7 +3486,7 @@ export class Photo {
      */
     grey(): Uint8Array;
     /**
-     * Size, format and camera.
+     * Size, format, camera and drone.
      */
     info(): PhotoInfo;
     /**
@@ -3994,7 +4075,7 @@ export interface InitOutput {
     readonly two_view: (a: number, b: number, c: any) => [number, number, number];
     readonly version: () => [number, number];
     readonly write_pair_project: (a: any) => [number, number, number, number];
-    readonly wasm_bindgen__convert__closures_____invoke__hbf0ebb09f7a36d99: (a: number, b: number, c: any, d: any) => any;
+    readonly wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c: (a: number, b: number, c: any, d: any) => any;
     readonly __wbindgen_malloc: (a: number, b: number) => number;
     readonly __wbindgen_realloc: (a: number, b: number, c: number, d: number) => number;
     readonly __wbindgen_free: (a: number, b: number, c: number) => void;

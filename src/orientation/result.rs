@@ -145,7 +145,7 @@ messages! {
         Mirrored,
         /// The fiducial marks lie mirrored in the scan.
         MirroredMarks { side: Side },
-        /// Nobody told the focal length: it was estimated with the orientation, from what is usual.
+        /// The focal length is hardly known: it was estimated with the orientation.
         UnknownCamera,
         /// The matches agree better than those of two photographs ever do.
         Exact { sigma0_px: f64, least_px: f64 },

@@ -13,7 +13,7 @@ messages! {
     #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
     pub enum PairVerdict as "pair_verdict" {
         /// The orientation is right within its intervals. `points`: matches that took part; `half_width_deg`: of the interval of 95 % of κ.
-        Oriented { points: usize, sigma0_px: f64, kappa_deg: f64, half_width_deg: f64 },
+        Oriented { points: usize, sigma0_px: f64, kappa_deg: f64, #[serde(with = "crate::json::infinite")] half_width_deg: f64 },
         /// There is an orientation, which may be wrong or too poor to be used, for this reason.
         Weak { points: usize, warning: Warning },
         NotOriented { no_orientation: NoOrientation },

@@ -34,7 +34,8 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
     let places = places_of(&accepted);
     let agreeing = accepted.len() as f64 >= LEAST_SHARE * positions.len() as f64;
     let [angle_deg, base_deg] = half_widths_deg(&found);
-    let sigma0_px = found.sigma0_mm.unwrap_or(0.0) / interior.left.pixel_mm();
+    // Without redundancy nothing tells the precision: there are too few matches.
+    let sigma0_px = found.sigma0_mm.unwrap_or(f64::NAN) / interior.left.pixel_mm();
     let is_calibrated = !self_calibration::is_wanted(interior);
     let marks = [(Side::Left, &interior.left), (Side::Right, &interior.right)];
     let told = [
@@ -48,16 +49,16 @@ pub fn judged(found: RelativeOrientation, matches: &[Match], interior: &PairInte
         (sigma0_px < LEAST_SIGMA0_PX, Warning::Exact { sigma0_px, least_px: LEAST_SIGMA0_PX }),
         (sigma0_px > LARGEST_SIGMA0_PX, Warning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX }),
         (is_calibrated && found.spread > LARGEST_COVERAGE, Warning::WideAngle { coverage: found.spread, most: LARGEST_COVERAGE }),
-        (!(angle_deg <= LARGEST_ANGLE_DEG), Warning::Uncertain { half_width_deg: angle_deg, most_deg: LARGEST_ANGLE_DEG }),
-        (!(base_deg <= LARGEST_BASE_DEG), Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
+        (angle_deg > LARGEST_ANGLE_DEG, Warning::Uncertain { half_width_deg: angle_deg, most_deg: LARGEST_ANGLE_DEG }),
+        (base_deg > LARGEST_BASE_DEG, Warning::UncertainBase { half_width_deg: base_deg, most_deg: LARGEST_BASE_DEG }),
     ];
     let warnings = found.warnings.iter().copied().chain(told.into_iter().filter(|(holds, _)| *holds).map(|(_, warning)| warning));
     RelativeOrientation { warnings: warnings.collect(), ..found }
 }
 
-/// Half the widths of the intervals of the worst angle and of the direction of the base; infinite where there are none.
+/// Half the widths of the intervals of the worst angle and of the direction of the base; no number where there are none.
 fn half_widths_deg(found: &RelativeOrientation) -> [f64; 2] {
-    let Some(half) = found.half_widths_95 else { return [f64::INFINITY; 2] };
+    let Some(half) = found.half_widths_95 else { return [f64::NAN; 2] };
     let across = libm::hypot(half.by_mm, half.bz_mm);
     [half.omega_deg.max(half.phi_deg).max(half.kappa_deg), libm::atan2(across, found.base_mm.abs()).to_degrees()]
 }

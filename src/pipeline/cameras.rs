@@ -83,7 +83,7 @@ impl CameraRules {
     }
 
     /// The cameras of images with these names, sizes in px and EXIF, and the index of each image's own. Images of one make, model, focal
-    /// length and size are of one camera, and so are those of one rule and size.
+    /// length, size and recorded lens are of one camera, and so are those of one rule and size.
     pub fn group<'a>(&self, images: impl Iterator<Item = (&'a str, [u32; 2], &'a ExifImage)>) -> (Vec<InitialCamera>, Vec<usize>) {
         let mut found: Vec<(Option<usize>, InitialCamera)> = Vec::new();
         let mut of = Vec::new();
@@ -114,7 +114,8 @@ fn plain([width_px, height_px]: [u32; 2]) -> InitialCamera {
 }
 
 fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
-    let camera = exif.camera.as_ref();
+    // No focal length makes a panorama a photograph: its camera is unknown.
+    let camera = exif.camera.as_ref().filter(|camera| !camera.is_panorama());
     // Models of some makers begin with the make.
     let is_in_model = |make: &&String| exif.model.as_ref().is_some_and(|model| model.starts_with(make.as_str()));
     let name: Vec<&str> = exif.make.iter().filter(|make| !is_in_model(make)).chain(&exif.model).map(String::as_str).collect();
@@ -123,8 +124,6 @@ fn of_exif(size: [u32; 2], exif: &ExifImage) -> InitialCamera {
         camera.map(|camera| format!("{} mm", (camera.focal_mm * 1e3).round() / 1e3)),
         Some(format!("{} x {} px", size[0], size[1])),
     ];
-    // No focal length makes a panorama a photograph.
-    let camera = camera.filter(|camera| !camera.is_panorama());
     let pixel_mm = camera.and_then(|camera| camera.pixel_mm);
     let focal_px = camera.zip(pixel_mm).map(|(camera, pixel)| camera.focal_mm / pixel);
     let plain = InitialCamera { label: parts.into_iter().flatten().collect::<Vec<_>>().join(", "), focal_px, pixel_mm, ..plain(size) };

@@ -33,7 +33,7 @@ impl Report {
     /// As [`match_pair`](crate::match_pair), and those of a truth that does not fit the images.
     pub fn step(&mut self) -> Result<bool, Error> {
         let Some((name, settings)) = self.plan.get(self.studies.len()) else { return Ok(false) };
-        let done = self.studies.iter().find(|study| study.settings == *settings);
+        let done = self.studies.iter().find(|study| study.settings.resolved() == settings.resolved());
         let study = match done {
             Some(study) => Study { name, ..study.clone() },
             None => {

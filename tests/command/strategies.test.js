@@ -50,7 +50,7 @@ test('a refinement moves right positions between pixels and makes σ₀ smaller'
 test('with nothing set all matches of gradients stay, and those that least squares matching confirms are refined', () => {
   const [auto, gradient] = [run(), run('--strategy', 'gradient')];
   assert.equal(auto.counts.matches, gradient.counts.matches);
-  const confirmed = auto.fits.filter((/** @type {number[]} */ fit) => fit[0] !== null);
+  const confirmed = auto.fits.filter((/** @type {number[] | null} */ fit) => fit !== null);
   assert.ok(confirmed.length > 0.5 * auto.counts.matches && confirmed.length < auto.counts.matches);
   assert.ok(auto.orientation.sigma0_mm < 0.7 * gradient.orientation.sigma0_mm);
 });

@@ -12,6 +12,7 @@ const PAPER_FRACTION = 0.148;
 /** @param {(settings: PairSettings) => void} change @returns {PairSettings} */
 export function settingsWith(change) {
   const settings = defaults();
+  settings.matching.strategy = 'moments';
   settings.points.fraction = PAPER_FRACTION;
   change(settings);
   return settings;

@@ -24,6 +24,7 @@ const SEEDS = [101, 102, 103, 104, 105, 106];
 const WAYS = [
   ['default', {}],
   ['gradient', { matching: { strategy: 'gradient' } }],
+  ['moments', { matching: { strategy: 'moments' } }],
 ];
 
 export function byDefault() {
@@ -45,7 +46,7 @@ function run(way, { name, left, right, input, pose, share }, settings) {
   const seconds = (performance.now() - start) / 1000;
   left.free();
   right.free();
-  const outcome = { share: share(output.match.matches), ...errors(output, pose), verdict: output.orientation ? 'oriented' : 'not oriented' };
+  const outcome = { share: share(output.match.matches), ...errors(output, pose), verdict: message('pair_verdict', output.verdict, 'label') };
   const why = output.no_orientation ? `: ${message('no_orientation', output.no_orientation)}` : '';
   console.log(
     `  ${way}, ${name}: ${output.match.counts.matches} matches, ${outcome.share.toFixed(3)}; ${outcome.rotation.toFixed(3)} deg, ` +

@@ -81,7 +81,7 @@ impl ExifCamera {
                 None => {
                     // The pixel's side is a fact where it was measured or is listed; else it follows from the focal length.
                     let known = measured.or_else(listed).map(|(pixel, _)| pixel);
-                    let pixel = known.or(focal_mm.map(|focal| focal / lens.focal_px)).unwrap_or(NOMINAL_PIXEL_MM);
+                    let pixel = known.or(focal_mm.and_then(|focal| plausible(focal / lens.focal_px))).unwrap_or(NOMINAL_PIXEL_MM);
                     let lens = Camera { pixel_mm: Some(pixel), ..lens };
                     return Some(Self {
                         focal_mm: lens.focal_px * pixel,

@@ -62,6 +62,12 @@ function countsOf(state: State) {
   };
 }
 
+/** What the orientation is worth, as the command's JSON has it; null without one. */
+function verdictOf(state: State): object | null {
+  const verdict = isCurrent(state, 'orientation') ? state.results.orientation?.value.verdict : undefined;
+  return verdict === undefined ? null : { ...verdict, text: message('pair_verdict', verdict) };
+}
+
 /** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
 export function everything(state: State): object {
   const { left, right, match, orientation } = shownPair(state);
@@ -75,11 +81,12 @@ export function everything(state: State): object {
       frames: 'for points of many scales: [scale in px, direction in rad from x towards y]',
       matches: '[x left, y left, x right, y right, measure]',
       match_indices: '[index of the left point, index of the right point], the right one null where the place found is no interest point',
-      fits: 'least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations]',
+      fits: 'least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations], null for one that it did not confirm',
       orientation_points:
         'a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]',
       verdicts: 'one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure',
     },
+    verdict: verdictOf(state),
     settings: state.settings,
     images: { left: imageOf(state, 'left'), right: imageOf(state, 'right') },
     camera: pairCameras(state),
@@ -92,7 +99,7 @@ export function everything(state: State): object {
     frames: { left: framesOf(state, 'left'), right: framesOf(state, 'right') },
     matches: match === null ? null : rows(match.matches, 5),
     match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => (index === NO_POINT ? null : index))),
-    fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.map(finite)),
+    fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => (fit.every(Number.isNaN) ? null : fit.map(finite))),
     verdicts: verdicts(state),
     geometry: match?.geometry ?? null,
     no_geometry: match?.no_geometry == null ? null : { ...match.no_geometry, text: message('no_geometry', match.no_geometry) },

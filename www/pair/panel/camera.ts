@@ -83,6 +83,7 @@ export function mountCamera(host: HTMLElement, store: Store, loadFile: () => voi
 }
 
 function exifText(name: string, exif: ExifCamera): string {
+  if (exif.origin === 'panorama') return (exif.cautions ?? []).map((caution) => `The ${name} image is ${message('camera_caution', caution)}.`).join(' ');
   // Many makers repeat their name in the model's.
   const make = exif.make != null && exif.model?.startsWith(exif.make) === true ? null : exif.make;
   const camera = [make, exif.model].filter((part) => part != null).join(' ');

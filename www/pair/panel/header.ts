@@ -28,6 +28,8 @@ export function pickerOf(files: Files): Pick {
     input.multiple = true;
     wanted = { side: null, what: 'any' };
   });
+  // What was chosen while the program loaded.
+  if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event('change'));
   return (side, what = 'any') => {
     wanted = { side, what };
     input.multiple = side === null;

@@ -78,6 +78,7 @@ export function whyNotOriented(state: State): string | null {
   if (match?.no_geometry != null) return `Not oriented: ${message('no_geometry', match.no_geometry)}. Do both photos show the same ground?`;
   const cameras = pairCameras(state);
   if (state.results.openLeft !== undefined && state.results.openRight !== undefined && 'missing' in cameras && keys.orientation === null) {
+    if (cameras.missing.kind === 'panorama') return `Not oriented: ${message('no_orientation', cameras.missing)}.`;
     const untold = match?.geometry == null ? '' : ', and the matches do not determine the focal length';
     return `Not oriented: ${message('no_orientation', cameras.missing)}${untold}. Give the focal length, and the pixel size or fiducial marks, under “Camera”.`;
   }
@@ -231,7 +232,7 @@ function precision(state: State, result: RelativeOrientation): HTMLElement {
       name: 'Misfit to a plane',
       testid: 'plane-misfit',
       value: result.plane_misfit === null ? '–' : `${significant(result.plane_misfit)} σ₀`,
-      help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation fits as well; large over relief.',
+      help: 'How far the matches deviate from the best map of one plane onto another, in standard errors: about 1 over a plane, where a second orientation may fit as well; large over relief.',
     },
     {
       name: 'Parallax beside a rotation',

@@ -51,7 +51,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
       orientation: oriented,
       no_orientation: none,
       // Made anew from the rest when the project is opened.
-      verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) },
+      verdict: oriented?.verdict ?? { kind: 'not_oriented', no_orientation: none ?? whyNone(state) },
     },
     truth: truthFor(state),
   };
