@@ -33,13 +33,15 @@ const drone =
 
 test('a pair is oriented by the cameras of its files, whose origin is told', () => {
   const pair = pairWith(drone);
-  const result = json('match', ...pair);
+  // The principal point of the sample is not in its middle: gradients would see a rotation alone.
+  const moments = ['--strategy', 'moments'];
+  const result = json('match', ...pair, ...moments);
   assert.ok(result.orientation, JSON.stringify(result.no_orientation));
   assert.deepEqual(
     result.file_cameras.map((/** @type {{ origin: string }} */ { origin }) => origin),
     ['xmp_calibration', 'xmp_calibration'],
   );
-  const { stdout } = tiepoint('match', ...pair);
+  const { stdout } = tiepoint('match', ...pair, ...moments);
   assert.ok(stdout.includes(`camera of ${pair[0]}: 603.8 px, from XMP (calibrated)`), stdout);
 });
 
@@ -48,7 +50,7 @@ test('a panorama is not oriented, and why is told', () => {
   const result = json('match', ...pair);
   assert.equal(result.no_orientation.kind, 'panorama');
   const { stdout } = tiepoint('match', ...pair);
-  assert.ok(stdout.includes('not oriented: the left image is a panorama') && stdout.includes(`caution, ${pair[1]}: a panorama (equirectangular)`), stdout);
+  assert.ok(stdout.startsWith('Not oriented: the left image is a panorama') && stdout.includes(`caution, ${pair[1]}: a panorama (equirectangular)`), stdout);
 });
 
 test('the package reads what a drone recorded', () => {

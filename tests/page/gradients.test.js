@@ -145,6 +145,7 @@ test('a focal length that only the matches tell orients the photos and is shown 
   const { page, complaints, close } = await open();
   await part(page, 'file-input').setInputFiles(FOUNTAIN);
   await done(page);
+  await choose(page, 'matching.strategy', 'moments');
   assert.match(await text(page, 'orientation-reason'), /no camera is given/);
   await choose(page, 'matching.strategy', 'gradient');
   const [, focal = NaN, error = NaN] = (/^(\d+) ± (\d+) px$/.exec(await text(page, 'geometry-focal')) ?? []).map(Number);
