@@ -1,9 +1,11 @@
 //! Photos of any rotation and direction of flight, matched by gradients with and without a known camera.
 
+mod known;
+
+use known::input;
 use tiepoint::{
     CameraMm, Degeneracy, Expectation, GreyImage, NoOrientation, OffsetField, Operator, PairImage, PairInput, PairResult, PairSettings,
-    PhotoInput, PointOptions, Refinement, Rule, SAMPLE_SEED, Sample, Strategy, describe_image, match_in_rounds, match_pair, nearest_of,
-    sample_pair,
+    PointOptions, Refinement, Rule, SAMPLE_SEED, Strategy, describe_image, match_in_rounds, match_pair, nearest_of, sample_pair,
 };
 
 /// The image turned by a quarter clockwise.
@@ -22,17 +24,6 @@ fn settings() -> PairSettings {
 fn matched(left: &GreyImage, right: &GreyImage, input: &PairInput, settings: &PairSettings) -> PairResult {
     let [left, right] = [left, right].map(|image| PairImage { grey: image.view(), exif: None, mask: None });
     match_pair(left, right, input, settings).unwrap()
-}
-
-/// The camera of the sample, whose images are patches of a larger scan: their principal points lie far outside.
-fn input(sample: &Sample) -> PairInput {
-    let photo = |fiducials: &Vec<_>, origin| PhotoInput { fiducials: fiducials.clone(), origin: Some(origin), ..PhotoInput::default() };
-    PairInput {
-        camera: Some(sample.camera),
-        left: photo(&sample.left_fiducials, sample.left_origin),
-        right: photo(&sample.right_fiducials, sample.right_origin),
-        offset: None,
-    }
 }
 
 #[test]

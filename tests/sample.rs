@@ -2,9 +2,11 @@
 //!
 //! `TIEPOINT_GOLDEN=write cargo test --test sample` rewrites the golden file after a change that is meant to change the matches.
 
+mod known;
+
 use tiepoint::{
-    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairInput, PairResult, PairSettings, PhotoInput, PointOptions,
-    Refinement, SAMPLE_SEED, Sample, Strategy, match_pair, matches_csv, sample_pair, score_matches,
+    Denominator, DenseTruth, MatchOptions, MatchScore, PairImage, PairResult, PairSettings, PointOptions, Refinement, SAMPLE_SEED, Sample,
+    Strategy, match_pair, matches_csv, sample_pair, score_matches,
 };
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test;
@@ -35,13 +37,7 @@ fn moments() -> MatchOptions {
 }
 
 fn run(sample: &Sample, matching: MatchOptions) -> PairResult {
-    let photo = |fiducials: &Vec<_>, origin| PhotoInput { fiducials: fiducials.clone(), origin: Some(origin), ..PhotoInput::default() };
-    let input = PairInput {
-        camera: Some(sample.camera),
-        left: photo(&sample.left_fiducials, sample.left_origin),
-        right: photo(&sample.right_fiducials, sample.right_origin),
-        offset: None,
-    };
+    let input = known::input(sample);
     let points = PointOptions { fraction: Some(0.148), ..PointOptions::default() };
     let mut settings = PairSettings { points, matching, ..PairSettings::default() };
     settings.orientation.base_mm = Some(sample.base_mm);

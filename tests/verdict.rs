@@ -1,19 +1,9 @@
 //! What a pair is worth, as it is told to whoever sets nothing.
 
-use tiepoint::{
-    GreyImage, PairImage, PairInput, PairResult, PairSettings, PairVerdict, PhotoInput, SAMPLE_SEED, Sample, Warning, match_pair,
-    sample_pair,
-};
+mod known;
 
-fn input(sample: &Sample) -> PairInput {
-    let photo = |fiducials: &Vec<_>, origin| PhotoInput { fiducials: fiducials.clone(), origin: Some(origin), ..PhotoInput::default() };
-    PairInput {
-        camera: Some(sample.camera),
-        left: photo(&sample.left_fiducials, sample.left_origin),
-        right: photo(&sample.right_fiducials, sample.right_origin),
-        offset: None,
-    }
-}
+use known::input;
+use tiepoint::{GreyImage, PairImage, PairInput, PairResult, PairSettings, PairVerdict, SAMPLE_SEED, Warning, match_pair, sample_pair};
 
 fn matched(left: &GreyImage, right: &GreyImage, mask: Option<&GreyImage>, input: &PairInput) -> PairResult {
     let image = |grey, mask| PairImage { grey, exif: None, mask };
