@@ -2,6 +2,7 @@
 import './style/block.css';
 import { button, byId, fill, h } from '../shared/panel/dom';
 import type { Taker } from '../shared/files/drop';
+import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
@@ -9,6 +10,7 @@ import { BlockEngine } from './engine/engine';
 import type { BlockStore } from './engine/engine';
 import { mountExports } from './panel/exports';
 import { BlockFiles } from './files/files';
+import { KeptBlocks } from './files/keep';
 import { mountFlight } from './panel/flight';
 import { mountBack, mountMode } from './panel/mode';
 import { mountProgress } from './panel/progress';
@@ -17,18 +19,27 @@ import { mountResults } from './panel/results';
 import { mountSettings } from './panel/settings';
 import { mountStage } from './panel/stage';
 import { BLOCK_INITIAL, isBusy } from './state/state';
+import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
 import { mountImages, mountPoints } from './panel/tables';
 
 export interface Block {
   store: BlockStore;
   taker: Taker;
+  /** What of it is kept in the browser's storage. */
+  kept: Keepable;
+  /** Takes images that were given elsewhere, with their masks. */
+  give: (files: readonly File[], masks: readonly File[]) => void;
   /** Opens a block that was saved. */
   open: (file: File) => Promise<void>;
 }
 
 /** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
-export function mountBlock(openPair: (block: BlockStore, images: [number, number]) => void, openProject: (file: File) => Promise<void>): Block {
+export function mountBlock(
+  catalogue: BlockCatalogue,
+  openPair: (block: BlockStore, images: [number, number]) => void,
+  openProject: (file: File) => Promise<void>,
+): Block {
   const store: BlockStore = new Holder(BLOCK_INITIAL, reduceBlock);
   const engine = new BlockEngine(store);
   const files = new BlockFiles(store, engine, openProject);
@@ -55,7 +66,7 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   const bar = heading?.parentElement;
   if (heading == null || bar == null) throw new Error('the page has no bar');
   const pairParts = [...bar.querySelectorAll<HTMLElement>(':scope > .actions'), ...document.querySelectorAll<HTMLElement>('body > main, body > .status-bar')];
-  byId('theme').before(actions, exports);
+  byId('page-actions').before(actions, exports);
   document.querySelector('body > main')?.after(status, main);
   const back = mountBack(store);
   document.querySelector('body > main')?.before(back);
@@ -76,7 +87,13 @@ export function mountBlock(openPair: (block: BlockStore, images: [number, number
   store.watch(['running'], ([running]) => {
     if (running.kind === 'yes') showTab('tab-block-results');
   });
-  return { store, taker: files.taker, open: (file) => files.open(file) };
+  return {
+    store,
+    kept: new KeptBlocks(store, engine, catalogue),
+    taker: files.taker,
+    give: (given, masks) => void files.give(given, masks),
+    open: (file) => files.open(file),
+  };
 }
 
 /** The buttons that give images. */

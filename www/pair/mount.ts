@@ -1,10 +1,13 @@
 /** The pair's part of the page: makes its parts and wires them together. */
 import './style/pair.css';
+import type { Catalogue } from '../shared/crate';
 import type { Taker } from '../shared/files/drop';
+import type { Keepable } from '../shared/files/keepable';
 import { byId } from '../shared/panel/dom';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
+import { KeptPairs } from './files/keep';
 import { Files, takerOf } from './files/open';
 import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
@@ -30,13 +33,21 @@ import { messageOf } from '../shared/text/format';
 export interface Pair {
   store: Store;
   engine: Engine;
+  /** What of it is kept in the browser's storage. */
+  kept: Keepable;
+  /** Takes files from now on. */
+  begin: () => void;
   taker: Taker;
   /** Opens a pair that was saved. */
   open: (file: File) => Promise<void>;
 }
 
-/** `openProject` opens a project of whatever kind where it belongs. */
-export function mountPair(openProject: (file: File) => Promise<void>): Pair {
+/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has. */
+export function mountPair(
+  catalogue: Catalogue,
+  openProject: (file: File) => Promise<void>,
+  toBlock: (files: readonly File[], masks: readonly File[]) => void,
+): Pair {
   const store = new Store();
   const {
     element: left,
@@ -59,7 +70,7 @@ export function mountPair(openProject: (file: File) => Promise<void>): Pair {
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
-  const files = new Files(store, engine, openProject);
+  const files = new Files(store, engine, openProject, toBlock);
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {
@@ -97,5 +108,12 @@ export function mountPair(openProject: (file: File) => Promise<void>): Pair {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');
   });
-  return { store, engine, taker: takerOf(view, files), open: (file) => files.takeProject(file) };
+  return {
+    store,
+    engine,
+    kept: new KeptPairs(store, engine, catalogue),
+    begin: () => files.begin(),
+    taker: takerOf(view, files),
+    open: (file) => files.takeProject(file),
+  };
 }

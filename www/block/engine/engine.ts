@@ -10,6 +10,7 @@ import type { BlockFile, BlockOptions, BlockState } from '../state/state';
 import { firstProblem } from '../state/given';
 import type { BlockAction } from '../state/reducer';
 import { isBusy, wantedKey } from '../state/state';
+import type { BlockView } from '../state/view';
 
 export type BlockStore = Holder<BlockState, BlockAction>;
 
@@ -22,6 +23,7 @@ export class BlockEngine {
   private readonly block = new WorkerClient<BlockCalls>('block');
   /** Records of images and pairs that were done, by key: what is done once is not done again. */
   private readonly kept = new Map<string, Blob>();
+  private recorded: () => void = () => undefined;
   private port: MessagePort | null = null;
   /** Of the export that is written. */
   private writing: MessagePort | null = null;
@@ -79,13 +81,40 @@ export class BlockEngine {
     }, PATIENCE_MS);
   }
 
-  /** Forgets what was done. */
-  forget(): void {
+  /** Records of images and pairs that were done. */
+  get records(): ReadonlyMap<string, Blob> {
+    return this.kept;
+  }
+
+  /** Takes records of earlier runs, in place of those that are there. */
+  takeRecords(records: ReadonlyMap<string, Blob>): void {
     this.kept.clear();
+    for (const [key, record] of records) this.kept.set(key, record);
+  }
+
+  /** Calls back whenever there is another record. */
+  watchRecords(recorded: () => void): void {
+    this.recorded = recorded;
+  }
+
+  /** The project file of the block that is held. */
+  async project(): Promise<Blob> {
+    const { port1, port2 } = new MessageChannel();
+    try {
+      const { bytes } = await this.block.call('blockExport', { kind: 'project', name: 'block', stop: port2 }, [port2]);
+      return new Blob([bytes]);
+    } finally {
+      port1.close();
+    }
+  }
+
+  /** Holds the block of a project file; what is shown stays. */
+  read(bytes: Uint8Array): Promise<BlockView> {
+    return this.block.call('blockOpen', { bytes }, [bytes.buffer as ArrayBuffer]);
   }
 
   async open(bytes: Uint8Array): Promise<void> {
-    const view = await this.block.call('blockOpen', { bytes }, [bytes.buffer as ArrayBuffer]);
+    const view = await this.read(bytes);
     this.store.dispatch({ type: 'openedFile', view });
   }
 
@@ -122,8 +151,10 @@ export class BlockEngine {
     this.port = port;
     port.onmessage = (event: MessageEvent<FromRun>) => {
       const message = event.data;
-      if (message.kind === 'keep') this.kept.set(message.key, message.record);
-      else if (message.kind === 'job') void this.perform(port, message.id, message.job);
+      if (message.kind === 'keep') {
+        this.kept.set(message.key, message.record);
+        this.recorded();
+      } else if (message.kind === 'job') void this.perform(port, message.id, message.job);
       else if (message.kind === 'part') this.store.dispatch({ type: 'part', view: message.view, files });
       else if (this.port === port) this.store.dispatch({ type: 'step', step: message.step });
     };

@@ -13,6 +13,11 @@ const CAMERAS = /\.json$/iu;
 
 let nextId = 1;
 
+/** Later files have other numbers than these. */
+export function passIds(taken: readonly number[]): void {
+  for (const id of taken) nextId = Math.max(nextId, id + 1);
+}
+
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Ground control points', marks: 'Image measurements' };
 
 export class BlockFiles {
@@ -30,8 +35,8 @@ export class BlockFiles {
     take: (found) => void this.take(found),
   };
 
-  /** Adds images to the block; what a folder holds besides images is left aside. */
-  async take(found: readonly FoundFile[]): Promise<void> {
+  /** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
+  async take(found: readonly FoundFile[], why = ''): Promise<void> {
     const alone = found.filter(({ path }) => path === '');
     const project = alone.find(({ file }) => PROJECT.test(file.name));
     const cameras = alone.find(({ file }) => CAMERAS.test(file.name));
@@ -39,7 +44,16 @@ export class BlockFiles {
     if (project !== undefined) await this.openProject(project.file);
     if (cameras !== undefined) await this.takeText('cameras', cameras.file);
     const aside = found.length - images.length - (project === undefined ? 0 : 1) - (cameras === undefined ? 0 : 1);
-    if (images.length > 0 || aside > 0) this.add(images, aside);
+    if (images.length > 0 || aside > 0) this.add(images, aside, why);
+  }
+
+  /** Takes more images than a pair has, which were given there. */
+  async give(files: readonly File[], masks: readonly File[]): Promise<void> {
+    await this.take(
+      files.map((file) => ({ file, path: '' })),
+      'More than two images are a block.',
+    );
+    if (masks.length > 0) this.takeMasks(masks);
   }
 
   /** Photographs the simulated block, in place of the images that are there. */
@@ -85,7 +99,7 @@ export class BlockFiles {
     }
   }
 
-  private add(found: readonly FoundFile[], aside: number): void {
+  private add(found: readonly FoundFile[], aside: number, why: string): void {
     const files = new Map(this.store.state.files.map((file) => [file.name, file]));
     const before = files.size;
     for (const { file, path } of found) {
@@ -97,6 +111,7 @@ export class BlockFiles {
     const sorted: BlockFile[] = [...files.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
     if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
     const notes = [
+      why,
       `${images(sorted.length)} in the block.`,
       twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : '',
       aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} skipped: not an image by name.` : '',

@@ -145,7 +145,11 @@ function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTML
     ),
     h('p', { class: 'buttons' }, simulate),
     list,
-    h('p', { class: 'note' }, 'Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer.'),
+    h(
+      'p',
+      { class: 'note' },
+      'Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there. Nothing leaves this computer.',
+    ),
   );
   host.append(welcome);
   store.watch(['shown', 'files', 'running', 'notice', 'catalogue'], ([shown, given, , , catalogue]) => {

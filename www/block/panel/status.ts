@@ -35,6 +35,10 @@ export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLEl
 function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'problem' } {
   const { running, notice, shown, files } = state;
   if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
+  if (notice?.beside === true) {
+    const line = lineOf({ ...state, notice: null });
+    return { ...line, text: `${line.text} ${notice.text}` };
+  }
   if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
   if (state.refused !== null) return { text: refusedText(state.refused), kind: 'problem' };
   if (running.kind === 'ended') {

@@ -4,6 +4,7 @@ import type { BlockFlight, BlockModel } from '../../../pkg/wasm/tiepoint.js';
 import type { Notice } from '../../shared/state/notice';
 import type { BlockCatalogue, BlockFile, BlockOptions, BlockState, Choice, Mode } from './state';
 import { BLOCK_INITIAL } from './state';
+import type { RestoredBlock } from './kept';
 import type { BlockView } from './view';
 
 export type BlockAction =
@@ -22,6 +23,10 @@ export type BlockAction =
   /** `failure`: null where the user ended it. */
   | { type: 'ended'; failure: string | null }
   | { type: 'openedFile'; view: BlockView }
+  /** What the browser kept. */
+  | { type: 'restored'; restored: RestoredBlock }
+  /** Nothing is on the page any more, and all options have their defaults. */
+  | { type: 'cleared' }
   | { type: 'clear' }
   | { type: 'choose'; choice: Choice | null }
   | { type: 'openedPair'; images: [number, number] | null }
@@ -55,6 +60,10 @@ export function reduceBlock(state: BlockState, action: BlockAction): BlockState 
       return { ...state, notice: action.notice };
     case 'openedFile':
       return { ...state, ...blank(state), running: { kind: 'no' }, shown: { key: '', view: action.view, files: [], steps: {}, seconds: 0 } };
+    case 'restored':
+      return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, ...action.restored };
+    case 'cleared':
+      return state.catalogue === null ? state : reduceBlock({ ...BLOCK_INITIAL, mode: state.mode }, { type: 'ready', catalogue: state.catalogue });
     case 'clear':
       return { ...BLOCK_INITIAL, mode: state.mode, catalogue: state.catalogue, options: state.options, flight: state.flight };
     default:

@@ -44,6 +44,10 @@ export interface BlockOptions {
 
 export type Mode = 'pair' | 'block';
 
+export function isMode(text: string): text is Mode {
+  return text === 'pair' || text === 'block';
+}
+
 /** An image or a pair that is looked at. */
 export type Choice = { kind: 'image'; image: number } | { kind: 'pair'; images: [number, number] };
 

@@ -15,12 +15,15 @@ import { readProject, sideOfFile } from './project';
 import { sortFiles } from './sort';
 
 /** Longest side of the copy of a mask that is shown, px. */
-const MASK_SIDE = 1024;
+export const MASK_SIDE = 1024;
 
 /** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
 const MOST_BYTES = 2 ** 30;
 
 let nextId = 1;
+
+/** Differs for every image and mask ever given. */
+export const freshId = (): number => nextId++;
 
 /** Masks named "right", or the second of two, belong right. */
 function sideOfMask(mask: File, index: number): Side {
@@ -35,12 +38,27 @@ const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
 
 export class Files {
+  isReady = false;
+  private started: () => void = () => undefined;
+  /** Resolves with `begin`. */
+  readonly ready = new Promise<void>((resolve) => {
+    this.started = resolve;
+  });
+
   constructor(
     private readonly store: Store,
     private readonly engine: Engine,
     /** Opens a project of whatever kind where it belongs. */
     private readonly openProject: (file: File) => Promise<void>,
+    /** Takes more images than a pair has. */
+    private readonly toBlock: (files: readonly File[], masks: readonly File[]) => void,
   ) {}
+
+  /** Takes files from now on: what was kept of the pair is shown. */
+  begin(): void {
+    this.isReady = true;
+    this.started();
+  }
 
   /** Takes files of any kind; `side` says where a single one belongs. */
   async take(files: readonly File[], side: Side | null): Promise<void> {
@@ -55,7 +73,10 @@ export class Files {
       return;
     }
     if (images.length > 2) {
-      this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
+      this.toBlock(
+        files.filter((file) => !masks.includes(file)),
+        masks,
+      );
       return;
     }
     const told: Told[] = [];
@@ -71,7 +92,7 @@ export class Files {
   async takeProject(file: File): Promise<void> {
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${file.name} …` } });
     try {
-      this.store.dispatch({ type: 'opened', opened: await readProject(this.engine, file, () => nextId++) });
+      this.store.dispatch({ type: 'opened', opened: await readProject(this.engine, file, freshId) });
       this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`)]);
     } catch (error) {
       this.tell([this.failed(`${file.name} cannot be opened`, error)]);
@@ -94,7 +115,7 @@ export class Files {
           `${file.name} has ${String(mask.width)} × ${String(mask.height)} px, the ${side} image ${String(photo.width)} × ${String(photo.height)} px: a mask is as large as its image. Nothing was changed.`,
         );
       }
-      this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: nextId++, name: file.name } });
+      this.store.dispatch({ type: 'mask', side, mask: { ...mask, id: freshId(), name: file.name, source: { kind: 'file', file } } });
       return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
     } catch (error) {
       return this.failed(`${file.name} cannot be used as a mask`, error);
@@ -106,7 +127,7 @@ export class Files {
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: 'Rendering the pair: a simulated flight over a synthetic scene …' } });
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
-      const given = (side: Side): GivenImage => ({ id: nextId++, name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
+      const given = (side: Side): GivenImage => ({ id: freshId(), name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
       this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
       this.tell([]);
     } catch (error) {
@@ -173,7 +194,7 @@ export class Files {
     const images: Partial<Record<Side, GivenImage>> = {};
     for (const [i, file] of files.entries()) {
       const target = sides[i];
-      if (target !== undefined) images[target] = { id: nextId++, name: file.name, source: { kind: 'file', file } };
+      if (target !== undefined) images[target] = { id: freshId(), name: file.name, source: { kind: 'file', file } };
     }
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${files.map((file) => file.name).join(' and ')} …` } });
     return this.check(images);

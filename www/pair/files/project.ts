@@ -17,19 +17,30 @@ const STANDING_GREY = 0x80;
 /** Writes all that is known of the pair. */
 export async function exportProject(store: Store, engine: Engine): Promise<void> {
   const { state } = store;
-  const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
-  const project = projectOf(state, { left: left ?? null, right: right ?? null });
-  if (project === null) throw new Error('the pair is not matched with the present settings yet');
-  const text = await engine.client('pair').call('projectWrite', project);
+  const text = await projectText(state, engine);
+  if (text === null) throw new Error('the pair is not matched with the present settings yet');
   save(new Blob([text], { type: 'application/octet-stream' }), `${baseName(state)}.tiepoint`);
 }
+
+/** The text of the pair's project file; null while parts of it are missing or out of date. */
+export async function projectText(state: State, engine: Engine): Promise<string | null> {
+  const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
+  const project = projectOf(state, { left: left ?? null, right: right ?? null });
+  return project === null ? null : engine.client('pair').call('projectWrite', project);
+}
+
+/** Digests that were made: files are large. */
+const digests = new WeakMap<Blob, string>();
 
 /** The digest of an image's file; null for an image that was simulated. */
 async function contentOf({ images }: State, engine: Engine, side: Side): Promise<string | null> {
   const source = images[side]?.source;
   switch (source?.kind) {
-    case 'file':
-      return engine.client('pair').call('digest', { file: source.file });
+    case 'file': {
+      const digest = digests.get(source.file) ?? (await engine.client('pair').call('digest', { file: source.file }));
+      digests.set(source.file, digest);
+      return digest;
+    }
     case 'project':
       return source.content;
     default:
@@ -47,7 +58,18 @@ export async function readProject(engine: Engine, file: Blob, nextId: () => numb
   const overviews = { left: await standingFor(left.width_px, left.height_px), right: await standingFor(right.width_px, right.height_px) };
   const mask = (side: Side): GivenMask | null => {
     const { mask: name, width_px: width, height_px: height } = of[side];
-    return name == null ? null : { id: nextId(), name, width, height, grey: new Uint8Array(), leftOut: NaN, overlay: overviews[side].clear };
+    return name == null
+      ? null
+      : {
+          id: nextId(),
+          name,
+          source: { kind: 'project', content: null },
+          width,
+          height,
+          grey: new Uint8Array(),
+          leftOut: NaN,
+          overlay: overviews[side].clear,
+        };
   };
   return { project, estimated, overviews, images: { left: image('left'), right: image('right') }, masks: { left: mask('left'), right: mask('right') } };
 }

@@ -20,6 +20,7 @@ export function pickerOf(files: Files): Pick {
   const input = byId('file-input') as HTMLInputElement;
   let wanted: { side: Side | null; what: 'any' | 'mask' } = { side: null, what: 'any' };
   input.addEventListener('change', () => {
+    if (!files.isReady) return;
     const given = [...(input.files ?? [])];
     const [first] = given;
     if (wanted.what === 'mask' && wanted.side !== null && first !== undefined) void files.takeMask(first, wanted.side);
@@ -29,7 +30,9 @@ export function pickerOf(files: Files): Pick {
     wanted = { side: null, what: 'any' };
   });
   // What was chosen while the program loaded.
-  if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event('change'));
+  void files.ready.then(() => {
+    if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event('change'));
+  });
   return (side, what = 'any') => {
     wanted = { side, what };
     input.multiple = side === null;

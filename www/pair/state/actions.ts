@@ -1,6 +1,7 @@
 /** Everything that can happen to the state. */
 import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair } from '../../shared/crate';
 import type { Notice } from '../../shared/state/notice';
+import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
 import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart } from './state';
 
@@ -11,6 +12,10 @@ export type Action =
   | { type: 'images'; images: Partial<Record<Side, GivenImage>> }
   | { type: 'simulated'; left: GivenImage; right: GivenImage; pair: SamplePair }
   | { type: 'opened'; opened: OpenedProject }
+  /** What the browser kept. */
+  | { type: 'restored'; restored: RestoredPair }
+  /** Nothing is on the page any more. */
+  | { type: 'cleared' }
   /** Files of images that a project names. */
   | { type: 'found'; images: Partial<Record<Side, GivenImage>> }
   | { type: 'flight'; flight: Flight }

@@ -77,10 +77,10 @@ function truthFor(state: State): PairTruth | null {
 
 /** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
 export function withProject(state: State, { project, images, overviews, masks, estimated }: OpenedProject): State {
-  const { input, settings, output, truth } = project;
-  const [left, right] = project.images;
+  const { input, settings, truth } = project;
+  const [left] = project.images;
   const photo = (side: Side) => ({ fiducials: input[side]?.fiducials ?? [], origin: input[side]?.origin ?? null });
-  let next: State = {
+  const given: State = {
     ...state,
     // What is read back is whole.
     settings: settings as State['settings'],
@@ -104,16 +104,17 @@ export function withProject(state: State, { project, images, overviews, masks, e
             leftHeight: left.height_px,
           },
     refused: {},
-    results: {},
     failures: {},
     paused: false,
     selection: null,
     views: { left: null, right: null },
   };
-  const put = <S extends StageName>(stage: S, value: StageValues[S] | null) => {
-    const key = wantedKeys(next)[stage];
-    if (value !== null && key !== null) next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: 0 } } };
-  };
+  return withResults(given, { project, estimated }, standingFor({ project, overviews }), {});
+}
+
+/** What stands for images whose files are not there. */
+export function standingFor({ project: { images }, overviews }: Pick<OpenedProject, 'project' | 'overviews'>): Pick<Beside, 'openLeft' | 'openRight'> {
+  const [left, right] = images;
   const info = ({ width_px, height_px, format, bits_per_sample, camera }: typeof left) => ({
     width: width_px,
     height: height_px,
@@ -122,19 +123,40 @@ export function withProject(state: State, { project, images, overviews, masks, e
     camera: camera ?? null,
     drone: null,
   });
-  const nothing = () => ({ moments: new Float64Array(), gradients: new Uint8Array() });
-  put('openLeft', { info: info(left), overview: overviews.left });
-  put('openRight', { info: info(right), overview: overviews.right });
-  put('pointsLeft', { ...output.left, gradients: new Uint8Array() });
-  put('pointsRight', { ...output.right, gradients: new Uint8Array() });
-  put('descriptorsLeft', nothing());
-  put('descriptorsRight', nothing());
+  return { openLeft: { info: info(left), overview: overviews.left }, openRight: { info: info(right), overview: overviews.right } };
+}
+
+/** Results of stages that a project file does not hold. */
+export type Beside = Partial<Pick<StageValues, 'openLeft' | 'openRight' | 'interiorLeft' | 'interiorRight' | 'descriptorsLeft' | 'descriptorsRight'>>;
+
+/** The times that the stages took, in ms. */
+export type Times = Partial<Record<StageName, number>>;
+
+/** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. */
+export function withResults(state: State, { project, estimated }: Pick<OpenedProject, 'project' | 'estimated'>, beside: Beside, times: Times): State {
+  const { output, truth } = project;
+  let next: State = { ...state, results: {} };
+  const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined) => {
+    const key = wantedKeys(next)[stage];
+    if (value != null && key !== null) next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: times[stage] ?? 0 } } };
+  };
+  const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
+  put('openLeft', beside.openLeft);
+  put('openRight', beside.openRight);
+  put('pointsLeft', { ...output.left, gradients: descriptorsLeft.gradients });
+  put('pointsRight', { ...output.right, gradients: descriptorsRight.gradients });
+  put('descriptorsLeft', descriptorsLeft);
+  put('descriptorsRight', descriptorsRight);
   put('offset', output.offset);
+  put('interiorLeft', beside.interiorLeft);
+  put('interiorRight', beside.interiorRight);
   put('match', { ...output.match, estimated });
   put('orientation', output.orientation);
-  put('score', truth?.score ?? null);
+  put('score', truth?.score);
   return next;
 }
+
+const nothing = () => ({ moments: new Float64Array(), gradients: new Uint8Array() });
 
 /** The state with the files of images that a project names: their pixels are read, and what the project does not hold of their points is made. */
 export function withFiles(state: State, images: Partial<Record<Side, GivenImage>>): State {

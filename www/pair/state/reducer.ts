@@ -1,5 +1,6 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
+import { withKept } from './kept';
 import { withFiles, withProject } from './project';
 import { INITIAL, TYPED_PARTS } from './state';
 import type { Display, PhotoData, Results, Side, State, TypedPart } from './state';
@@ -11,6 +12,8 @@ const DEEDS: ReadonlySet<Action['type']> = new Set([
   'images',
   'simulated',
   'opened',
+  'restored',
+  'cleared',
   'found',
   'flight',
   'swap',
@@ -47,6 +50,10 @@ function changed(state: State, action: Action): State {
       return withSimulated(state, action);
     case 'opened':
       return withProject(state, action.opened);
+    case 'restored':
+      return withKept(state, action.restored);
+    case 'cleared':
+      return state.catalogue === null ? state : changed(INITIAL, { type: 'ready', catalogue: state.catalogue });
     case 'found':
       return withFiles(state, action.images);
     case 'flight':

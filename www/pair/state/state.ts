@@ -36,6 +36,7 @@ export interface GivenImage {
 export interface GivenMask extends MaskImage {
   id: number;
   name: string;
+  source: ImageSource;
 }
 
 /** What the user says of a photo. */

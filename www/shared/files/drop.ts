@@ -15,9 +15,12 @@ export interface Taker {
   take: (found: FoundFile[], at: string | null) => void;
 }
 
-/** The first taker that is active gets what is given. */
-export function mountDrop(takers: readonly Taker[]): void {
-  const active = () => takers.find(({ isActive }) => isActive());
+/** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them. */
+export function mountDrop(): (takers: readonly Taker[]) => void {
+  let serving: readonly Taker[] | null = null;
+  const waiting: FoundFile[] = [];
+  const loading: Taker = { isActive: () => true, markAt: () => 'page', take: (found) => void waiting.push(...found) };
+  const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
   const unmark = () => {
     delete document.body.dataset.drop;
   };
@@ -38,7 +41,10 @@ export function mountDrop(takers: readonly Taker[]): void {
     const at = taker.markAt(event);
     // The list is empty once this call has returned; entries and files stay.
     const items = [...(event.dataTransfer?.items ?? [])].map((item) => ({ entry: item.webkitGetAsEntry(), file: item.getAsFile() }));
-    void Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => taker.take(lists.flat(), at));
+    void Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
+      const late = taker === loading && serving !== null;
+      (late ? active() : taker)?.take(lists.flat(), late ? null : at);
+    });
   });
   document.addEventListener('paste', (event) => {
     const pasted = [...(event.clipboardData?.files ?? [])];
@@ -50,6 +56,10 @@ export function mountDrop(takers: readonly Taker[]): void {
       null,
     );
   });
+  return (takers) => {
+    serving = takers;
+    if (waiting.length > 0) active()?.take(waiting.splice(0), null);
+  };
 }
 
 function hasFiles(event: DragEvent): boolean {

@@ -2,4 +2,6 @@
 export interface Notice {
   kind: 'info' | 'busy' | 'problem';
   text: string;
+  /** It is said after what the line says anyway, not in its place. */
+  beside?: boolean;
 }

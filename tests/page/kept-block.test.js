@@ -1,0 +1,145 @@
+/** What the browser keeps of a block; and how images that are too many for a pair become one. */
+
+import assert from 'node:assert/strict';
+import { rmSync } from 'node:fs';
+import { test } from 'node:test';
+import { block, photoFolder, photograph, status } from './blocks.js';
+import { done, hosted, number, open, part, pngs, SKIP, upload } from './page.js';
+
+hosted('/kept-block/');
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** How many parts of these names the browser keeps.  @param {Page} page @param {string} name */
+const partsNamed = (page, name) =>
+  page.evaluate(
+    (start) =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const reading = opening.result.transaction('parts').objectStore('parts').getAllKeys();
+          reading.onsuccess = () => {
+            opening.result.close();
+            resolve(reading.result.filter((key) => String(/** @type {any} */ (key)[1]).startsWith(start)).length);
+          };
+        };
+      }),
+    name,
+  );
+
+/** Waits until so many parts of a name are kept.  @param {Page} page @param {string} name @param {number} least */
+async function kept(page, name, least = 1) {
+  for (let i = 0; i < 300; i++) {
+    if (/** @type {number} */ (await partsNamed(page, name)) >= least) return;
+    await page.waitForTimeout(100);
+  }
+  assert.fail(`${name} was not kept`);
+}
+
+/** All that the panels of a block show.  @param {Page} page */
+async function shown(page) {
+  const panels = [];
+  for (const id of ['block-settings', 'block-results', 'block-images', 'block-points']) {
+    await part(page, `tab-${id}`).click();
+    panels.push(await page.locator(`[aria-labelledby="tab-${id}"]`).innerText());
+  }
+  return panels;
+}
+
+test('after a reload a block is as it was, its pairs open, and nothing is computed twice', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  await photograph(page);
+  await part(page, 'block-run').click();
+  const line = await status(page, /^(Done|The block was)/);
+  const before = await shown(page);
+  await kept(page, 'block/shown');
+  await page.reload();
+  assert.equal(await status(page, /Restored from this browser/), `${line} Restored from this browser: photo_00000.png and 5 more images.`);
+  assert.equal(await page.evaluate(() => document.body.dataset.mode), 'block');
+  assert.deepEqual(await shown(page), before);
+  await part(page, 'block-run').click();
+  await status(page, /^Done: 6 images/);
+  assert.match((await part(page, 'stage-images').textContent()) ?? '', /6 of 6, 6 from an earlier run/);
+  const again = await shown(page);
+  await part(page, 'block-show-matrix').click();
+  await part(page, 'block-matrix').focus();
+  await page.keyboard.press('ArrowRight');
+  await part(page, 'block-open-pair').click();
+  await done(page);
+  const matches = await number(page, 'count-matches');
+  await kept(page, 'pair/result');
+  await page.reload();
+  await done(page);
+  assert.equal(await number(page, 'count-matches'), matches);
+  assert.match((await part(page, 'of-block').textContent()) ?? '', /photo_0000\d\.png – photo_0000\d\.png/);
+  await part(page, 'back-to-block').click();
+  await status(page, /Restored from this browser/);
+  assert.deepEqual(await shown(page), again);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a run that a reload breaks off goes on where it stood', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await block();
+  const folder = photoFolder(4);
+  await part(page, 'block-folder-input').setInputFiles(folder);
+  await kept(page, 'block/file/', 4);
+  await part(page, 'block-run').click();
+  await kept(page, 'block/record/');
+  await page.reload();
+  await status(page, /Restored from this browser: photo_0\.png and 3 more images\./);
+  await part(page, 'block-run').click();
+  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images/);
+  assert.match((await part(page, 'stage-images').textContent()) ?? '', /4 of 4, [1-4] from an earlier run/);
+  // Images that are removed are not kept either.
+  await part(page, 'block-clear').click();
+  for (let i = 0; i < 100 && (await partsNamed(page, 'block/')) !== 0; i++) await page.waitForTimeout(100);
+  assert.equal(await partsNamed(page, 'block/'), 0);
+  rmSync(folder, { recursive: true });
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('more than two images given for a pair are a block', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  const [left, right] = pngs();
+  assert.ok(left && right);
+  await part(page, 'file-input').setInputFiles([left, right, upload('third.png', left.buffer, 'image/png')]);
+  assert.match(await status(page, /in the block/), /^More than two images are a block\. 3 images in the block\. Press Run\.$/);
+  assert.equal(await page.evaluate(() => document.body.dataset.mode), 'block');
+  assert.ok(!(await part(page, 'block-run').isDisabled()));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('files that are dropped before the program has loaded are opened when it has', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ url: 'about:blank' });
+  const other = await open();
+  const url = other.page.url();
+  await other.close();
+  /** @type {() => void} */
+  let load = () => {};
+  const loaded = new Promise((resolve) => {
+    load = () => resolve(null);
+  });
+  await page.route('**/*.wasm', async (route) => {
+    await loaded;
+    await route.continue();
+  });
+  await page.goto(url);
+  const files = pngs().map(({ name, mimeType, buffer }) => ({ name, mimeType, bytes: [...buffer] }));
+  const transfer = await page.evaluateHandle((given) => {
+    const data = new DataTransfer();
+    for (const { name, mimeType, bytes } of given) data.items.add(new File([new Uint8Array(bytes)], name, { type: mimeType }));
+    return data;
+  }, files);
+  for (const type of ['dragover', 'drop']) await part(page, 'view').dispatchEvent(type, { dataTransfer: transfer });
+  load();
+  await page.waitForFunction(() => /matches/.test(document.querySelector('[data-testid="status"]')?.textContent ?? ''), undefined, { timeout: 60_000 });
+  assert.ok((await number(page, 'count-matches')) > 500);
+  assert.deepEqual(
+    complaints.filter((complaint) => !complaint.includes(new URL(url).origin)),
+    [],
+  );
+  await close();
+});

@@ -1,0 +1,39 @@
+/** What of a block is kept in the browser's storage. */
+import type { BlockScore } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockFile, BlockOptions, BlockState, Steps } from './state';
+
+/** A file that is kept by itself, under a name that does not change. */
+export type KeptFile = Omit<BlockFile, 'file'> & { file: string };
+
+/** All but the files and the finished block. */
+export interface KeptBlock {
+  files: readonly KeptFile[];
+  options: Omit<BlockOptions, 'masks'>;
+  masks: readonly KeptFile[];
+  flight: BlockState['flight'];
+  /** The name of the truth of simulated photos. */
+  truth: string | null;
+  opened: BlockState['opened'];
+}
+
+/** A finished block, with what its project file does not hold. */
+export interface KeptShown {
+  project: Blob;
+  key: string;
+  /** The images that it was made from. */
+  files: readonly KeptFile[];
+  steps: Steps;
+  seconds: number;
+  score: BlockScore | null;
+}
+
+/** What was kept, ready to be shown. */
+export type RestoredBlock = Pick<BlockState, 'files' | 'options' | 'flight' | 'truth' | 'shown' | 'opened'>;
+
+/** Whether there is nothing yet that would have to be kept. */
+export function isBlank({ catalogue, files, shown, options, flight }: BlockState): boolean {
+  const { settings, gps, cameras, control, marks, masks } = options;
+  const noText = cameras === null && control === null && marks === null;
+  const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === 'use' && noText && masks.length === 0;
+  return catalogue === null || (files.length === 0 && shown === null && untouched);
+}

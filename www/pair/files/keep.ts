@@ -1,0 +1,306 @@
+/** Keeps the pair in the browser's storage, and reads it from there. */
+import { constant_offset, parse_camera } from '../../../pkg/wasm/tiepoint.js';
+import { resolved } from '../../shared/crate';
+import type { CameraMm, Catalogue, Fiducial } from '../../shared/crate';
+import type { Kept } from '../../shared/files/database';
+import { fitted, likeOf, listOf, nameOf, objectOf, orNull } from '../../shared/files/keepable';
+import type { Keepable } from '../../shared/files/keepable';
+import { remember } from '../../shared/state/remember';
+import { titleOf } from '../../shared/text/project';
+import type { Engine } from '../engine/engine';
+import type { ImageSource } from '../state/data';
+import { besideOf, bothSides, isBlank, isWhole, resultsOf, typedOf } from '../state/kept';
+import type { KeptFile, KeptPair, KeptResult, Typed } from '../state/kept';
+import { INITIAL, SIDES } from '../state/state';
+import type { FlightTruth, GivenImage, GivenMask, Side, State } from '../state/state';
+import type { Store } from '../state/store';
+import { freshId, MASK_SIDE } from './open';
+import { standingFor } from '../state/project';
+import { projectText, readProject } from './project';
+
+const GIVEN = 'pair';
+const RESULT = 'pair/result';
+const FILE = 'pair/file/';
+
+/** Room of what is small and not counted, in bytes. */
+const SMALL = 4096;
+
+/** Results are written once nothing has changed for so long, in ms: the next ones, which a slider brings, need the worker. */
+const QUIET_MS = 300;
+
+/** What changes what is kept. */
+const WATCHED = [
+  'settings',
+  'camera',
+  'photos',
+  'fiducialModel',
+  'offset',
+  'images',
+  'masks',
+  'truth',
+  'flight',
+  'display',
+  'results',
+  'running',
+] as const satisfies readonly (keyof State)[];
+
+/** Results that are kept, and what they were when they were written. */
+interface Made {
+  kept: KeptResult;
+  results: readonly unknown[];
+}
+
+export class KeptPairs implements Keepable {
+  private made: Made | null = null;
+  private making = false;
+  private timer: number | undefined;
+  private changed: () => void = () => undefined;
+
+  constructor(
+    private readonly store: Store,
+    private readonly engine: Engine,
+    private readonly catalogue: Catalogue,
+  ) {}
+
+  watch(changed: () => void): void {
+    this.changed = changed;
+    this.store.watch(WATCHED, () => {
+      changed();
+      window.clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => void this.make(), QUIET_MS);
+    });
+  }
+
+  images(): readonly string[] {
+    const { images } = this.store.state;
+    return SIDES.flatMap((side) => images[side]?.name ?? []);
+  }
+
+  parts(): ReadonlyMap<string, Kept> {
+    const { state } = this.store;
+    const parts = new Map<string, Kept>();
+    const given = isBlank(state) ? null : givenOf(state);
+    if (given === null) return parts;
+    parts.set(GIVEN, { value: given, bytes: SMALL });
+    for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) {
+      if (given !== null) parts.set(FILE + nameOf(given.source), { value: given.source, bytes: bytesOf(given.source), alone: true });
+    }
+    const places = state.truth?.rightPosition;
+    if (places !== undefined) parts.set(FILE + nameOf(places), { value: places, bytes: places.byteLength, alone: true });
+    if (this.made !== null && this.made.kept.of === filesOf(state)) {
+      const { kept } = this.made;
+      const { descriptorsLeft: left, descriptorsRight: right } = kept.beside;
+      const bytes = [left, right].reduce((sum, given) => sum + (given?.gradients.byteLength ?? 0) + (given?.moments.byteLength ?? 0), 0);
+      parts.set(RESULT, { value: kept, bytes: SMALL + kept.project.length + bytes });
+    }
+    return parts;
+  }
+
+  async read(parts: ReadonlyMap<string, unknown>): Promise<() => void> {
+    const value = parts.get(GIVEN);
+    if (value === undefined) return () => undefined;
+    const kept = givenFrom(value, this.catalogue);
+    const { typed, display, flight } = kept;
+    const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
+    const result = await this.result(parts, kept);
+    const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
+    const opened = { ...result?.standing };
+    await Promise.all(
+      SIDES.map(async (side) => {
+        const image = images[side];
+        if (image !== null && image.source.kind !== 'project') opened[side === 'left' ? 'openLeft' : 'openRight'] = await this.engine.open(side, image);
+      }),
+    );
+    const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
+    return () => {
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, images, masks, truth, opened, result } });
+      if (result !== null) this.made = { kept: result.kept, results: resultsOf(this.store.state) };
+      const names = this.images();
+      if (names.length === 0) return;
+      const text = `Restored from this browser: ${titleOf({ name: null, images: names })}.`;
+      this.store.dispatch({ type: 'notice', notice: { kind: 'info', text } });
+    };
+  }
+
+  clear(): void {
+    this.made = null;
+    // What comes of an earlier run belongs to no project any more.
+    if (Object.keys(this.store.state.running).length > 0) this.engine.cancel();
+    this.store.dispatch({ type: 'cleared' });
+  }
+
+  /** Writes the results as a project file once they are all there; what is cancelled meanwhile is written after the next change. */
+  private async make(): Promise<void> {
+    const { state } = this.store;
+    if (this.making || !isWhole(state)) return;
+    const results = resultsOf(state);
+    const typed = typedOf(state);
+    if (typed === null || this.made?.results.every((value, i) => value === results[i]) === true) return;
+    this.making = true;
+    try {
+      const project = await projectText(state, this.engine);
+      if (project !== null) this.made = { results, kept: { project, typed, of: filesOf(state), ...besideOf(state) } };
+    } catch {
+      // The worker was ended. What is kept of the earlier results stays.
+    }
+    this.making = false;
+    this.changed();
+    if (this.store.state !== state) void this.make();
+  }
+
+  /** `standing`: in place of masks whose files are not there. */
+  private async masks({ masks }: KeptPair, parts: ReadonlyMap<string, unknown>, standing: State['masks']): Promise<State['masks']> {
+    const read = async (side: Side) => {
+      const kept = masks[side];
+      if (kept === null) return null;
+      const source = sourceFrom(parts, kept.file);
+      if (source.kind !== 'file') return orNull(standing[side], (mask) => ({ ...mask, source }));
+      const mask = await this.engine.client('pair').call('mask', { file: source.file, overlaySide: MASK_SIDE });
+      return { ...mask, id: freshId(), name: kept.name, source };
+    };
+    const [left, right] = await Promise.all([read('left'), read('right')]);
+    return { left, right };
+  }
+
+  /** The results, where they are of these very files. */
+  private async result(parts: ReadonlyMap<string, unknown>, { images, masks }: KeptPair) {
+    if (!parts.has(RESULT)) return null;
+    const value = objectOf(parts.get(RESULT), 'result');
+    const kept: KeptResult = {
+      project: likeOf(value['project'], '', 'result.project'),
+      typed: typedFrom(value['typed'], this.catalogue, 'result.typed'),
+      of: likeOf(value['of'], '', 'result.of'),
+      beside: objectOf(value['beside'], 'result.beside'),
+      times: objectOf(value['times'], 'result.times'),
+    };
+    const opened = await readProject(this.engine, new Blob([kept.project]), freshId);
+    const files = [images.left, images.right, masks.left, masks.right].map((given) => given?.file ?? null);
+    if (kept.of !== JSON.stringify(files)) return null;
+    return {
+      ...kept,
+      kept: value as unknown as KeptResult,
+      project: opened.project,
+      estimated: opened.estimated,
+      masks: opened.masks,
+      standing: standingFor(opened),
+    };
+  }
+}
+
+/** The names under which images and masks are kept, as one text. */
+function filesOf({ images, masks }: State): string {
+  const files = [images.left, images.right, masks.left, masks.right].map((given) => (given === null ? null : nameOf(given.source)));
+  return JSON.stringify(files);
+}
+
+/** All but files and results; the same object while nothing of it has changed. */
+function givenOf(state: State): KeptPair | null {
+  const typed = typedOf(state);
+  const { settings, camera, photos, fiducialModel, offset, display, flight, images, masks, truth } = state;
+  return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, images, masks, truth);
+}
+
+const given = remember(
+  (
+    settings: State['settings'],
+    camera: State['camera'],
+    photos: State['photos'],
+    fiducialModel: State['fiducialModel'],
+    offset: State['offset'],
+    display: State['display'],
+    flight: State['flight'],
+    images: State['images'],
+    masks: State['masks'],
+    truth: State['truth'],
+  ): KeptPair | null => {
+    if (settings === null) return null;
+    const file = ({ id, name, source }: GivenImage | GivenMask): KeptFile => ({ id, name, file: nameOf(source) });
+    return {
+      typed: { settings, camera, photos, fiducialModel, offset },
+      display,
+      flight,
+      images: bothSides((side) => orNull(images[side], file)),
+      masks: bothSides((side) => orNull(masks[side], file)),
+      truth: orNull(truth, ({ rightPosition, ...known }) => ({ ...known, file: nameOf(rightPosition) })),
+    };
+  },
+);
+
+/** @throws Error naming the field that is damaged */
+function givenFrom(value: unknown, catalogue: Catalogue): KeptPair {
+  const kept = objectOf(value, 'pair');
+  const file = (one: unknown, name: string): KeptFile => {
+    const { id, name: called, file: at } = objectOf(one, name);
+    return { id: likeOf(id, 0, `${name}.id`), name: likeOf(called, '', `${name}.name`), file: likeOf(at, '', `${name}.file`) };
+  };
+  const files = (name: 'images' | 'masks') => {
+    const sides = objectOf(kept[name], name);
+    return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
+  };
+  return {
+    typed: typedFrom(kept['typed'], catalogue, 'typed'),
+    display: fitted(kept['display'], INITIAL.display, 'display'),
+    flight: orNull(kept['flight'], (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, 'flight') as State['flight']) ?? null,
+    images: files('images'),
+    masks: files('masks'),
+    truth: orNull(kept['truth'], (truth) => objectOf(truth, 'truth') as unknown as KeptPair['truth']) ?? null,
+  };
+}
+
+/** What was typed, judged as it is where it is typed. @throws Error naming what is damaged */
+function typedFrom(value: unknown, { defaults }: Catalogue, name: string): Typed {
+  const kept = objectOf(value, name);
+  const settings = fitted(kept['settings'], defaults, `${name}.settings`);
+  resolved(settings);
+  const camera = orNull(kept['camera'], (given) => objectOf(given, `${name}.camera`) as unknown as CameraMm);
+  if (camera !== null) parse_camera(JSON.stringify(camera));
+  const pair = (given: unknown, at: string): [number, number] => {
+    const [a, b] = listOf(given, at, (number, place) => likeOf(number, 0, place));
+    return [a ?? NaN, b ?? NaN];
+  };
+  const offset = orNull(kept['offset'], (given) => pair(given, `${name}.offset`));
+  if (offset !== null) constant_offset(...offset);
+  const photos = objectOf(kept['photos'], `${name}.photos`);
+  const photo = (side: Side) => {
+    const at = `${name}.photos.${side}`;
+    const { fiducials, origin } = objectOf(photos[side], at);
+    return {
+      fiducials: listOf(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place) as unknown as Fiducial),
+      origin: orNull(origin, (given) => pair(given, `${at}.origin`)),
+    };
+  };
+  const fiducialModel = likeOf(kept['fiducialModel'], '', `${name}.fiducialModel`) as Typed['fiducialModel'];
+  return { settings, camera, photos: bothSides(photo), fiducialModel, offset };
+}
+
+/** @throws Error where the file is not there */
+function sourceFrom(parts: ReadonlyMap<string, unknown>, file: string): ImageSource {
+  const source = objectOf(parts.get(FILE + file), `file ${file}`) as unknown as ImageSource;
+  if (source.kind === 'file' && !(source.file instanceof Blob)) throw new Error('an image is damaged');
+  nameOf(source, file);
+  return source;
+}
+
+/** The truth of images that have other numbers now. */
+function truthFrom(truth: NonNullable<KeptPair['truth']>, kept: KeptPair, parts: ReadonlyMap<string, unknown>, images: State['images']): FlightTruth {
+  const { file, ...known } = truth;
+  const rightPosition = parts.get(FILE + file);
+  if (!(rightPosition instanceof Float32Array)) throw new Error('the truth of the simulated pair is damaged');
+  nameOf(rightPosition, file);
+  const idOf = (id: number) => {
+    const side = SIDES.find((one) => kept.images[one]?.id === id);
+    return (side === undefined ? null : images[side]?.id) ?? NaN;
+  };
+  return { ...known, rightPosition, leftId: idOf(truth.leftId), rightId: idOf(truth.rightId) };
+}
+
+function bytesOf(source: ImageSource): number {
+  switch (source.kind) {
+    case 'file':
+      return source.file.size;
+    case 'grey':
+      return source.grey.byteLength;
+    case 'project':
+      return 0;
+  }
+}

@@ -1,0 +1,123 @@
+/** What of the pair is kept in the browser's storage: of the state, and back. */
+import type { CameraMm, Flight, PairInterior, PairProject, Settings } from '../../shared/crate';
+import { isCurrent, wantedKeys } from './keys';
+import { withResults } from './project';
+import type { Beside, Times } from './project';
+import { progress } from './select';
+import { INITIAL, SIDES } from './state';
+import type { Display, FlightTruth, Side, StageName, State } from './state';
+
+/** What is typed or read from small files. */
+export interface Typed {
+  settings: Settings;
+  camera: CameraMm | null;
+  photos: State['photos'];
+  fiducialModel: State['fiducialModel'];
+  offset: State['offset'];
+}
+
+/** A file that is kept by itself, under a name that does not change. */
+export interface KeptFile {
+  id: number;
+  name: string;
+  file: string;
+}
+
+/** All but the files and the results. */
+export interface KeptPair {
+  typed: Typed;
+  display: Display;
+  flight: Flight | null;
+  images: Record<Side, KeptFile | null>;
+  masks: Record<Side, KeptFile | null>;
+  /** The positions in the right image are kept by themselves. */
+  truth: (Omit<FlightTruth, 'rightPosition'> & { file: string }) | null;
+}
+
+/** The results of a pair, with what they were made from. */
+export interface KeptResult {
+  /** The pair's project file. */
+  project: string;
+  typed: Typed;
+  /** The files of images and masks, as they are kept. */
+  of: string;
+  /** What the project file does not hold. */
+  beside: Beside;
+  times: Times;
+}
+
+/** What was kept, ready to be shown. */
+export interface RestoredPair {
+  typed: Typed;
+  display: Display;
+  flight: Flight | null;
+  images: State['images'];
+  masks: State['masks'];
+  truth: FlightTruth | null;
+  /** The images as they are opened again. */
+  opened: Pick<Beside, 'openLeft' | 'openRight'>;
+  result: { project: PairProject; estimated: PairInterior | null; typed: Typed; beside: Beside; times: Times } | null;
+}
+
+export function typedOf({ settings, camera, photos, fiducialModel, offset }: State): Typed | null {
+  return settings === null ? null : { settings, camera, photos, fiducialModel, offset };
+}
+
+/** Whether there is nothing yet that would have to be kept. */
+export function isBlank(state: State): boolean {
+  const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset, display } = state;
+  return (
+    catalogue === null ||
+    (images.left === null &&
+      images.right === null &&
+      settings === catalogue.defaults &&
+      flight === (catalogue.flights[0]?.flight ?? null) &&
+      camera === null &&
+      photos === INITIAL.photos &&
+      fiducialModel === INITIAL.fiducialModel &&
+      offset === null &&
+      display === INITIAL.display)
+  );
+}
+
+/** Stages whose results the project file holds not, or not whole. */
+const BESIDE = ['interiorLeft', 'interiorRight', 'descriptorsLeft', 'descriptorsRight'] as const;
+
+/** Whether all that is wanted was computed, so that it can be kept. */
+export function isWhole(state: State): boolean {
+  const { wanted, done, running } = progress(state);
+  return running.length === 0 && done === wanted && isCurrent(state, 'match');
+}
+
+/** What the project file does not hold of results that are up to date. */
+export function besideOf(state: State): Pick<KeptResult, 'beside' | 'times'> {
+  const beside: Beside = {};
+  const take = <S extends (typeof BESIDE)[number]>(stage: S) => {
+    const result = state.results[stage];
+    if (result !== undefined && isCurrent(state, stage)) beside[stage] = result.value as Beside[S];
+  };
+  BESIDE.forEach(take);
+  const times = Object.entries(state.results).map(([stage, { milliseconds }]) => [stage, milliseconds]);
+  return { beside, times: Object.fromEntries(times) as Times };
+}
+
+/** The results by which what is kept of them is known to be the latest. */
+export function resultsOf(state: State): readonly unknown[] {
+  const keys = wantedKeys(state);
+  const stages: readonly StageName[] = ['pointsLeft', 'pointsRight', 'offset', 'match', 'orientation', 'score', ...BESIDE];
+  return [...stages.map((stage) => (keys[stage] === null ? null : state.results[stage]?.value)), state.images, state.masks];
+}
+
+/** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
+export function withKept(state: State, { typed, display, flight, images, masks, truth, opened, result }: RestoredPair): State {
+  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, images, masks, truth };
+  if (result === null) return fresh;
+  const made = withResults({ ...fresh, ...result.typed }, result, { ...result.beside, ...opened }, result.times);
+  return { ...made, ...typed };
+}
+
+/** The same of both sides. */
+export function bothSides<T>(of: (side: Side) => T): Record<Side, T> {
+  const [left, right] = SIDES.map(of) as [T, T];
+  return { left, right };
+}
