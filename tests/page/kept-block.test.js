@@ -41,7 +41,9 @@ async function shown(page) {
   const panels = [];
   for (const id of ['block-settings', 'block-results', 'block-images', 'block-points']) {
     await part(page, `tab-${id}`).click();
-    panels.push(await page.locator(`[aria-labelledby="tab-${id}"]`).innerText());
+    const text = await page.locator(`[aria-labelledby="tab-${id}"]`).innerText();
+    // Only rows in sight exist, and a longer status line leaves less room for them.
+    panels.push(id === 'block-points' ? text.slice(0, 400) : text);
   }
   return panels;
 }

@@ -75,28 +75,29 @@ async function kept(page, name, text = '') {
   assert.fail(`${name} with ${text} was not kept`);
 }
 
-/** Changes a row of the storage.  @param {Page} page @param {string} name the part @param {any} value */
-const damage = (page, name, value) =>
+/** Changes rows of the storage.  @param {Page} page @param {'projects' | 'parts'} store @param {Record<string, any>} which fields of the rows @param {Record<string, any>} change */
+const damage = (page, store, which, change) =>
   page.evaluate(
-    ([at, put]) =>
+    ([name, fields, changed]) =>
       new Promise((resolve) => {
         const opening = indexedDB.open('tiepoint');
         opening.onsuccess = () => {
           const db = opening.result;
-          const change = db.transaction('parts', 'readwrite');
-          const cursor = change.objectStore('parts').openCursor();
-          cursor.onsuccess = () => {
-            if (cursor.result === null) return;
-            if (cursor.result.value.part === at) cursor.result.update({ ...cursor.result.value, value: put });
-            cursor.result.continue();
+          const transaction = db.transaction(name, 'readwrite');
+          const reading = transaction.objectStore(name).openCursor();
+          reading.onsuccess = () => {
+            const cursor = reading.result;
+            if (cursor === null) return;
+            if (Object.entries(fields).every(([field, value]) => cursor.value[field] === value)) cursor.update({ ...cursor.value, ...changed });
+            cursor.continue();
           };
-          change.oncomplete = () => {
+          transaction.oncomplete = () => {
             db.close();
             resolve(null);
           };
         };
       }),
-    [name, value],
+    /** @type {const} */ ([store, which, change]),
   );
 
 /** All that the panels of results and the exports show.  @param {Page} page */
@@ -217,7 +218,7 @@ test('damage never stops the page: it is said, a new project begins, and what is
   const { page, complaints, close } = await open();
   await sample(page);
   await kept(page, 'pair/result');
-  await damage(page, 'pair/result', { project: 'cut', typed: 1 });
+  await damage(page, 'parts', { part: 'pair/result' }, { value: { project: 'cut', typed: 1 } });
   await page.reload();
   await says(page, 'keeping', /“sample left and sample right” cannot be restored: .*It stays in the storage as it is/);
   await says(page, 'status', /^Ready/);
@@ -226,10 +227,17 @@ test('damage never stops the page: it is said, a new project begins, and what is
   await part(page, 'file-input').setInputFiles(pngs());
   await done(page);
   await kept(page, 'pair/file/');
-  const projects = await stored(page, 'projects');
-  assert.equal(projects.length, 2);
+  assert.equal((await stored(page, 'projects')).length, 2);
   await page.reload();
   await says(page, 'status', /Restored from this browser: left\.png and right\.png\.$/);
+
+  // A later form is refused as it is.
+  await damage(page, 'projects', {}, { form: 99 });
+  const before = await stored(page, 'projects');
+  await page.reload();
+  await says(page, 'keeping', /“left\.png and right\.png” cannot be restored: a later version of this page wrote it/);
+  await says(page, 'status', /^Ready/);
+  assert.deepEqual(await stored(page, 'projects'), before);
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -120,6 +120,7 @@ export class Database {
     await this.change(async (projects, parts) => {
       const there = await projects.get(row.id);
       if (there !== undefined && there.writer !== row.writer) throw new KeepError('taken', 'another tab has taken the project over');
+      if (there !== undefined && there.form > row.form) throw new KeepError('other', 'a later version of this page wrote the project');
       if (there === undefined && !isNew) throw new KeepError('gone', 'the project is no longer in the storage');
       await Promise.all([
         projects.put(row),

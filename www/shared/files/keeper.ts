@@ -116,6 +116,8 @@ export class Keeper {
     await this.flush();
     const show = await this.read(id, steal);
     if (show === null) return;
+    // What was changed while it was read.
+    await this.flush();
     for (const keepable of this.keepables) keepable.clear();
     show();
     this.writtenMode = this.mode.now();
