@@ -27,7 +27,7 @@ async function start(opening: Promise<Database>, serveDrop: ReturnType<typeof mo
   const catalogue = await loadCatalogue();
   checkRules(catalogue.rules);
   byId('version').textContent = `Tiepoint ${catalogue.version}`;
-  const pair = mountPair(catalogue, openProject, toBlock);
+  const pair = mountPair(catalogue, openProject, toBlock, (kept) => keeper.putAside(kept));
   const ofBlocks = blockCatalogue(catalogue);
   const block = mountBlock(ofBlocks, (store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
   /** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */

@@ -42,11 +42,12 @@ export interface Pair {
   open: (file: File) => Promise<void>;
 }
 
-/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has. */
+/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has; `putAside` leaves a pair in the list of projects. */
 export function mountPair(
   catalogue: Catalogue,
   openProject: (file: File) => Promise<void>,
   toBlock: (files: readonly File[], masks: readonly File[]) => void,
+  putAside: (pair: Keepable) => Promise<boolean>,
 ): Pair {
   const store = new Store();
   const {
@@ -70,7 +71,8 @@ export function mountPair(
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
-  const files = new Files(store, engine, openProject, toBlock);
+  const kept = new KeptPairs(store, engine, catalogue);
+  const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
   /** Runs an action of the user's; what goes wrong is said in the status line. */
   const attempt = async (action: () => void | Promise<void>) => {
     try {
@@ -111,7 +113,7 @@ export function mountPair(
   return {
     store,
     engine,
-    kept: new KeptPairs(store, engine, catalogue),
+    kept,
     begin: () => files.begin(),
     taker: takerOf(view, files),
     open: (file) => files.takeProject(file),

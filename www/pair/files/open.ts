@@ -4,6 +4,8 @@ import type { Engine } from '../engine/engine';
 import type { Flight } from '../../shared/crate';
 import { messageOf, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
+import { isWorthKeeping } from '../state/kept';
+import { titleOf } from '../../shared/text/project';
 import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
 import type { Store } from '../state/store';
@@ -52,6 +54,8 @@ export class Files {
     private readonly openProject: (file: File) => Promise<void>,
     /** Takes more images than a pair has. */
     private readonly toBlock: (files: readonly File[], masks: readonly File[]) => void,
+    /** Leaves the project in the list before another pair takes its place; false where it cannot. */
+    private readonly putAside: () => Promise<boolean>,
   ) {}
 
   /** Takes files from now on: what was kept of the pair is shown. */
@@ -92,8 +96,10 @@ export class Files {
   async takeProject(file: File): Promise<void> {
     this.store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Reading ${file.name} …` } });
     try {
-      this.store.dispatch({ type: 'opened', opened: await readProject(this.engine, file, freshId) });
-      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`)]);
+      const opened = await readProject(this.engine, file, freshId);
+      const aside = await this.leave();
+      this.store.dispatch({ type: 'opened', opened });
+      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), aside]);
     } catch (error) {
       this.tell([this.failed(`${file.name} cannot be opened`, error)]);
     }
@@ -128,8 +134,9 @@ export class Files {
     try {
       const pair = await this.engine.client('pair').call('simulate', flight);
       const given = (side: Side): GivenImage => ({ id: freshId(), name: `${name} ${side}`, source: { kind: 'grey', ...pair[side] } });
+      const aside = await this.leave();
       this.store.dispatch({ type: 'simulated', left: given('left'), right: given('right'), pair });
-      this.tell([]);
+      this.tell([aside]);
     } catch (error) {
       this.tell([this.failed('The pair could not be rendered', error)]);
     }
@@ -213,11 +220,20 @@ export class Files {
   private async check(images: Partial<Record<Side, GivenImage>>, type: 'images' | 'found' = 'images'): Promise<Told[]> {
     const entries = Object.entries(images) as [Side, GivenImage][];
     const outcomes = await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)));
-    const told = outcomes.flatMap((outcome, i) =>
+    const told: Told[] = outcomes.flatMap((outcome, i) =>
       outcome.status === 'rejected' ? [this.failedImage(entries[i]?.[1].name ?? 'the file', outcome.reason)] : [],
     );
-    if (told.length === 0) this.store.dispatch({ type, images });
-    return told;
+    if (told.length > 0) return told;
+    const aside = entries.length === 2 && type === 'images' ? await this.leave() : null;
+    this.store.dispatch({ type, images });
+    return [aside];
+  }
+
+  /** Before another pair takes the place of photographs that were matched: they stay in the list of projects. */
+  private async leave(): Promise<Told> {
+    if (!isWorthKeeping(this.store.state)) return null;
+    const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
+    return (await this.putAside()) ? info(`${titleOf({ name: null, images: names })} stay under Projects.`) : null;
   }
 
   private failedImage(name: string, error: unknown): Told {

@@ -65,7 +65,7 @@ export function typedOf({ settings, camera, photos, fiducialModel, offset }: Sta
 
 /** Whether there is nothing yet that would have to be kept. */
 export function isBlank(state: State): boolean {
-  const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset, display } = state;
+  const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
   return (
     catalogue === null ||
     (images.left === null &&
@@ -75,9 +75,13 @@ export function isBlank(state: State): boolean {
       camera === null &&
       photos === INITIAL.photos &&
       fiducialModel === INITIAL.fiducialModel &&
-      offset === null &&
-      display === INITIAL.display)
+      offset === null)
   );
+}
+
+/** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
+export function isWorthKeeping(state: State): boolean {
+  return SIDES.every((side) => state.images[side]?.source.kind === 'file') && isCurrent(state, 'match');
 }
 
 /** Stages whose results the project file holds not, or not whole. */

@@ -1,7 +1,9 @@
 /** Which tab has a project open: one at a time, told by a lock where the browser has locks, else by asking the other tabs. */
 
-/** A tab that is just leaving lets go of its lock within this time, in ms; other tabs answer within it. */
-const PATIENCE_MS = 600;
+/** A tab that is just leaving lets go of its lock within this time, in ms. */
+const LEAVING_MS = 1000;
+/** Other tabs answer within this time, in ms. */
+const ANSWER_MS = 400;
 
 type Message = { kind: 'ask' | 'here' | 'taken'; project: string; from: string };
 
@@ -64,7 +66,7 @@ export class Claims {
     const locks = (navigator as { locks?: LockManager }).locks;
     if (locks === undefined) return steal ? Promise.resolve(() => undefined) : this.asked(project);
     return new Promise((resolve) => {
-      const how: LockOptions = steal ? { steal } : { signal: AbortSignal.timeout(PATIENCE_MS) };
+      const how: LockOptions = steal ? { steal } : { signal: AbortSignal.timeout(LEAVING_MS) };
       locks
         .request(`tiepoint-project-${project}`, how, () => new Promise<void>((release) => resolve(release)))
         .catch(() => {
@@ -87,7 +89,7 @@ export class Claims {
       };
       channel.addEventListener('message', listen);
       this.post('ask', project);
-      setTimeout(() => answer(() => undefined), PATIENCE_MS);
+      setTimeout(() => answer(() => undefined), ANSWER_MS);
     });
   }
 }

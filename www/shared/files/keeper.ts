@@ -131,6 +131,19 @@ export class Keeper {
     this.keeping.dispatch({ trouble: null });
   }
 
+  /**
+   * Leaves the project in the list as it is and goes on with the same in a new one; false where nothing is kept, or another part of the page
+   * has something in it too, which would be kept twice.
+   */
+  async putAside(part: Keepable): Promise<boolean> {
+    await this.flush();
+    const { trouble } = this.keeping.state;
+    const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
+    if (this.isNew || trouble !== null || others) return false;
+    await this.begin();
+    return true;
+  }
+
   /** Keeps what is on the page as a project of its own. */
   async keepAsNew(): Promise<void> {
     await this.begin();

@@ -122,7 +122,7 @@ class ProjectList {
       made.setAttribute('aria-label', `${text}: ${title}`);
       return made;
     };
-    const element = h('li', { testid: 'project' });
+    const element = h('li', { testid: 'project', ...(current ? { aria: { current: 'true' } } : {}) });
     const buttons = h(
       'div',
       { class: 'buttons' },
