@@ -42,6 +42,7 @@ const WATCHED = [
   'display',
   'results',
   'running',
+  'paused',
 ] as const satisfies readonly (keyof State)[];
 
 /** Results that are kept, and what they were when they were written. */
@@ -100,7 +101,7 @@ export class KeptPairs implements Keepable {
     const value = parts.get(GIVEN);
     if (value === undefined) return () => undefined;
     const kept = givenFrom(value, this.catalogue);
-    const { typed, display, flight } = kept;
+    const { typed, display, flight, paused } = kept;
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
     const result = await this.result(parts, kept);
     const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
@@ -113,7 +114,7 @@ export class KeptPairs implements Keepable {
     );
     const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
     return () => {
-      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, images, masks, truth, opened, result } });
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, opened, result } });
       if (result !== null) this.made = { kept: result.kept, results: resultsOf(this.store.state) };
       const names = this.images();
       if (names.length === 0) return;
@@ -196,8 +197,8 @@ function filesOf({ images, masks }: State): string {
 /** All but files and results; the same object while nothing of it has changed. */
 function givenOf(state: State): KeptPair | null {
   const typed = typedOf(state);
-  const { settings, camera, photos, fiducialModel, offset, display, flight, images, masks, truth } = state;
-  return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, images, masks, truth);
+  const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
+  return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth);
 }
 
 const given = remember(
@@ -209,6 +210,7 @@ const given = remember(
     offset: State['offset'],
     display: State['display'],
     flight: State['flight'],
+    paused: State['paused'],
     images: State['images'],
     masks: State['masks'],
     truth: State['truth'],
@@ -219,6 +221,7 @@ const given = remember(
       typed: { settings, camera, photos, fiducialModel, offset },
       display,
       flight,
+      paused,
       images: bothSides((side) => orNull(images[side], file)),
       masks: bothSides((side) => orNull(masks[side], file)),
       truth: orNull(truth, ({ rightPosition, ...known }) => ({ ...known, file: nameOf(rightPosition) })),
@@ -241,6 +244,7 @@ function givenFrom(value: unknown, catalogue: Catalogue): KeptPair {
     typed: typedFrom(kept['typed'], catalogue, 'typed'),
     display: fitted(kept['display'], INITIAL.display, 'display'),
     flight: orNull(kept['flight'], (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, 'flight') as State['flight']) ?? null,
+    paused: kept['paused'] === true,
     images: files('images'),
     masks: files('masks'),
     truth: orNull(kept['truth'], (truth) => objectOf(truth, 'truth') as unknown as KeptPair['truth']) ?? null,

@@ -28,6 +28,8 @@ export interface KeptPair {
   typed: Typed;
   display: Display;
   flight: Flight | null;
+  /** A run that the user ended is not taken up by itself. */
+  paused: boolean;
   images: Record<Side, KeptFile | null>;
   masks: Record<Side, KeptFile | null>;
   /** The positions in the right image are kept by themselves. */
@@ -51,6 +53,7 @@ export interface RestoredPair {
   typed: Typed;
   display: Display;
   flight: Flight | null;
+  paused: boolean;
   images: State['images'];
   masks: State['masks'];
   truth: FlightTruth | null;
@@ -113,8 +116,8 @@ export function resultsOf(state: State): readonly unknown[] {
 }
 
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-export function withKept(state: State, { typed, display, flight, images, masks, truth, opened, result }: RestoredPair): State {
-  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, images, masks, truth };
+export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, opened, result }: RestoredPair): State {
+  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth };
   if (result === null) return fresh;
   const made = withResults({ ...fresh, ...result.typed }, result, { ...result.beside, ...opened }, result.times);
   return { ...made, ...typed };
