@@ -32,9 +32,9 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, CameraStatistics, ControlPoint, Datum, FixedParameter,
-    ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior, PriorStatistics, RayCountRmse,
-    Similarity, adjust_block,
+    AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraStatistics, ControlPoint, Datum,
+    FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
+    PriorStatistics, RayCountRmse, Similarity, adjust_block,
 };
 pub use camera::{
     Attitude, Camera, CameraCaution, CameraMm, CameraOrigin, CameraUncertainty, DroneRecord, ExifCamera, ExifImage, ExifPosition, Fiducial,
@@ -69,14 +69,14 @@ pub use orientation::{
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow, OverviewWarning, PROJECT_VERSION,
-    PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, WithText, block_files, coverage,
-    planned_files, project_kind, read_project, write_block_project, write_pair_project,
+    BlockFiles, BlockOverview, BlockVerdict, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow, OverviewWarning,
+    PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, WithText, block_files,
+    coverage, planned_files, project_kind, read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
-    DescribedImage, FeatureMatchOptions, NoOrientation, PairImage, PairInput, PairInterior, PairMatching, PairResult, PairSettings,
-    PairVerdict, PhotoInput, VerifiedMatches, describe_image, epipolar_line, judged, match_described_pair, match_features, match_in_rounds,
-    match_pair, match_weights, observations, orient_matches, photo_interior,
+    DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairResult,
+    PairSettings, PairVerdict, PhotoInput, VerifiedMatches, describe_image, epipolar_line, judged, match_described_pair, match_features,
+    match_in_rounds, match_pair, match_weights, observations, orient_matches, photo_interior,
 };
 pub use pipeline::{
     BlockRun, CameraRules, ControlTables, ControlTexts, FileNeeded, ImpossiblePosition, InitialCamera, Job, JoinedPoints, News, ReadImage,

@@ -277,21 +277,76 @@ fn degrees_in_place_of_metres_are_told() {
     );
 }
 
-#[test]
-fn the_tilt_of_a_block_whose_turn_is_uncertain_is_told() {
+/// Two strips whose positions, of these standard errors, have the second strip higher by this share of their distance.
+fn sloping(slope: f64, sigma: [f64; 3]) -> Scene {
     let mut scene = scene(&BlockFlight { strips: 2, exposures: 6, features: 1000, ..BlockFlight::default() }, 1.0);
     let width = scene.block.exposures[6].centre[1] - scene.block.exposures[0].centre[1];
-    for (slope, is_tilted) in [(0.0, false), (0.6, true)] {
-        for (index, (image, exposure)) in scene.description.images.iter_mut().zip(&scene.block.exposures).enumerate() {
-            let mut position = exposure.centre;
-            position[2] += if index >= 6 { slope * width } else { 0.0 };
-            image.position = Some(ObservedPosition::Local { position, sigma: [60.0, 60.0, 100.0] });
+    for (index, (image, exposure)) in scene.description.images.iter_mut().zip(&scene.block.exposures).enumerate() {
+        let mut position = exposure.centre;
+        position[2] += if index >= 6 { slope * width } else { 0.0 };
+        let [longitude_deg, latitude_deg, height_m] = geographic_from_local(position, ORIGIN);
+        image.position = Some(ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: sigma });
+    }
+    scene
+}
+
+/// The angle in degrees between the mean direction of view and a direction.
+fn mean_view_off(reconstruction: &Reconstruction, view: [f64; 3]) -> f64 {
+    let images = &reconstruction.models[0].adjusted.block.images;
+    let mean = [0, 1, 2].map(|k| -images.iter().map(|image| image.pose.rotation[2][k]).sum::<f64>());
+    let length = mean.iter().map(|v| v * v).sum::<f64>().sqrt();
+    ((0..3).map(|k| mean[k] * view[k]).sum::<f64>() / length).clamp(-1.0, 1.0).acos().to_degrees()
+}
+
+const DOWN: [f64; 3] = [0.0, 0.0, -1.0];
+
+#[test]
+fn a_block_that_its_positions_hardly_level_is_levelled_by_its_views() {
+    for slope in [0.0, 0.6] {
+        let reconstruction = sloping(slope, [60.0, 60.0, 100.0]).reconstruct(&selected());
+        let warnings = &reconstruction.models[0].warnings;
+        assert!(
+            reconstruction.models[0].in_system && says(&reconstruction, &["GNSS positions hardly", "taken as vertical"]),
+            "{warnings:?}"
+        );
+        assert!(mean_view_off(&reconstruction, DOWN) < 3.0, "slope {slope}: {}", mean_view_off(&reconstruction, DOWN));
+    }
+}
+
+#[test]
+fn recorded_directions_of_view_level_a_block_before_the_vertical_does() {
+    let mut scene = sloping(0.0, [60.0, 60.0, 100.0]);
+    let (sine, cosine) = 10_f64.to_radians().sin_cos();
+    let view = [0.0, sine, -cosine];
+    scene.description.images.iter_mut().for_each(|image| image.view = Some(view));
+    let reconstruction = scene.reconstruct(&selected());
+    assert!(says(&reconstruction, &["recorded directions of view level it"]), "{:?}", reconstruction.models[0].warnings);
+    assert!(mean_view_off(&reconstruction, view) < 3.0, "{}", mean_view_off(&reconstruction, view));
+}
+
+#[test]
+fn positions_on_a_line_are_levelled_about_it() {
+    let mut scene = scene(&BlockFlight { strips: 1, exposures: 8, features: 1000, ..BlockFlight::default() }, 1.0);
+    for is_exact in [false, true] {
+        scene.record_places(|_| true);
+        for (image, exposure) in scene.description.images.iter_mut().zip(&scene.block.exposures).filter(|_| is_exact) {
+            let first = scene.block.exposures[0].centre;
+            let position = [exposure.centre[0], first[1], first[2]];
+            image.position = Some(ObservedPosition::Local { position, sigma: [1.0; 3] });
         }
         let reconstruction = scene.reconstruct(&selected());
-        let model = &reconstruction.models[0];
-        assert!(model.in_system && says(&reconstruction, &["The GNSS positions hardly determine"]), "{:?}", model.warnings);
-        assert_eq!(says(&reconstruction, &["; the views are", "° off the vertical on average."]), is_tilted, "{:?}", model.warnings);
+        let warnings = &reconstruction.models[0].warnings;
+        assert!(reconstruction.models[0].in_system && says(&reconstruction, &["taken as vertical"]), "{is_exact}: {warnings:?}");
+        assert!(mean_view_off(&reconstruction, DOWN) < 3.0, "{is_exact}: {}", mean_view_off(&reconstruction, DOWN));
     }
+}
+
+#[test]
+fn positions_that_contradict_the_level_are_believed_and_the_tilt_is_told() {
+    let reconstruction = sloping(0.6, [15.0, 15.0, 25.0]).reconstruct(&selected());
+    let warnings = &reconstruction.models[0].warnings;
+    assert!(says(&reconstruction, &["The GNSS positions hardly determine", "° off the vertical on average."]), "{warnings:?}");
+    assert!(mean_view_off(&reconstruction, DOWN) > 20.0, "{}", mean_view_off(&reconstruction, DOWN));
 }
 
 #[test]

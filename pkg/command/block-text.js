@@ -9,10 +9,12 @@ const NAMED = 5;
 /** @typedef {import('../node.js').Summary} Summary */
 
 /** @param {string} out @param {Summary} summary @returns {string[]} */
-export function describe(out, { images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
+export function describe(out, { verdict, images, cameras, pairs, groups, points, selection, refinement, orientation, score }) {
   const models = 'models' in orientation ? orientation.models : [];
   const [first] = models;
   return [
+    verdict.text,
+    '',
     table([
       ['images', images.read],
       ['left out', images.left_out.length],
@@ -73,10 +75,3 @@ const reasons = (orientation) =>
 
 /** @param {string[]} names */
 const listed = (names) => names.slice(0, NAMED).join(', ') + (names.length > NAMED ? ` and ${names.length - NAMED} more` : '');
-
-/** Why a block of which nothing was oriented is none; null where some of it was.  @param {Summary} summary @returns {string | null} */
-export function failureOf({ pairs, orientation }) {
-  if (orientation.oriented > 0) return null;
-  if (pairs.connected === 0) return 'no two images could be connected; see pairs.csv';
-  return `no image could be oriented: ${'reason' in orientation ? orientation.reason.text : 'summary.json says why of each'}`;
-}

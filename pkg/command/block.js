@@ -12,8 +12,8 @@ import {
   parse_image_measurements,
   planned_files,
 } from '../node.js';
-import { describe, failureOf } from './block-text.js';
-import { about, DataError, UsageError } from './errors.js';
+import { describe } from './block-text.js';
+import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
 import { exists, filesIn, isFile, isFolder, readText, reasonOf, removeUnfinished } from './files.js';
 import { FolderStore } from './folder-store.js';
 import { lockFolder } from './lock.js';
@@ -68,12 +68,12 @@ export const block = {
   details:
     'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a ' +
     'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
-    'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. Where no image could be oriented, the files are written and the exit code is 1. ' +
+    'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 where no image could be oriented; the files are written in any case. ' +
     'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',
   run,
 };
 
-/** @param {Call} call */
+/** @param {Call} call @returns {Promise<import('./errors.js').ExitCode>} */
 async function run(call) {
   const { values } = call;
   const out = values.get('out');
@@ -118,11 +118,10 @@ async function run(call) {
     for (const { text } of remarks) note(text);
     if (values.has('json')) printJson(summary);
     else print(...describe(out, summary));
-    const failure = failureOf(summary);
-    if (failure !== null) throw new DataError(failure);
     const refused = summary.exports.filter((e) => e.refused !== null);
     if (refused.length > 0)
       throw new DataError(`not exported: ${refused.map(({ format, refused: why }) => `${format} (${why})`).join('; ')}; all other files were written`);
+    return VERDICT_CODES[summary.verdict.kind];
   } finally {
     shown.end();
     await pool.close();

@@ -38,11 +38,11 @@ export function attempt(what, path, action) {
 /** @param {string} path @returns {Buffer} */
 export const readBytes = (path) => attempt('read', path, () => readFileSync(path));
 
+/** @param {Buffer} bytes */
+export const textOf = (bytes) => bytes.toString('utf8').replace(/^\ufeff/, '');
+
 /** @param {string} path @returns {string} */
-export const readText = (path) =>
-  readBytes(path)
-    .toString('utf8')
-    .replace(/^\ufeff/, '');
+export const readText = (path) => textOf(readBytes(path));
 
 /** @param {string} path @returns {Photo} */
 export function readPhoto(path) {

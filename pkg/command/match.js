@@ -1,6 +1,7 @@
 // @ts-check
 import { withText } from '../messages.js';
-import { acting_parameters, defaults, matches_csv, message, points_csv, resolved, write_pair_project } from '../node.js';
+import { acting_parameters, defaults, matches_csv, message, pair_hint, points_csv, resolved, write_pair_project } from '../node.js';
+import { checkSize } from './block-camera.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';
@@ -30,9 +31,6 @@ const OPTIONS = [
   ...SETTING_OPTIONS,
 ];
 
-/** @type {Record<PairOutput['verdict']['kind'], import('./errors.js').ExitCode>} */
-const EXIT_CODES = { oriented: 0, weak: 3, not_oriented: 4 };
-
 /** @type {import('./args.js').Command} */
 export const match = {
   name: 'match',
@@ -49,7 +47,7 @@ export const match = {
       positionals: [leftPath = '', rightPath = ''],
       values,
     } = call;
-    const input = inputOf(call);
+    const { input, ofBlock } = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
     noteNotActing(values, settings);
     const [out, truthPath] = [values.get('out'), values.get('truth')];
@@ -58,6 +56,7 @@ export const match = {
     const progress = new Progress({ steps: 4 });
     const left = progress.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = progress.step(`reading ${rightPath}`, () => readPhoto(rightPath));
+    checkSize(ofBlock, [left, right]);
     if (truth) checkPair(truth, left, right);
     const pair = { left, right, input, settings, masks: masksOf(call, left, right) };
     const output = await progress.step('matching', () => matchPair(pair, Number(values.get('workers') ?? DEFAULT_WORKERS)));
@@ -73,12 +72,12 @@ export const match = {
     if (values.has('json')) printJson(result);
     else
       print(
-        ...describe(output),
+        ...describe(output, pair_hint(output.verdict, settings)),
         ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
       );
-    return EXIT_CODES[output.verdict.kind];
+    return VERDICT_CODES[output.verdict.kind];
   },
 };
 
@@ -178,11 +177,12 @@ function describeGeometry({ geometry, no_geometry: none }) {
   ];
 }
 
-/** The outcome in text.  @param {PairOutput} output @returns {string[]} */
-export function describe(output) {
+/** The outcome in text.  @param {PairOutput} output @param {import('../node.js').PairHint | null} hint @returns {string[]} */
+export function describe(output, hint = null) {
   const { matches, ...rejected } = output.match.counts;
   return [
     message('pair_verdict', output.verdict),
+    ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),
     '',
     countTable([
       ['left', output.left],

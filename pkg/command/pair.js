@@ -2,8 +2,9 @@
 /** What is known of a pair beside its images, as options: camera, fiducial marks, offset, and how it is matched and oriented. */
 
 import { parse_camera, parse_fiducials } from '../node.js';
+import { cameraOfBlock, holdsBlock } from './block-camera.js';
 import { about, UsageError } from './errors.js';
-import { readMask, readText } from './files.js';
+import { readBytes, readMask, readText, textOf } from './files.js';
 import { MASK, pair, path, real } from './options.js';
 
 /**
@@ -18,7 +19,7 @@ export const PAIR_OPTIONS = [
   path(
     'camera',
     'camera.json',
-    'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}.',
+    'Focal length, principal point and, where there are no fiducials, pixel size: {"focal_mm", "principal_point_mm": [x, y], "pixel_mm"}. Or the project.tiepoint of a block, whose calibrated camera is taken.',
   ),
   {
     ...real(
@@ -68,16 +69,21 @@ function checkTogether({ values }) {
   }
 }
 
-/** What the options say of the photos.  @param {Call} call @returns {GivenInput} */
+/**
+ * What the options say of the photos, and the camera of a block, where that is given.
+ * @param {Call} call @returns {{ input: GivenInput, ofBlock: import('./block-camera.js').BlockCamera | null }}
+ */
 export function inputOf(call) {
   checkTogether(call);
   const { values } = call;
   /** @type {GivenInput} */
   const input = {};
   const camera = values.get('camera');
+  let ofBlock = null;
   if (typeof camera === 'string') {
-    const text = readText(camera);
-    input.camera = about(camera, () => parse_camera(text));
+    const bytes = readBytes(camera);
+    ofBlock = holdsBlock(bytes) ? cameraOfBlock(camera, bytes, call.positionals) : null;
+    input.camera = ofBlock?.camera ?? about(camera, () => parse_camera(textOf(bytes)));
   }
   const focal = values.get('focal-px');
   if (typeof focal === 'number') {
@@ -94,5 +100,5 @@ export function inputOf(call) {
   }
   const offset = values.get('offset');
   if (Array.isArray(offset)) input.offset = offset;
-  return input;
+  return { input, ofBlock };
 }

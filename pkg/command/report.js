@@ -1,6 +1,7 @@
 // @ts-check
 import { defaults, Report } from '../node.js';
 import { basename } from 'node:path';
+import { checkSize } from './block-camera.js';
 import { UsageError } from './errors.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { JSON_FLAG, path, SETTING_OPTIONS, settingsOf } from './options.js';
@@ -32,7 +33,7 @@ export const report = {
       positionals: [leftPath = '', rightPath = ''],
       values,
     } = call;
-    const input = inputOf(call);
+    const { input, ofBlock } = inputOf(call);
     const settings = settingsOf(OPTIONS, values, defaults());
     const [out, truthPath] = [values.get('out'), values.get('truth')];
     if (typeof out !== 'string') throw new UsageError('--out is missing: name the folder that receives the report');
@@ -42,6 +43,7 @@ export const report = {
     const left = reading.step(`reading ${leftPath}`, () => readPhoto(leftPath));
     const right = reading.step(`reading ${rightPath}`, () => readPhoto(rightPath));
     reading.end();
+    checkSize(ofBlock, [left, right]);
     if (truth) checkPair(truth, left, right);
     const made = new Report(left, right, [basename(leftPath), basename(rightPath)], input, settings, truth, ...masksOf(call, left, right));
     const progress = new Progress({ steps: made.steps().length + 1 });

@@ -4,7 +4,7 @@ use super::block::Block;
 use super::check::check_block;
 use super::options::AdjustmentOptions;
 use super::precision::image_errors;
-use super::reliability::of_position;
+use super::reliability::{Scale, of_position};
 use super::result::{
     AdjustmentResult, CameraStatistics, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
 };
@@ -12,7 +12,7 @@ use super::snooping::{Settled, settle};
 use super::squares::{Squares, Sums};
 use super::weighted::observed;
 use crate::Error;
-use crate::math::normal_spread_within;
+use crate::math::{detectable_shift, variance_left};
 
 /// Adjusts all images, cameras and points of a block at once.
 ///
@@ -43,6 +43,9 @@ pub fn adjust_block(block: &Block, options: &AdjustmentOptions) -> Result<Adjust
     Ok(Description::new(block, options, settled).result())
 }
 
+/// The probability with which an error that is called detectable is detected.
+const POWER: f64 = 0.8;
+
 /// A settled adjustment with what its description needs.
 struct Description<'a> {
     block: &'a Block,
@@ -51,14 +54,22 @@ struct Description<'a> {
     estimated: Option<f64>,
     /// A priori, or estimated; 0 without either.
     sigma: f64,
+    /// The same for standard errors: the estimate itself loses as much by rejections as the residuals do.
+    unit_error: f64,
+    /// The error that a test detects, in standard errors of a residual.
+    shift: f64,
     residuals: Vec<[f64; 2]>,
 }
 
 impl<'a> Description<'a> {
     fn new(block: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
-        let cut = if options.snooping { normal_spread_within(options.limit()) } else { 1.0 };
+        let number = |verdict| settled.verdicts.iter().filter(|given| **given == verdict).count();
+        // Of a rejected observation one coordinate was beyond the limit: the other was cut by nothing.
+        let (kept, rejected) = (2 * number(ObservationVerdict::Accepted), number(ObservationVerdict::GrossError));
+        let cut = variance_left(kept, settled.redundancy, rejected, options.alpha0).sqrt();
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);
+        let shift = detectable_shift(options.alpha0, POWER, options.sigma0_px.is_none().then_some(settled.redundancy));
         let state = &settled.adjusted.state;
         let residual = |ray: &super::block::BlockObservation| {
             let camera = block.images[ray.image].camera;
@@ -66,7 +77,7 @@ impl<'a> Description<'a> {
             [ray.x_px - at[0], ray.y_px - at[1]]
         };
         let residuals = block.rays.iter().map(residual).collect();
-        Self { block, options, settled, estimated, sigma, residuals }
+        Self { block, options, settled, estimated, sigma, unit_error: sigma / cut, shift, residuals }
     }
 
     fn result(&self) -> AdjustmentResult {
@@ -82,7 +93,7 @@ impl<'a> Description<'a> {
             let q = settled.statistics.as_ref().and_then(|s| s.points[c.point]).map(|q| [q[0][0], q[1][1], q[2][2]]);
             control[c.point]
                 .filter(|_| of_points[c.point].rays > 0)
-                .map(|prior| of_position(&prior, &state.points[c.point], q, self.sigma, true))
+                .map(|prior| of_position(&prior, &state.points[c.point], q, self.scale(), true))
         };
         AdjustmentResult {
             block: state.put_into(block.clone()),
@@ -103,12 +114,16 @@ impl<'a> Description<'a> {
         }
     }
 
+    fn scale(&self) -> Scale {
+        Scale { sigma: self.sigma, shift: self.shift }
+    }
+
     fn cameras(&self) -> Vec<CameraStatistics> {
         let fixed = self.settled.fixed.iter();
         let mut cameras: Vec<_> = fixed.map(|fixed| CameraStatistics { standard_errors: [None; 8], fixed: fixed.clone() }).collect();
         if let Some(statistics) = &self.settled.statistics {
             for (&(camera, parameter), q) in self.settled.columns.parameter.iter().zip(&statistics.cameras) {
-                cameras[camera].standard_errors[parameter] = Some(self.sigma * q.max(0.0).sqrt());
+                cameras[camera].standard_errors[parameter] = Some(self.unit_error * q.max(0.0).sqrt());
             }
         }
         cameras
@@ -117,7 +132,7 @@ impl<'a> Description<'a> {
     fn image(&self, image: usize, squares: Squares, gnss: Option<super::weighted::Weighted>) -> ImageStatistics {
         let pose = &self.settled.adjusted.state.images[image];
         let statistics = self.settled.statistics.as_ref();
-        let errors = statistics.map(|s| image_errors(pose, &s.images[image], self.sigma));
+        let errors = statistics.map(|s| image_errors(pose, &s.images[image], self.unit_error));
         ImageStatistics {
             rays: squares.rays,
             rmse_px: squares.rmse(),
@@ -125,14 +140,14 @@ impl<'a> Description<'a> {
             position_errors: errors.map(|(_, position)| position),
             gnss: gnss.map(|prior| {
                 let cofactors = statistics.map(|s| s.of_position(image));
-                of_position(&prior, &pose.position, cofactors, self.sigma, self.settled.placed[image])
+                of_position(&prior, &pose.position, cofactors, self.scale(), self.settled.placed[image])
             }),
         }
     }
 
     fn point(&self, point: usize, squares: Squares) -> Option<ObjectPointStatistics> {
         let q = self.settled.statistics.as_ref().and_then(|s| s.points[point]);
-        let errors = q.map(|q| [0, 1, 2].map(|k| self.sigma * q[k][k].max(0.0).sqrt()));
+        let errors = q.map(|q| [0, 1, 2].map(|k| self.unit_error * q[k][k].max(0.0).sqrt()));
         (squares.rays > 0).then(|| ObjectPointStatistics { rays: squares.rays, rmse_px: squares.rmse(), errors })
     }
 
@@ -144,6 +159,7 @@ impl<'a> Description<'a> {
             residual_px: self.residuals[ray],
             redundancy: judged.map(|j| j.map(|j| j.redundancy)),
             w: judged.map(|j| j.map(|j| w(j.standardised))),
+            detectable_px: judged.map_or([None; 2], |j| j.map(|j| self.scale().detectable(self.block.rays[ray].weight, j.redundancy))),
         }
     }
 }

@@ -34,7 +34,7 @@ impl Block {
         for (image, place) in model.images.iter().zip(&mut places) {
             let Some(pose) = image.pose else { continue };
             *place = Some(block.images.len());
-            block.images.push(BlockImage { camera: image.camera, pose, gnss: None });
+            block.images.push(BlockImage { camera: image.camera, pose, gnss: None, axis: None });
         }
         for (point, position) in model.points.iter().filter_map(|point| Some((point, point.position?))) {
             let index = block.points.len();
@@ -63,6 +63,20 @@ pub struct BlockImage {
     /// Where GNSS has the projection centre.
     #[serde(default)]
     pub gnss: Option<PositionPrior>,
+    /// Where its axis is known to point in the system of the observed positions; a free network does not use it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub axis: Option<AxisPrior>,
+}
+
+/// The known direction of a camera axis.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct AxisPrior {
+    /// Against the direction of view, of length 1: (0, 0, 1) looks down.
+    pub direction: [f64; 3],
+    /// Standard error across it in degrees.
+    pub sigma_deg: f64,
 }
 
 /// An observed position with the standard error of each of its coordinates.

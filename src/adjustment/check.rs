@@ -5,6 +5,7 @@ use super::network::Network;
 use super::options::Datum;
 use crate::camera::is_rotation;
 use crate::catalogue::check_values;
+use crate::math::dot3;
 use crate::{Cause, Computation, Error};
 
 /// Least number of accepted rays of an image: three fix it up to four solutions.
@@ -31,6 +32,13 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
             });
         }
         check_position(&image.pose.position, || place("position"))?;
+        if let Some(axis) = image.axis {
+            if !((dot3(&axis.direction, &axis.direction) - 1.0).abs() < 1e-6) {
+                let got = format!("{:?} as {}", axis.direction, place("direction of the axis"));
+                return Err(Error::InvalidInput { what: "direction of an axis", got, allowed: "a vector of length 1".into() });
+            }
+            check_values("sigma of an axis", &[axis.sigma_deg], 1e-6..=1e4, || place("sigma of the axis"))?;
+        }
         if let Some(gnss) = image.gnss {
             for (value, sigma) in gnss.position.iter().zip(gnss.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
                 check_values("position", &[*value], -LARGEST..=LARGEST, || place("GNSS position"))?;

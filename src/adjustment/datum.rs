@@ -1,11 +1,12 @@
 //! Where the block lies: observed positions, or the seven freedoms of a free network and the constraints that settle them.
 
+use super::axis::turned_to_axes;
 use super::block::Block;
 use super::network::Network;
 use super::options::Datum;
 use super::reduced::Problem;
 use super::robust_similarity::{Pair, robust_similarity};
-use super::similarity::{Similarity, middle};
+use super::similarity::{Similarity, middle, scatter};
 use super::solution::Step;
 use super::sparse::{N, inverse_of_dense};
 use super::state::State;
@@ -40,23 +41,21 @@ pub(super) fn moved_to_observed(block: &Block, network: &Network, state: &State,
     let (similarity, agree) = robust_similarity(&pairs).ok_or_else(undetermined)?;
     let agreeing: Vec<[f64; 3]> = pairs.iter().zip(&agree).filter(|(_, agrees)| **agrees).map(|(pair, _)| pair.to).collect();
     let width = relative_width(&agreeing);
-    if !(width >= LEAST_WIDTH) {
+    let is_levelled = block.images.iter().any(|image| image.axis.is_some());
+    if !(width >= LEAST_WIDTH) && !is_levelled {
         let cause = Cause::PositionsOnLine { width, least: LEAST_WIDTH };
         return Err(Error::Degenerate { computation: Computation::Datum, cause });
     }
     let mut judged = agree.iter();
     let agrees = of_images.iter().map(|pair| pair.is_none() || judged.next() == Some(&true)).collect();
-    Ok((similarity.state(state), agrees))
+    let moved = similarity.state(state);
+    Ok((if is_levelled { turned_to_axes(block, moved) } else { moved }, agrees))
 }
 
 /// Width of the observed positions across their longest axis by the length along it.
 fn relative_width(positions: &[[f64; 3]]) -> f64 {
     let centre = middle(positions.iter().copied());
-    let mut scatter = nalgebra::Matrix3::zeros();
-    for position in positions {
-        let d = nalgebra::Vector3::from(minus(position, &centre));
-        scatter += d * d.transpose();
-    }
+    let scatter = scatter(positions.iter().copied(), &centre);
     let mut values: Vec<f64> = scatter.symmetric_eigenvalues().iter().copied().collect();
     values.sort_by(f64::total_cmp);
     (values[1].max(0.0) / values[2]).sqrt()

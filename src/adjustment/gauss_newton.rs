@@ -1,5 +1,6 @@
 //! One adjustment of a given set of rays: damped Gauss-Newton steps until they vanish.
 
+use super::axis::WeightedAxis;
 use super::collinearity::project;
 use super::datum::Freedoms;
 use super::loss::Robust;
@@ -101,13 +102,14 @@ impl Problem<'_> {
         self.network.sights.iter().zip(self.residuals(state)).map(square).collect()
     }
 
-    /// Weighted square sum of what the observed positions are off.
+    /// Weighted square sum of what the observed positions and the known axes are off.
     pub fn square_sum_of_positions(&self, state: &State) -> f64 {
         let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
             prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
         };
         let images: f64 = self.gnss.iter().zip(state.images.iter().map(|i| &i.position)).map(square).sum();
-        images + self.control.iter().zip(&state.points).map(square).sum::<f64>()
+        let axes: f64 = self.axes.iter().zip(&state.images).filter_map(|(axis, pose)| Some(axis.as_ref()?.square(pose))).sum();
+        images + axes + self.control.iter().zip(&state.points).map(square).sum::<f64>()
     }
 
     /// Weighted square sum of what the camera parameters are off from what was known of them.
@@ -128,7 +130,8 @@ impl Problem<'_> {
     /// Number of observed coordinates beyond the unknowns; negative where some are missing.
     pub fn redundancy(&self) -> i64 {
         let positions: usize = self.gnss.iter().chain(self.control).flatten().map(Weighted::observed).sum();
-        (2 * self.network.sights.len() + positions) as i64 - self.unknowns() as i64
+        let axes = WeightedAxis::OBSERVED * self.axes.iter().flatten().count();
+        (2 * self.network.sights.len() + positions + axes) as i64 - self.unknowns() as i64
     }
 
     fn step(&self, state: &State, damping: f64, robust: Robust, nearby: &mut Option<Factored>) -> Result<Step, Singular> {

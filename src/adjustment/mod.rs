@@ -4,6 +4,7 @@
 //! `gauss_newton` (iteration) → `precision`, `reliability` (cofactors) → `snooping` (rounds that reject gross errors of rays and positions; `robust_similarity`: those of positions at the start) → [`AdjustmentResult`].
 
 mod adjust;
+mod axis;
 mod block;
 mod calibration;
 mod check;
@@ -32,7 +33,7 @@ mod statistics;
 mod weighted;
 
 pub use adjust::adjust_block;
-pub use block::{Block, BlockImage, BlockObservation, ControlPoint, PositionPrior};
+pub use block::{AxisPrior, Block, BlockImage, BlockObservation, ControlPoint, PositionPrior};
 pub(crate) use collinearity::{linearise, project};
 pub use options::{AdjustmentOptions, Datum, Loss};
 pub use result::{

@@ -6,6 +6,7 @@
 //! # Source
 //! Brown 1976, The bundle adjustment: progress and prospects.
 
+use super::axis::WeightedAxis;
 use super::collinearity::{Linearised, linearise};
 use super::loss::Robust;
 use super::network::{Columns, Network, Sight};
@@ -21,6 +22,8 @@ pub(super) struct Problem<'a> {
     /// Observed positions of images and of points; none in a free network.
     pub gnss: &'a [Option<Weighted>],
     pub control: &'a [Option<Weighted>],
+    /// Known axes of images; none in a free network.
+    pub axes: &'a [Option<WeightedAxis>],
     /// The image that is held, and the one that is held along the base: they take the seven freedoms out of a free network.
     pub held: Option<[usize; 2]>,
     /// What is known of the camera columns beforehand; without an entry: nothing.
@@ -70,7 +73,8 @@ impl Problem<'_> {
     /// Sums up the normal equations at `state`, every own diagonal raised by the share `damping`.
     pub fn reduce(&self, state: &State, damping: f64, robust: Robust) -> Reduced {
         let mut reduced = self.eliminated(state, damping, robust);
-        self.add_gps(state, &mut reduced);
+        self.add_positions(state, &mut reduced);
+        self.add_axes(state, &mut reduced);
         self.add_known(state, &mut reduced);
         self.hold(state, &mut reduced);
         self.keep_fixed(&mut reduced);
@@ -240,7 +244,7 @@ impl Problem<'_> {
         }
     }
 
-    fn add_gps(&self, state: &State, reduced: &mut Reduced) {
+    fn add_positions(&self, state: &State, reduced: &mut Reduced) {
         for (image, prior) in self.gnss.iter().enumerate() {
             let Some(Weighted { position, weight }) = prior else { continue };
             let at = self.network.pattern.place[image] as usize;
@@ -249,6 +253,15 @@ impl Problem<'_> {
                 reduced.scale[at][3 + k] += weight[k];
                 reduced.right[at * N + 3 + k] += weight[k] * (position[k] - state.images[image].position[k]);
             }
+        }
+    }
+
+    fn add_axes(&self, state: &State, reduced: &mut Reduced) {
+        for (image, axis) in self.axes.iter().enumerate() {
+            let Some(axis) = axis else { continue };
+            let at = self.network.pattern.place[image] as usize;
+            let right = &mut reduced.right[at * N..][..N];
+            axis.add_to_image(&state.images[image], &mut reduced.matrix.diagonal[at], &mut reduced.scale[at], right);
         }
     }
 

@@ -110,8 +110,29 @@ impl Judgement<'_> {
     }
 }
 
-/// Of an observed position with the cofactors of its adjusted coordinates, which took part or not; `sigma` is that of a ray.
-pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f64; 3]>, sigma: f64, accepted: bool) -> PriorStatistics {
+/// The standard error of a coordinate of weight 1, and the error that a test detects, in standard errors of a residual.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Scale {
+    pub sigma: f64,
+    pub shift: f64,
+}
+
+impl Scale {
+    /// Tells tests alone.
+    pub fn of_tests(sigma: f64) -> Self {
+        Self { sigma, shift: f64::INFINITY }
+    }
+
+    /// The error of an observation that its test detects; `None` where nothing checks it.
+    pub fn detectable(&self, weight: f64, redundancy: f64) -> Option<f64> {
+        let shift = self.shift * self.sigma / (weight * redundancy).sqrt();
+        (redundancy > LEAST_REDUNDANCY && shift.is_finite()).then_some(shift)
+    }
+}
+
+/// Of an observed position with the cofactors of its adjusted coordinates, which took part or not.
+pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f64; 3]>, scale: Scale, accepted: bool) -> PriorStatistics {
+    let sigma = scale.sigma;
     let is_observed = [0, 1, 2].map(|k| prior.weight[k] > 0.0);
     let residual = [0, 1, 2].map(|k| if is_observed[k] { prior.position[k] - at[k] } else { 0.0 });
     let factor = if accepted { 1.0 } else { 0.0 };
@@ -122,6 +143,9 @@ pub(super) fn of_position(prior: &Weighted, at: &[f64; 3], cofactors: Option<[f6
         residual,
         redundancy: judged.map(|j| j.map(|j| j.redundancy)),
         w: judged.map(|j| j.map(|j| if sigma > 0.0 { j.standardised / sigma } else { 0.0 })),
+        detectable: judged.map_or([None; 3], |j| {
+            [0, 1, 2].map(|k| if is_observed[k] { scale.detectable(prior.weight[k], j[k].redundancy) } else { None })
+        }),
     }
 }
 

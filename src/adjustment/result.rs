@@ -7,8 +7,8 @@ use serde::{Deserialize, Serialize};
 
 /// An adjusted block with its precision and reliability.
 ///
-/// Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
-/// inner constraints.
+/// Standard errors are with σ₀ a priori where that is given, else with the estimated one, enlarged by what rejections took from the
+/// estimate; those of a free network are with respect to its inner constraints.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct AdjustmentResult {
@@ -85,6 +85,9 @@ pub struct PriorStatistics {
     pub redundancy: Option<[f64; 3]>,
     /// Residual by its standard error (Baarda's w), of a new observation where it took no part; absent without statistics.
     pub w: Option<[f64; 3]>,
+    /// The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
+    #[serde(default)]
+    pub detectable: [Option<f64>; 3],
 }
 
 /// Precision of an object point.
@@ -124,6 +127,9 @@ pub struct ObservationStatistics {
     pub redundancy: Option<[f64; 2]>,
     /// Residuals by their standard errors (Baarda's w), of a new observation for a rejected one; absent without statistics.
     pub w: Option<[f64; 2]>,
+    /// The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
+    #[serde(default)]
+    pub detectable_px: [Option<f64>; 2],
 }
 
 /// Residuals of the points of one number of rays.

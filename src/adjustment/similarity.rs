@@ -3,7 +3,7 @@
 use super::state::State;
 use crate::camera::{Pose, orthonormal, product};
 use crate::math::{dot3, minus};
-use nalgebra::Matrix4;
+use nalgebra::{Matrix3, Matrix4, Vector3};
 
 /// A similarity transformation: X becomes `to` + scale · R (X - `from`).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,6 +72,15 @@ impl Similarity {
 
 fn turned(rotation: &[[f64; 3]; 3], vector: &[f64; 3]) -> [f64; 3] {
     rotation.map(|row| dot3(&row, vector))
+}
+
+/// The sum of the squares and products of what positions are off a centre.
+pub(super) fn scatter(positions: impl Iterator<Item = [f64; 3]>, centre: &[f64; 3]) -> Matrix3<f64> {
+    let of_one = |position: [f64; 3]| {
+        let d = Vector3::from(minus(&position, centre));
+        d * d.transpose()
+    };
+    positions.map(of_one).sum()
 }
 
 /// The mean of positions.

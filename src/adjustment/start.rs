@@ -41,8 +41,9 @@ pub(crate) fn adjust_start(block: Block, start: &Start<'_>) -> Result<Block, Err
         })
         .collect();
     let (gnss, control) = (vec![None; block.images.len()], vec![None; block.points.len()]);
+    let axes = vec![None; block.images.len()];
     let held = start.fixed.iter().all(|fixed| !fixed).then(|| held_images(&network, &state));
-    let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &known };
+    let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
     let demand = Demand {
         loss: Loss::Cauchy,
         sigma: start.sigma_px,

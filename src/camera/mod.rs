@@ -15,7 +15,7 @@ mod uncertainty;
 mod xmp;
 
 pub(crate) use distortion::{CAMERA_PARAMETERS, CameraValues, distorted, linearised_lens, radial_factor, undistorted};
-pub use exif::{DroneRecord, ExifCamera, ExifImage, ExifPosition};
+pub use exif::{ExifCamera, ExifImage, ExifPosition};
 pub use fiducials::{Fiducial, FiducialModel, FiducialOrientation, orient_fiducials};
 pub use interior::Interior;
 pub use mm::CameraMm;
@@ -26,4 +26,4 @@ pub use px::{Camera, FreeParameters};
 pub(crate) use rotation::nearest_rotation;
 pub use rotation::{angles_from_rotation, rotation_from_angles};
 pub use uncertainty::CameraUncertainty;
-pub use xmp::{Attitude, RtkSolution};
+pub use xmp::{Attitude, DroneRecord, RtkSolution};

@@ -39,6 +39,9 @@ messages! {
         Resized { taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
         /// The photo was taken in another format: how many px its focal length has is not known.
         Cropped { taken_width_px: u32, taken_height_px: u32, width_px: u32, height_px: u32 },
+        /// The pixels of the focal plane are not those of a photo of this size, by its 35 mm equivalent or its sensor: how many px its focal length
+        /// has is not known.
+        FocalPlane { pixel_um: f64, expected_um: f64 },
         /// XMP and EXIF have focal lengths that cannot both be right: that of EXIF is taken.
         Contradiction { xmp_focal_px: f64, exif_focal_px: f64 },
         /// No photograph of a central perspective.

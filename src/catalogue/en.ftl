@@ -125,6 +125,7 @@ camera-origin-panorama = XMP (panorama)
 
 camera-caution-resized = taken with { $taken_width_px } x { $taken_height_px } px, resized to { $width_px } x { $height_px } px: its focal length in px is scaled
 camera-caution-cropped = taken with { $taken_width_px } x { $taken_height_px } px, but { $width_px } x { $height_px } px large: it was cropped, and its focal length in px is not known; give the camera if you know it
+camera-caution-focal-plane = EXIF gives pixels of { SIGNIFICANT($pixel_um, digits: 2) } µm, but with this sensor or its 35 mm equivalent those of this photo are { SIGNIFICANT($expected_um, digits: 2) } µm large: it was resized or cropped, and its focal length in px is not known; give the camera if you know it
 camera-caution-contradiction = XMP gives a focal length of { FIXED($xmp_focal_px, digits: 0) } px, EXIF of { FIXED($exif_focal_px, digits: 0) } px: that of EXIF is used
 camera-caution-panorama = a panorama ({ $projection }): it has no central perspective, and no camera
 
@@ -144,6 +145,10 @@ pair-verdict-weak = Weak orientation from { $points } points. { $warning }
     .label = weak
 pair-verdict-not-oriented = Not oriented: { $no_orientation }.
     .label = not oriented
+
+## What else would do for a pair.
+
+pair-hint-other-strategy = This strategy compares windows as they stand in both photos: where these are turned, of another scale or overlap elsewhere, the strategy “auto” finds more.
 
 ## What the geometry of two views is, and where it is degenerate.
 
@@ -251,9 +256,30 @@ image-reason-unoriented = { $unoriented }
 image-reason-failed = { $failure }
 image-reason-unknown = not oriented
 
+## What a block is worth.
+
+block-verdict-oriented =
+    Oriented: { $oriented } of { $images } images from { $points } points{ $sigma0_px ->
+        [none] .
+       *[other] , σ0 { FIXED($sigma0_px, digits: 2) } px.
+    }
+    .label = oriented
+block-verdict-weak = Weak orientation: { $oriented } of { $images } images from { $points } points. { $overview_warning }
+    .label = weak
+block-verdict-not-oriented =
+    Not oriented: { $connected ->
+        [0] no two of the images could be connected
+       *[other] { $failure ->
+            [none] no image could be oriented
+           *[other] { $failure }
+        }
+    }.
+    .label = not oriented
+
 ## Warnings about a block at a glance.
 
 overview-warning-model = { $block_warning }
+overview-warning-few-oriented = { $oriented } of { $images } images are oriented.
 overview-warning-apart = { $images } images are oriented apart from the others, in a model of their own.
 overview-warning-none-oriented = No image could be oriented.
 overview-warning-failed = No image could be oriented: { $failure }.
@@ -275,6 +301,16 @@ block-warning-uncertain-rotation =
         [none] .
        *[other] ; the views are { FIXED($tilt_deg, digits: 0) }° off the vertical on average.
     }
+block-warning-levelled =
+    The GNSS positions { $error_deg ->
+        [none] do not determine the rotation of the whole block
+       *[other] hardly determine the rotation of the whole block (± { FIXED($error_deg, digits: 0) }°)
+    }: { $recorded ->
+        [true] the recorded directions of view level it
+       *[false] its views are taken as vertical on average
+    }, to ± { FIXED($level_deg, digits: 0) }°.
+block-warning-imprecise =
+    σ0 is { FIXED($sigma0_px, digits: 1) } px, above the { FIXED($most_px, digits: 0) } px that matching reaches with the right camera: distortion, a wrong camera or wrong matches.
 block-warning-no-heights = The GNSS positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted.
 block-warning-positions-rejected =
     { $images_count ->
@@ -446,15 +482,9 @@ page-paper-sigma = σ₀ { FIXED($sigma0_mm, digits: 3) } mm = { FIXED($sigma0_p
 
 page-block-images = { COUNT($images) } images.
 page-block-done =
-    Done: { $images ->
+    { $verdict } { $images ->
         [one] 1 image
        *[other] { COUNT($images) } images
-    }{ $oriented ->
-        [0] {""}
-       *[other] , { $all ->
-            [true] all
-           *[false] { COUNT($oriented) }
-        } oriented
     }{ $skipped ->
         [0] {""}
        *[other] , { COUNT($skipped) } skipped

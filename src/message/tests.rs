@@ -3,9 +3,9 @@
 use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
-    BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault, ImageReason,
-    Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairOutcome, PairRule, PairVerdict,
-    Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
+    BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault,
+    ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairHint, PairOutcome,
+    PairRule, PairVerdict, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -55,6 +55,8 @@ fn families() -> Vec<Family> {
         family::<NamedCamera>(),
         family::<NoGeometry>(),
         family::<NoOrientation>(),
+        family::<BlockVerdict>(),
+        family::<PairHint>(),
         family::<PairVerdict>(),
         family::<Observed>(),
         family::<OverviewWarning>(),

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 21] = [
+pub(super) const NESTED: [&str; 22] = [
     "block_warning",
     "camera",
     "camera_caution",
@@ -26,6 +26,7 @@ pub(super) const NESTED: [&str; 21] = [
     "no_orientation",
     "observed",
     "outcome",
+    "overview_warning",
     "rule",
     "side",
     "unit",

@@ -174,6 +174,9 @@ pub struct KnownImage {
     /// Where GNSS has the projection centre.
     #[serde(default)]
     pub position: Option<ObservedPosition>,
+    /// The direction of view that a drone recorded, of length 1: east, north, up. It levels a block that its positions hardly level.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<[f64; 3]>,
 }
 
 #[cfg(test)]
@@ -183,7 +186,7 @@ mod tests {
     #[test]
     fn a_block_that_is_not_oriented_has_guesses_where_nothing_is_known() {
         let known = KnownCamera { principal_point_px: Some([2010.0, 1490.0]), ..KnownCamera::of_size(4000, 3000, Some(3500.0)) };
-        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None };
+        let image = |name: &str, camera| KnownImage { name: name.into(), camera, position: None, view: None };
         let cameras = vec![KnownCamera::of_size(600, 800, None), known];
         let description = BlockDescription { cameras, images: vec![image("a.jpg", 1), image("b.jpg", 0)], control: Vec::new() };
         let model = description.to_model();

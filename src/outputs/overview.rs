@@ -3,9 +3,10 @@
 use super::images::{ImageRow, image_rows};
 use super::pairs::{PairRow, pair_rows};
 use super::summary::{NamedReason, outcome_counts};
+use super::verdict::BlockVerdict;
+use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;
-use crate::message::messages;
-use crate::{BlockModel, BlockRun, BlockWarning, Camera, Error, Failure, ObjectPoint, RefinementOutcome, Remark};
+use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome, Remark};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -13,6 +14,7 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct BlockOverview {
+    pub verdict: WithText<BlockVerdict>,
     pub images: Vec<ImageRow>,
     pub skipped: Vec<NamedReason>,
     /// Masks that belong to no image.
@@ -38,22 +40,6 @@ pub struct BlockOverview {
     pub sigma0_px: Option<f64>,
     /// What is weak about the block.
     pub warnings: Vec<WithText<OverviewWarning>>,
-}
-
-messages! {
-    /// What is weak about a block at a glance.
-    #[derive(Debug, Clone, PartialEq, Serialize)]
-    #[serde(tag = "kind", rename_all = "snake_case")]
-    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-    pub enum OverviewWarning as "overview_warning" {
-        /// Of the model that is written.
-        Model { block_warning: BlockWarning },
-        /// Images in a model of their own.
-        Apart { images: usize },
-        NoneOriented,
-        /// The orientation failed.
-        Failed { failure: Failure },
-    }
 }
 
 /// A camera of a finished block.
@@ -120,6 +106,7 @@ impl BlockOverview {
             None => rmse_by_rays(&run.model),
         };
         Ok(Self {
+            verdict: WithText::of(BlockVerdict::of(run)),
             images: image_rows(run),
             skipped: run.skipped.iter().map(NamedReason::of).collect(),
             unused_masks: run.unused_masks.clone(),
@@ -134,7 +121,7 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
-            warnings: warnings(run).into_iter().map(WithText::of).collect(),
+            warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })
     }
 }
@@ -176,21 +163,6 @@ fn camera_rows(run: &BlockRun) -> Vec<CameraRow> {
         }
     });
     rows.collect()
-}
-
-fn warnings(run: &BlockRun) -> Vec<OverviewWarning> {
-    match &run.reconstruction {
-        Err(failure) => vec![OverviewWarning::Failed { failure: failure.clone() }],
-        Ok(assembly) => match assembly.models.split_first() {
-            Some((first, others)) => {
-                let own = first.warnings.iter().cloned().map(|block_warning| OverviewWarning::Model { block_warning });
-                own.chain(others.iter().map(|model| OverviewWarning::Apart { images: model.images.len() })).collect()
-            }
-            // A project of version 1 has oriented images, and nothing of their adjustment.
-            None if run.model.images.iter().any(|image| image.pose.is_some()) => Vec::new(),
-            None => vec![OverviewWarning::NoneOriented],
-        },
-    }
 }
 
 fn rmse_by_rays(model: &BlockModel) -> Vec<RayCount> {

@@ -2,6 +2,7 @@
 
 use super::coverage::coverage;
 use super::pairs::PairRow;
+use super::verdict::BlockVerdict;
 use super::with_text::WithText;
 use crate::{
     BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera, JoinCounts,
@@ -15,6 +16,7 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct Summary {
+    pub verdict: WithText<BlockVerdict>,
     pub images: ImageCounts,
     /// What of the input was not taken as it was given, or is hardly right.
     pub remarks: Vec<WithText<Remark>>,
@@ -187,6 +189,7 @@ pub(super) fn summary(
 ) -> Summary {
     let name = |image: usize| run.images.get(image).map_or(String::new(), |image| image.name.clone());
     Summary {
+        verdict: WithText::of(BlockVerdict::of(run)),
         images: image_counts(run),
         remarks: run.remarks.iter().cloned().map(WithText::of).collect(),
         cameras: cameras(run),

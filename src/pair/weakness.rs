@@ -20,7 +20,7 @@ const LEAST_MATCHED: f64 = 0.035;
 const LARGEST_ANGLE_DEG: f64 = 5.0;
 const LARGEST_BASE_DEG: f64 = 20.0;
 /// σ₀ that matching reaches where the camera is right, and that it never reaches but within one image, in px.
-const LARGEST_SIGMA0_PX: f64 = 1.0;
+pub const LARGEST_SIGMA0_PX: f64 = 1.0;
 const LEAST_SIGMA0_PX: f64 = 0.02;
 /// Root mean square distance of points from their middle, in focal lengths, of an image that is twice as long as the focal length.
 const LARGEST_COVERAGE: f64 = 0.72;

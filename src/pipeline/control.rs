@@ -2,7 +2,7 @@
 
 use crate::{
     BlockDescription, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
-    ImageObservation, KnownCamera, KnownImage, ObservedPosition, parse_ground_control_points, parse_image_measurements,
+    ImageObservation, KnownCamera, KnownImage, ObservedPosition, RtkSolution, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -48,7 +48,7 @@ impl ControlTables {
             }
         }
         let cameras = vec![KnownCamera::of_size(MOST_PX, MOST_PX, Some(f64::from(MOST_PX)))];
-        let images = named.into_iter().map(|name| KnownImage { name, camera: 0, position: None }).collect();
+        let images = named.into_iter().map(|name| KnownImage { name, camera: 0, position: None, view: None }).collect();
         BlockDescription { cameras, images, control }.check()
     }
 
@@ -101,10 +101,17 @@ fn control_point(point: &GroundControlRow, placing: &GeoreferencingOptions) -> G
     GroundControlPoint { name: point.name.clone(), position, measurements: Vec::new() }
 }
 
-/// A GNSS position as an observation. A receiver that states its error states that of the place: the height is less sure by the same factor
-/// as without it.
-pub(super) fn gnss_observation(position: &ExifPosition, placing: &GeoreferencingOptions) -> ObservedPosition {
+/// Standard errors in m below which those of an RTK solution are not believed: the exposure and the antenna's place have their own.
+const LEAST_RTK_M: f64 = 0.02;
+
+/// A GNSS position as an observation. The standard deviations of an RTK solution go first. A receiver that states its error otherwise states that
+/// of the place: the height is less sure by the same factor as without it.
+pub(super) fn gnss_observation(position: &ExifPosition, rtk: Option<&RtkSolution>, placing: &GeoreferencingOptions) -> ObservedPosition {
     let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
+    if let Some(deviations_m) = rtk.and_then(|rtk| rtk.standard_deviations_m) {
+        let sigma_m = deviations_m.map(|deviation| deviation.max(LEAST_RTK_M));
+        return ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m };
+    }
     let across = error_m.filter(|error| *error != 0.0).unwrap_or(placing.receiver_across_m);
     let up = placing.receiver_up_m * (across / placing.receiver_across_m);
     ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m: [across, across, up] }
@@ -164,8 +171,13 @@ mod tests {
     fn a_stated_error_counts_for_the_height_too() {
         let position = ExifPosition { longitude_deg: 8.0, latitude_deg: 50.0, height_m: Some(100.0), error_m: Some(1.5) };
         let placing = GeoreferencingOptions::default();
-        assert!(matches!(gnss_observation(&position, &placing), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
+        assert!(matches!(gnss_observation(&position, None, &placing), ObservedPosition::Geographic { sigma_m: [1.5, 1.5, 3.0], .. }));
         let silent = ExifPosition { error_m: None, ..position };
-        assert!(matches!(gnss_observation(&silent, &placing), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
+        assert!(matches!(gnss_observation(&silent, None, &placing), ObservedPosition::Geographic { sigma_m: [3.0, 3.0, 6.0], .. }));
+        let fixed = RtkSolution { flag: 50, standard_deviations_m: Some([0.011, 0.012, 0.035]) };
+        let by_rtk = gnss_observation(&position, Some(&fixed), &placing);
+        assert!(matches!(by_rtk, ObservedPosition::Geographic { sigma_m: [0.02, 0.02, 0.035], .. }), "{by_rtk:?}");
+        let unstated = RtkSolution { standard_deviations_m: None, ..fixed };
+        assert_eq!(gnss_observation(&position, Some(&unstated), &placing), gnss_observation(&position, None, &placing));
     }
 }

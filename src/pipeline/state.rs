@@ -138,8 +138,16 @@ impl State {
         let names: Vec<String> = self.images.iter().map(|image| image.name.clone()).collect();
         let joined = self.input.control.as_ref().map(|control| control.join(&names, placing)).transpose()?;
         let (control, unknown_images) = joined.unwrap_or_default();
-        let observed = |image: &RunImage| self.gnss(&image.exif).map(|position| gnss_observation(position, placing));
-        let image = |image: &RunImage| KnownImage { name: image.name.clone(), camera: image.camera, position: observed(image) };
+        let observed = |image: &RunImage| {
+            let rtk = image.exif.drone.as_ref().and_then(|drone| drone.rtk.as_ref());
+            self.gnss(&image.exif).map(|position| gnss_observation(position, rtk, placing))
+        };
+        let image = |image: &RunImage| KnownImage {
+            name: image.name.clone(),
+            camera: image.camera,
+            position: observed(image),
+            view: image.exif.drone.as_ref().and_then(|drone| drone.view()),
+        };
         self.description = BlockDescription {
             cameras: self.cameras.iter().map(InitialCamera::to_be_calibrated).collect(),
             images: self.images.iter().map(image).collect(),

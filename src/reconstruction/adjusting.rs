@@ -60,7 +60,7 @@ pub(super) fn adjust(net: &mut Net<'_>, priors: &[CameraPrior], free: &[usize]) 
             if image_of[image] == u32::MAX {
                 image_of[image] = images.len() as u32;
                 images.push(image);
-                block.images.push(BlockImage { camera: net.camera_of[image], pose, gnss: None });
+                block.images.push(BlockImage { camera: net.camera_of[image], pose, gnss: None, axis: None });
             }
             let [x_px, y_px] = rays.at[ray];
             let (image, point) = (image_of[image] as usize, point_of[point] as usize);

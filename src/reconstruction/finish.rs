@@ -2,13 +2,14 @@
 
 use super::choosing::{adjusting_points, given};
 use super::growth::Growth;
+use super::level::{Level, is_open, uncertainty_deg};
 use super::material::Material;
 use super::net::Net;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation};
-use super::review::warnings;
+use super::review::{Placing, warnings};
 use super::warning::UnorientedReason;
+use crate::Error;
 use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, ControlPoint, Datum, adjust_block};
-use crate::{Cause, Error};
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
@@ -54,7 +55,7 @@ fn adjusted(material: &Material<'_>, net: &mut Net<'_>, lost: &mut [Option<Unori
         drop_images(net, LEAST_RAYS, lost);
         let draft = Draft::new(material, net)?;
         match draft.adjust(material) {
-            Ok((adjusted, in_system, cause)) => return given(material, draft.model(material, adjusted, in_system, cause)),
+            Ok((adjusted, placing)) => return given(material, draft.model(material, adjusted, placing)),
             // What an image hangs by may fall in data snooping.
             Err(error @ (Error::Degenerate { .. } | Error::UndeterminedImage { .. })) if attempt < WITHOUT && net.oriented() > 2 => {
                 attempt += 1;
@@ -109,7 +110,7 @@ impl Draft {
             let Some(pose) = net.poses[*image] else { continue };
             let camera = place(&draft.cameras, net.camera_of[*image]);
             let gnss = material.frame.images[*image];
-            draft.block.images.push(BlockImage { camera, pose, gnss });
+            draft.block.images.push(BlockImage { camera, pose, gnss, axis: None });
         }
         for point in adjusting_points(material, net)? {
             draft.add_point(material, net, point);
@@ -143,13 +144,14 @@ impl Draft {
         }
     }
 
-    /// Adjusts in the datum that was asked for, or in the best that the observed positions allow; tells whether it lies in their system, and
-    /// why not, where it should.
-    fn adjust(&self, material: &Material<'_>) -> Result<(AdjustmentResult, bool, Option<Cause>), Error> {
+    /// Adjusts in the datum that was asked for, or in the best that the observed positions allow, levelled where they leave the rotation of
+    /// the whole block open; tells how it is placed.
+    fn adjust(&self, material: &Material<'_>) -> Result<(AdjustmentResult, Placing), Error> {
         let options = material.options;
-        let with = |datum: Datum| adjust_block(&self.block, &AdjustmentOptions { datum, ..options.adjustment.clone() });
+        let with = |block: &Block, datum: Datum| adjust_block(block, &AdjustmentOptions { datum, ..options.adjustment.clone() });
         if let Some(datum) = options.datum {
-            return with(datum).map(|adjusted| (adjusted, datum != Datum::Free, None));
+            let placing = if datum == Datum::Free { Placing::Free { cause: None } } else { Placing::Observed };
+            return with(&self.block, datum).map(|adjusted| (adjusted, placing));
         }
         let gnss = self.block.images.iter().filter(|image| image.gnss.is_some()).count();
         let control = self.block.control.len();
@@ -159,20 +161,37 @@ impl Draft {
             (false, true) => Datum::Control,
             (false, false) => Datum::Free,
         };
-        match with(datum) {
-            Ok(adjusted) => Ok((adjusted, datum != Datum::Free, None)),
+        let level = || {
+            let views: Vec<_> = self.images.iter().map(|image| material.frame.views[*image]).collect();
+            Level::of(&self.block, &views).filter(|_| datum == Datum::Gnss)
+        };
+        match with(&self.block, datum) {
+            Ok(plain) if datum == Datum::Gnss && is_open(&plain) => {
+                let error_deg = uncertainty_deg(&plain);
+                let levelled = level().and_then(|level| {
+                    let adjusted = with(&level.block, datum).ok().filter(|adjusted| level.is_plausible(&plain, adjusted))?;
+                    Some((adjusted, Placing::Levelled { recorded: level.recorded, error_deg }))
+                });
+                Ok(levelled.unwrap_or((plain, Placing::Observed)))
+            }
+            Ok(adjusted) if datum == Datum::Free => Ok((adjusted, Placing::Free { cause: None })),
+            Ok(adjusted) => Ok((adjusted, Placing::Observed)),
             // Poor positions along one strip hardly tell its roll: the adjustment in their system may creep without end. Wrong ones pull images
             // off their rays.
             Err(Error::NotConverged { cause, .. } | Error::Degenerate { cause, .. } | Error::UndeterminedImage { cause, .. })
                 if datum != Datum::Free =>
             {
-                with(Datum::Free).map(|adjusted| (adjusted, false, Some(cause)))
+                let levelled = level().and_then(|level| {
+                    let adjusted = with(&level.block, datum).ok()?;
+                    Some((adjusted, Placing::Levelled { recorded: level.recorded, error_deg: None }))
+                });
+                levelled.map_or_else(|| with(&self.block, Datum::Free).map(|adjusted| (adjusted, Placing::Free { cause: Some(cause) })), Ok)
             }
             Err(error) => Err(error),
         }
     }
 
-    fn model(self, material: &Material<'_>, adjusted: AdjustmentResult, in_system: bool, cause: Option<Cause>) -> ReconstructedModel {
+    fn model(self, material: &Material<'_>, adjusted: AdjustmentResult, placing: Placing) -> ReconstructedModel {
         let guessed = |camera: &usize| material.description.cameras[*camera].focal_px.is_none();
         let mut model = ReconstructedModel {
             guessed_focal: self.cameras.iter().copied().filter(guessed).collect(),
@@ -182,10 +201,10 @@ impl Draft {
             rays: self.rays,
             rejected: self.rejected,
             adjusted,
-            in_system,
+            in_system: !matches!(placing, Placing::Free { .. }),
             warnings: Vec::new(),
         };
-        model.warnings = warnings(&model, material.description, material.frame, cause);
+        model.warnings = warnings(&model, material.description, material.frame, placing);
         model
     }
 }
@@ -193,9 +212,9 @@ impl Draft {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Computation;
     use crate::reconstruction::options::ReconstructionOptions;
     use crate::reconstruction::rays::Rays;
+    use crate::{Cause, Computation};
 
     #[test]
     fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {

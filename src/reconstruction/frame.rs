@@ -11,6 +11,8 @@ pub(super) struct Frame {
     pub control: Vec<([f64; 3], [f64; 3])>,
     /// Where (0, 0, 0) is, for geographic positions.
     pub origin: Option<GeographicOrigin>,
+    /// Directions of view that were recorded, of positions that are geographic: x is east, y north, z up.
+    pub views: Vec<Option<[f64; 3]>>,
     /// Positions of images that are of another system than the surveyed points: distances between them are compared, nothing more. Absent
     /// standard errors are those of coordinates that were not recorded.
     pub recorded: Vec<Option<PositionPrior>>,
@@ -50,6 +52,7 @@ impl Frame {
         Ok(Self {
             images: of_image(&system, !are_apart),
             recorded: of_image(&recording, are_apart),
+            views: description.images.iter().map(|image| image.view.filter(|_| system.origin.is_some())).collect(),
             control: description.control.iter().map(|control| surveyed(&control.position)).collect(),
             origin: system.origin.map(|[longitude_deg, latitude_deg, height_m]| GeographicOrigin { longitude_deg, latitude_deg, height_m }),
             is_levelled: system.is_levelled,

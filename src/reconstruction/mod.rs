@@ -10,6 +10,7 @@ mod finish;
 mod frame;
 mod growth;
 mod intersection;
+mod level;
 mod material;
 mod model;
 mod net;

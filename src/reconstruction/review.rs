@@ -1,12 +1,14 @@
 //! What of a model deserves a warning.
 
 use super::frame::Frame;
+use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
 use super::warning::{BlockWarning, Observed, RejectedPosition};
 use crate::Cause;
 use crate::adjustment::ObservationVerdict;
 use crate::model::BlockDescription;
+use crate::pair::LARGEST_SIGMA0_PX;
 
 /// An image with fewer accepted rays is weak.
 const FEW_RAYS: usize = 20;
@@ -14,22 +16,30 @@ const FEW_RAYS: usize = 20;
 const MANY_TWO_RAYS: f64 = 0.8;
 /// A model is weak where this share of its rays was rejected.
 const MANY_REJECTED: f64 = 0.2;
-/// A model is weak where the angles of no image are surer than this.
-const UNCERTAIN_TURN_DEG: f64 = 2.0;
 /// An angle that is not surer than this is not known.
 const UNKNOWN_TURN_DEG: f64 = 45.0;
+/// How a model came to lie where it does.
+pub(super) enum Placing {
+    /// By what was observed.
+    Observed,
+    /// By that and a level; `error_deg`: how uncertain its rotation was without, where it could be adjusted so.
+    Levelled { recorded: bool, error_deg: Option<f64> },
+    /// By nothing; `cause`: why what was observed does not.
+    Free { cause: Option<Cause> },
+}
+
 /// Views that are this far off the vertical are no vertical photographs.
 const OBLIQUE_DEG: f64 = 10.0;
 
-/// `cause`: why the model does not lie in the system of what was observed.
-pub(super) fn warnings(
-    model: &ReconstructedModel,
-    description: &BlockDescription,
-    frame: &Frame,
-    cause: Option<Cause>,
-) -> Vec<BlockWarning> {
+/// `placing`: how the model came to lie where it does.
+pub(super) fn warnings(model: &ReconstructedModel, description: &BlockDescription, frame: &Frame, placing: Placing) -> Vec<BlockWarning> {
     let mut found = Vec::new();
-    found.extend(if model.in_system { of_rotation(model) } else { Some(BlockWarning::Free { cause }) });
+    found.extend(match placing {
+        Placing::Observed => of_rotation(model),
+        Placing::Levelled { recorded, error_deg } => Some(BlockWarning::Levelled { recorded, error_deg, level_deg: LEVEL_DEG }),
+        Placing::Free { cause } => Some(BlockWarning::Free { cause }),
+    });
+    found.extend(of_sigma(model));
     found.extend(of_positions(model, description, frame));
     found.extend(of_units(model, description, frame));
     found.extend(of_measurements(model, description));
@@ -39,11 +49,15 @@ pub(super) fn warnings(
     found
 }
 
+fn of_sigma(model: &ReconstructedModel) -> Option<BlockWarning> {
+    let sigma0_px = model.adjusted.sigma0_px.filter(|sigma0_px| *sigma0_px > LARGEST_SIGMA0_PX)?;
+    Some(BlockWarning::Imprecise { sigma0_px, most_px: LARGEST_SIGMA0_PX })
+}
+
 /// Positions along a line leave the turn about it to their own errors. Errors that the positions of a strip have in common, as those of
 /// heights, turn the block further than standard errors say: what shows of it is the tilt of views that were meant to be vertical.
 fn of_rotation(model: &ReconstructedModel) -> Option<BlockWarning> {
-    let largest = |angles: [f64; 3]| angles.into_iter().fold(0.0, f64::max);
-    let error_deg = model.adjusted.images.iter().filter_map(|image| image.angle_errors_deg.map(largest)).min_by(f64::total_cmp)?;
+    let error_deg = uncertainty_deg(&model.adjusted)?;
     let datum = model.adjusted.datum;
     let observed = match (datum.uses_gnss(), datum.uses_control()) {
         (true, true) => Observed::Both,

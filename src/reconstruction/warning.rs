@@ -17,10 +17,15 @@ messages! {
         UnknownRotation { observed: Observed, tilt_deg: Option<f64> },
         /// The angles of no image are known better than `error_deg`.
         UncertainRotation { observed: Observed, error_deg: f64, tilt_deg: Option<f64> },
+        /// The GNSS positions hardly tell the rotation of the whole block (`error_deg`; absent: not at all): it was levelled, by directions of
+        /// view that were `recorded`, or by views that are taken as vertical on average.
+        Levelled { recorded: bool, error_deg: Option<f64>, level_deg: f64 },
         /// The GNSS positions have no heights.
         NoHeights,
         /// GNSS positions that do not fit.
         PositionsRejected { images: Vec<RejectedPosition> },
+        /// σ₀ is above what matching reaches.
+        Imprecise { sigma0_px: f64, most_px: f64 },
         /// The GCPs make the block another number of times as large as the GNSS positions.
         Scale { ratio: f64, unit: Option<LengthUnit> },
         /// The GCPs seem to be in degrees.
@@ -41,6 +46,31 @@ messages! {
         TwoRays { two: usize, points: usize },
         /// Many observations do not fit.
         ManyRejected { rejected: usize, observations: usize },
+    }
+}
+
+impl BlockWarning {
+    /// Whether it speaks against the model as a whole: others tell what is weak of it, or what was done about it.
+    pub(crate) fn is_weakness(&self) -> bool {
+        match self {
+            Self::Free { cause } => cause.is_some(),
+            Self::UnknownRotation { .. }
+            | Self::UncertainRotation { .. }
+            | Self::Imprecise { .. }
+            | Self::Scale { .. }
+            | Self::Degrees
+            | Self::FocalUndetermined { .. }
+            | Self::ManyRejected { .. } => true,
+            Self::Levelled { .. }
+            | Self::NoHeights
+            | Self::PositionsRejected { .. }
+            | Self::PointRejected { .. }
+            | Self::MeasurementsRejected { .. }
+            | Self::FocalEstimated { .. }
+            | Self::ParameterFixed { .. }
+            | Self::FewObservations { .. }
+            | Self::TwoRays { .. } => false,
+        }
     }
 }
 

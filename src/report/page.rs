@@ -80,9 +80,9 @@ impl Report {
                     }
                 }
                 li { (count(matches.len())) " matches of " (count(run.result.left.points.len())) " left points by this run's strategy." }
-                @match &run.result.orientation {
-                    Ok(o) => li { "Oriented with " (count(run.used())) " matches, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
-                    Err(reason) => li { "Not oriented: " (reason) "." }
+                li { strong { (run.result.verdict()) } }
+                @if let Ok(o) = &run.result.orientation {
+                    li { (count(run.used())) " matches took part, σ₀ " (fixed(run.sigma0_px(), 3)) " px; " (count(o.rejected.len())) " gross errors rejected." }
                 }
                 @if let Some(score) = &run.score {
                     li { (text::percent(score.right, matches.len())) " of the matches are right by the truth of the simulated pair." }

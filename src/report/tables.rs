@@ -138,6 +138,12 @@ pub fn orientations(report: &Report) -> Markup {
                 }
             }
             tbody {
+                tr {
+                    th { "verdict" }
+                    @for study in &report.studies { td { (Texts::english().label(&study.result.verdict())) } }
+                    @if report.truth.is_some() { td.truth {} }
+                    @for _ in &PAPER.orientations { td.paper {} }
+                }
                 @for (k, (symbol, unit, digits)) in UNKNOWNS.into_iter().enumerate() {
                     tr {
                         th { i { (symbol) } " " small { (unit) } }
@@ -161,6 +167,10 @@ pub fn orientations(report: &Report) -> Markup {
                 "by and bz of the truth belong to its base of " (fixed(truth.base_mm, 3)) " mm. Where a strategy was oriented with another base, its true "
                 "errors are those against the truth at the scale of that base."
             }
+        }
+        p.note {
+            "The paper's columns by correlation and by least squares come from 15 points that earlier work measured on scans of 600 dpi: they have errors of "
+            "their own."
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What the module says of itself: version, defaults, parameters.
 
-use super::convert::{JsResult, pack, read_options};
-use crate::{PairSettings, acting};
+use super::convert::{JsResult, pack, read, read_options};
+use crate::{PairHint, PairSettings, PairVerdict, acting};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -58,6 +58,16 @@ pub fn resolved(#[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] se
 #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
 pub fn parameters() -> JsValue {
     pack(&PairSettings::parameters().collect::<Vec<_>>())
+}
+
+/// What else would do for a pair of this verdict and these settings; null where nothing is known to.
+#[wasm_bindgen(unchecked_return_type = "PairHint | null")]
+pub fn pair_hint(
+    #[wasm_bindgen(unchecked_param_type = "PairVerdict")] verdict: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Given<PairSettings>")] settings: &JsValue,
+) -> JsResult<JsValue> {
+    let (verdict, settings) = (read::<PairVerdict>("verdict", verdict)?, read_options::<PairSettings>("settings", settings)?);
+    Ok(pack(&PairHint::of(&verdict, &settings)))
 }
 
 /// The keys of the options of a pair that have an effect with these settings.

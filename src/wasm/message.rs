@@ -20,6 +20,8 @@ export interface Messages {
     no_geometry: NoGeometry;
     no_orientation: NoOrientation;
     pair_verdict: PairVerdict;
+    pair_hint: PairHint;
+    block_verdict: BlockVerdict;
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";

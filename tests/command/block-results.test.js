@@ -109,8 +109,9 @@ test('images of which no two are connected make no block', () => {
   for (let i = 0; i < 3; i++) image(at, `${i}.png`, 240, 180, (col, row) => speckle(col + 1000 * i, row));
   const out = folder();
   const { code, stdout, stderr } = tiepoint('block', at, '--out', out, '--features', '300');
-  assert.equal(code, 1);
-  assert.match(stderr, /tiepoint: no two images could be connected; see pairs\.csv\n$/);
+  assert.equal(code, 4);
+  assert.doesNotMatch(stderr, /tiepoint:/);
+  assert.match(stdout, /^Not oriented: no two of the images could be connected\.$/m);
   assert.match(stdout, /^images oriented +0 of 3$/m);
   assert.doesNotMatch(stdout, /multi-ray points\./);
   for (const { reason } of rows(out, 'pairs.csv')) assert.match(reason ?? '', /^"?not connected: .*(on one geometry|different matches)/);

@@ -1,6 +1,6 @@
 //! The camera of EXIF blocks made here.
 
-use tiepoint::{CameraOrigin, ExifCamera};
+use tiepoint::{CameraCaution, CameraOrigin, ExifCamera};
 
 use crate::decode;
 use crate::jpeg_writer::{Jpeg, segment};
@@ -112,10 +112,33 @@ fn pixel_from_the_35_mm_equivalent() {
     // The diagonal of 500 px sees what 43.267 mm see at 100 mm; at 50 mm it has half that length.
     let fields = [(FOCAL_LENGTH, Rational(50, 1)), (FOCAL_35, Short(100))];
     assert_eq!(pixel_um(&fields), Some(43.267));
-    let both = [(FOCAL_LENGTH, Rational(50, 1)), (FOCAL_35, Short(100)), (PLANE_X, Rational(2540, 1))];
+    let both = [(FOCAL_LENGTH, Rational(50, 1)), (FOCAL_35, Short(430)), (PLANE_X, Rational(2540, 1))];
     assert_eq!(pixel_um(&both), Some(10.0), "the focal plane goes first");
     let broken = [(FOCAL_LENGTH, Rational(50, 1)), (FOCAL_35, Short(100)), (PLANE_X, Rational(0, 0))];
     assert_eq!(pixel_um(&broken), Some(43.267), "0/0 is no resolution");
+}
+
+#[test]
+fn a_focal_plane_of_another_size_of_the_photo_is_not_used() {
+    let focal = (FOCAL_LENGTH, Rational(50, 1));
+    let by_equivalent = [focal, (FOCAL_35, Short(100)), (PLANE_X, Rational(2540, 1))];
+    // 13.2 mm of 400 px are pixels of 33 µm, and those of a photo of twice as many px half as large.
+    let of_sensor = [
+        (MAKE, Text("DJI")),
+        (MODEL, Text("FC6310")),
+        (FOCAL_LENGTH, Rational(88, 10)),
+        (PLANE_X, Rational(25_400, 1)),
+        (PLANE_UNIT, Short(2)),
+    ];
+    let halved = of_sensor.map(|(tag, value)| (tag, if tag == PLANE_X { Rational(25_400_000, 14_667) } else { value }));
+    for (what, fields, pixel_um, expected_um) in [("35 mm", &by_equivalent[..], 10.0, 43.267), ("sensor", &halved[..], 14.667, 29.333)] {
+        let camera = camera(fields).unwrap();
+        assert_eq!((camera.pixel_mm, camera.origin), (None, CameraOrigin::FocalLengthAlone), "{what}");
+        let [CameraCaution::FocalPlane { pixel_um: own, expected_um: other }] = camera.cautions[..] else {
+            panic!("{what}: {:?}", camera.cautions)
+        };
+        assert!((own - pixel_um).abs() < 1e-3 && (other - expected_um).abs() < 1e-3, "{what}: {own} {other}");
+    }
 }
 
 #[test]

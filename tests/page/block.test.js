@@ -16,7 +16,10 @@ test('a simulated block is matched; picture, matrix, pair and exports answer', {
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images.* \d+ of \d+.* points selected/);
+  assert.match(
+    await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/),
+    /^(Oriented|Weak orientation): .*\. 6 images.* \d+ of \d+.* points selected/,
+  );
   assert.ok((await number(page, 'block-points-count')) > 0);
   const [right = 0, all = 1] = ((await part(page, 'score-points').textContent()) ?? '').split(' of ').map(Number);
   assert.ok(right > 0.9 * all, `${right} of ${all}`);
@@ -104,7 +107,7 @@ test('a run that was cancelled goes on, and an image that cannot be read is list
   assert.match((await part(page, 'block-layout').textContent()) ?? '', /^(Recorded|Arranged)/);
   assert.ok(await part(page, 'block-export').isDisabled());
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 4 images.*1 skipped/);
+  assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 4 images.*1 skipped/);
   assert.match((await part(page, 'stage-images').textContent()) ?? '', /5 of 5, [1-4] from an earlier run/);
   assert.match((await part(page, 'block-left-out').textContent()) ?? '', /broken\.jpg: .+/);
   await part(page, 'tab-block-images').click();
@@ -134,7 +137,7 @@ test('pairs are drawn as they come, and what is chosen stays chosen', { skip: SK
   await page.keyboard.press('n');
   const chosen = (await part(page, 'block-chosen').textContent()) ?? '';
   assert.match(chosen, /photo_00001\.png: .*not oriented yet/);
-  await status(page, /^Done: 6 images/);
+  await status(page, /^(Oriented|Weak orientation): .*\. 6 images/);
   assert.match((await part(page, 'block-chosen').textContent()) ?? '', /photo_00001\.png: .*observations in \d of 9 von Gruber positions.*; oriented/);
   assert.deepEqual(complaints, []);
   await close();
@@ -144,7 +147,7 @@ test('Cancel breaks off an export, and the block is still there', { skip: SKIP }
   const { page, complaints, close } = await block();
   await photograph(page);
   await part(page, 'block-run').click();
-  await status(page, /^Done/);
+  await status(page, /^(Oriented|Weak orientation): /);
   await part(page, 'block-export-kind').selectOption('everything');
   await page.evaluate(() => {
     for (const id of ['block-export', 'block-cancel']) /** @type {HTMLButtonElement | null} */ (document.querySelector(`[data-testid="${id}"]`))?.click();
@@ -190,7 +193,7 @@ test('masks of the block leave features out, and one of no image is told', { ski
   await part(page, 'block-masks-input').setInputFiles([upload('photo_0_mask.png', half, 'image/png'), upload('other.png', half, 'image/png')]);
   assert.match((await part(page, 'block-masks-name').textContent()) ?? '', /2 masks: photo_0_mask\.png, other\.png/);
   await part(page, 'block-run').click();
-  await status(page, /^(Done|No image)/);
+  await status(page, /^(Oriented|Weak orientation|No image)/);
   assert.match((await part(page, 'block-stray-masks').textContent()) ?? '', /other\.png: no image has their name/);
   await part(page, 'tab-block-images').click();
   await page.locator('[data-testid="block-images"] tbody tr:not(.filler)').first().waitFor();
@@ -213,7 +216,7 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
+  assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 6 images/);
   await browser.close();
   await server.close();
 });
@@ -222,7 +225,7 @@ test('the page in one file runs a block offline', { skip: SKIP }, async () => {
   const { page, complaints, close } = await block({ url: singleUrl(), options: { offline: true } });
   await photograph(page);
   await part(page, 'block-run').click();
-  assert.match(await status(page, /^(Done|The block was)/), /^Done: 6 images/);
+  assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 6 images/);
   assert.deepEqual(complaints, []);
   await close();
 });
@@ -245,7 +248,7 @@ test('the table of images shows at 1440 px, without a sideways scroll, which are
   const { page, complaints, close } = await block({ options: { viewport: { width: 1440, height: 900 } } });
   await photograph(page);
   await part(page, 'block-run').click();
-  await status(page, /^Done/);
+  await status(page, /^(Oriented|Weak orientation): /);
   await part(page, 'tab-block-images').click();
   const state = page.locator('[data-testid="block-images"] tbody tr:not(.filler) td:last-child').first();
   await state.waitFor();

@@ -83,7 +83,7 @@ test('the picture and the matrix of a block are moved in the same way', { skip: 
   const { page, complaints, close } = await block({ options: { hasTouch: true } });
   await photograph(page);
   await part(page, 'block-run').click();
-  await status(page, /^(Done|The block was)/);
+  await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/);
   await moves(page, 'block-picture', 'layer-plan', 'ArrowRight');
   await part(page, 'block-show-matrix').click();
   // Its arrows go from cell to cell.

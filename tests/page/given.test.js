@@ -69,7 +69,7 @@ test('cameras that are of no image are told: all of them at once, one beside oth
   await give(page, 'cameras', 'cameras.json', '{"cameras": [{"images": "DJI_*", "focal_px": 500}, {"images": "photo_*", "focal_px": 600}]}');
   await status(page, /^Cameras from cameras\.json\.$/);
   await part(page, 'block-run').click();
-  await status(page, /^(Done|No image)/);
+  await status(page, /^(Oriented|Weak orientation|No image)/);
   assert.match((await part(page, 'block-remarks').textContent()) ?? '', /the camera of DJI_\* fits the name of no image/);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
@@ -82,19 +82,19 @@ test('a run that fails leaves the finished block on the page', { skip: SKIP }, a
   await part(page, 'block-folder-input').setInputFiles(folder);
   await drop(page, ['broken.jpg']);
   await part(page, 'block-run').click();
-  await status(page, /^Done: 2 images/);
+  await status(page, /^(Oriented|Weak orientation): .*\. 2 images/);
   const points = await part(page, 'block-points-count').textContent();
   // The third image has a name, and cannot be read: only the run knows.
   await give(page, 'control', 'points.csv', POINTS);
   await give(page, 'marks', 'marks.csv', marksIn(['photo_0.png', 'broken.jpg']));
   await part(page, 'block-run').click();
-  const line = await status(page, /^(Done|Not run|The block was not finished)/);
+  const line = await status(page, /^(Oriented|Weak orientation|Not run|The block was not finished)/);
   assert.match(line, /^The block was not finished: .*ground control points.* The screen shows the former block\.$/);
   assert.equal(await part(page, 'block-points-count').textContent(), points);
   assert.match((await part(page, 'block-results').getAttribute('class')) ?? '', /is-stale/);
   assert.ok(await part(page, 'block-export').isEnabled());
   for (const given of ['control', 'marks']) await part(page, `block-${given}-remove`).click();
-  assert.match(await status(page, /^Done/), /^Done: 2 images/);
+  assert.match(await status(page, /^(Oriented|Weak orientation): /), /^(Oriented|Weak orientation): .*\. 2 images/);
   rmSync(folder, { recursive: true });
   assert.deepEqual(complaints, []);
   await close();

@@ -43,6 +43,7 @@ export type {
 export {
   acting_block_parameters,
   acting_parameters,
+  pair_hint,
   camera_of_exif,
   draw_match_lines,
   draw_points,

@@ -1,6 +1,7 @@
 //! Which camera parameters are estimated: those that the block hardly determines are fixed, one a camera and round.
 
 use super::course::Course;
+use crate::adjustment::axis::observed_axes;
 use crate::adjustment::calibration::{effects, weakest_of_each};
 use crate::adjustment::datum::held_images;
 use crate::adjustment::loss::Robust;
@@ -22,10 +23,11 @@ impl Course<'_> {
         }
         let network = self.network()?;
         let (gnss, control) = self.observed(self.weighted_by());
+        let axes = observed_axes(self.block, self.options.datum, self.weighted_by());
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
-            let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &[] };
+            let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &[] };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
             let found = self.worse_than(&problem, limit, self.weighted_by())?;
             if found.is_empty() {

@@ -3,7 +3,7 @@
 use super::course::Course;
 use super::rays::FREE_ROUNDS;
 use crate::adjustment::gauss_newton::LEAST_SIGMA_PX;
-use crate::adjustment::reliability::of_position;
+use crate::adjustment::reliability::{Scale, of_position};
 use crate::adjustment::result::PriorStatistics;
 use crate::adjustment::statistics::Statistics;
 use crate::adjustment::weighted::{Weighted, observed};
@@ -24,10 +24,10 @@ impl Course<'_> {
             return false;
         }
         let (gnss, control) = observed(self.block, self.options.datum, weighted_by);
-        let sigma = self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX);
+        let scale = Scale::of_tests(self.options.sigma0_px.unwrap_or(self.sigma).max(LEAST_SIGMA_PX));
         let judge = |(image, prior): (usize, &Option<Weighted>)| {
             let at = &self.state.images[image].position;
-            prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), sigma, self.placed[image]))
+            prior.map(|prior| of_position(&prior, at, Some(statistics.of_position(image)), scale, self.placed[image]))
         };
         let judged: Vec<_> = gnss.iter().enumerate().map(judge).collect();
         let surveyed = control.iter().flatten().count();
@@ -79,7 +79,7 @@ mod tests {
     use super::*;
 
     fn tested(w: f64) -> Option<PriorStatistics> {
-        Some(PriorStatistics { accepted: true, residual: [0.0; 3], redundancy: None, w: Some([w, -0.7, 0.6]) })
+        Some(PriorStatistics { accepted: true, residual: [0.0; 3], redundancy: None, w: Some([w, -0.7, 0.6]), detectable: [None; 3] })
     }
 
     #[test]
@@ -98,7 +98,13 @@ mod tests {
     fn errors_stated_too_small_refuse_nothing() {
         let positions: Vec<_> = (0..12)
             .map(|k| {
-                Some(PriorStatistics { accepted: true, residual: [0.0; 3], redundancy: None, w: Some([3.0, -4.0, 2.0 + f64::from(k)]) })
+                Some(PriorStatistics {
+                    accepted: true,
+                    residual: [0.0; 3],
+                    redundancy: None,
+                    w: Some([3.0, -4.0, 2.0 + f64::from(k)]),
+                    detectable: [None; 3],
+                })
             })
             .collect();
         assert_eq!(placed_now(&positions, &[true; 12], 0, 3.3, true), [true; 12]);

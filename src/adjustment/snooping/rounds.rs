@@ -1,6 +1,7 @@
 //! The rounds of an adjustment: adjust, check, and again until no check changes anything.
 
 use super::course::Course;
+use crate::adjustment::axis::observed_axes;
 use crate::adjustment::block::Block;
 use crate::adjustment::datum::{held_images, moved_onto};
 use crate::adjustment::gauss_newton::{Adjusted, Demand};
@@ -117,8 +118,9 @@ impl<'a> Course<'a> {
         let columns = Columns::new(&self.free);
         let weighted_by = self.weighted_by();
         let (gnss, control) = self.observed(weighted_by);
+        let axes = observed_axes(self.block, self.options.datum, weighted_by);
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
-        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, held, known: &[] };
+        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &[] };
         let adjusted = self.adjusted(&problem, loss)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
         for check in Self::CHECKS {

@@ -41,8 +41,8 @@ pub struct ExifCamera {
 
 /// Side of a pixel where nobody knows it, mm.
 const NOMINAL_PIXEL_MM: f64 = 0.001;
-/// Focal lengths of XMP and EXIF further apart than this, as a share, are not of one photo: more than rounding and the definitions of
-/// equivalents make, less than the next zoom does.
+/// Focal lengths and pixels that a file tells in two ways, further apart than this, as a share, are not of one photo: more than rounding and the
+/// definitions of equivalents make, less than the next zoom or a photo of half the size does.
 const MOST_CONTRADICTION: f64 = 0.2;
 /// Formats that differ by less, as a share, are the same after rounding to whole px, or to whole blocks of 16 px.
 const SAME_FORMAT: f64 = 0.01;
@@ -71,12 +71,15 @@ impl ExifCamera {
         let measured = exif.and_then(|exif| focal_plane_pixel_mm(exif, taken, size)).map(|pixel| (pixel, CameraOrigin::ExifFocalPlane));
         let listed = || Some((listed_pixel_mm(&named, size)?, CameraOrigin::SensorTable));
         let equivalent = || Some((equivalent_pixel_mm(exif?, focal_mm?, size)?, CameraOrigin::Exif35Mm));
-        let by_exif = measured.or_else(equivalent).or_else(listed);
-        let exif_focal_px = focal_mm.zip(by_exif).map(|(focal, (pixel, _))| focal / pixel);
         let mut cautions: Vec<CameraCaution> = caution.into_iter().collect();
+        let in_doubt = measured.zip(equivalent().or_else(listed)).filter(|((own, _), (other, _))| contradict(*own, *other));
+        cautions.extend(in_doubt.map(|((own, _), (other, _))| CameraCaution::FocalPlane { pixel_um: 1e3 * own, expected_um: 1e3 * other }));
+        let measured = measured.filter(|_| in_doubt.is_none());
+        let by_exif = if in_doubt.is_some() { None } else { measured.or_else(equivalent).or_else(listed) };
+        let exif_focal_px = focal_mm.zip(by_exif).map(|(focal, (pixel, _))| focal / pixel);
         let pitch = measured.or_else(listed).or_else(equivalent).map(|(pixel, _)| pixel);
         if let Some((lens, origin)) = xmp_lens(xmp, taken, size, pitch) {
-            match exif_focal_px.filter(|focal| (lens.focal_px / focal - 1.0).abs() > MOST_CONTRADICTION) {
+            match exif_focal_px.filter(|focal| contradict(lens.focal_px, *focal)) {
                 Some(exif_focal_px) => cautions.push(CameraCaution::Contradiction { xmp_focal_px: lens.focal_px, exif_focal_px }),
                 None => {
                     // The pixel's side is a fact where it was measured or is listed; else it follows from the focal length.
@@ -109,6 +112,11 @@ impl ExifCamera {
         let cautions = vec![CameraCaution::Panorama { projection: projection.to_owned() }];
         Self { focal_mm, pixel_mm: Some(NOMINAL_PIXEL_MM), origin: CameraOrigin::Panorama, cautions, ..self }
     }
+}
+
+/// Whether two values for the same are too far apart.
+fn contradict(own: f64, other: f64) -> bool {
+    (own / other - 1.0).abs() > MOST_CONTRADICTION
 }
 
 /// The size in px that the photo was taken with.

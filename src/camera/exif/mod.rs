@@ -8,7 +8,7 @@ pub use camera::ExifCamera;
 
 use self::blocks::xmp_packet;
 use self::fields::{Directory, Fields, Tag};
-use super::xmp::{Attitude, RtkSolution, Xmp};
+use super::xmp::{DroneRecord, Xmp};
 use serde::{Deserialize, Serialize};
 
 const MAKE: Tag = (Directory::Main, 0x010f);
@@ -43,23 +43,6 @@ pub struct ExifImage {
     pub drone: Option<Box<DroneRecord>>,
 }
 
-/// What a drone recorded of itself and its camera.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct DroneRecord {
-    /// Of the gimbal that carries the camera: a pitch of -90° looks down.
-    pub gimbal: Option<Attitude>,
-    /// Of the aircraft: a pitch of 0° is level.
-    pub aircraft: Option<Attitude>,
-    /// Of the camera, as Pix4D defines it: a pitch of 0° looks down.
-    pub camera: Option<Attitude>,
-    /// Above the place of take-off.
-    pub relative_height_m: Option<f64>,
-    /// Above the ellipsoid or the sea: makers do not agree.
-    pub absolute_height_m: Option<f64>,
-    pub rtk: Option<RtkSolution>,
-}
-
 /// A place on the earth as a receiver had it.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
@@ -83,9 +66,7 @@ impl ExifImage {
     pub fn read(file: &[u8], width: u64, height: u64) -> Self {
         let (exif, xmp) = metadata(file);
         let camera = ExifCamera::of(exif.as_ref(), &xmp, [width, height]);
-        let Xmp { gimbal, aircraft, camera: attitude, relative_height_m, absolute_height_m, rtk, .. } = xmp;
-        let drone = DroneRecord { gimbal, aircraft, camera: attitude, relative_height_m, absolute_height_m, rtk };
-        let drone = (drone != DroneRecord::default()).then(|| Box::new(drone));
+        let drone = (xmp.drone != DroneRecord::default()).then(|| Box::new(xmp.drone));
         let Some(exif) = exif else { return Self { camera, drone, ..Self::default() } };
         let (position, impossible) = position(&exif);
         let orientation = exif.number(ORIENTATION).filter(|n| (1.0..=8.0).contains(n)).map(|n| n as u8);

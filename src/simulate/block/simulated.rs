@@ -29,7 +29,7 @@ impl SimulatedBlock {
     /// What is known of it before its orientation: true focal lengths times a factor, or none; no positions.
     pub fn description(&self, focal_factor: Option<f64>) -> BlockDescription {
         let camera = |camera: &Camera| KnownCamera::of_size(self.width_px, self.height_px, focal_factor.map(|k| k * camera.focal_px));
-        let image = |image: &ModelImage| KnownImage { name: image.name.clone(), camera: image.camera, position: None };
+        let image = |image: &ModelImage| KnownImage { name: image.name.clone(), camera: image.camera, position: None, view: None };
         BlockDescription {
             cameras: self.truth.cameras.iter().map(camera).collect(),
             images: self.truth.images.iter().map(image).collect(),

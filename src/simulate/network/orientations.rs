@@ -41,7 +41,7 @@ pub(super) fn images(flight: &BlockFlight, random: &mut Random) -> Vec<BlockImag
             let heading = heading + random.normal_pair().x * 0.05;
             for (camera, mounting) in flight.mountings().into_iter().enumerate() {
                 let rotation = mounting.rotation * rotation_from_angles(tilts.x, tilts.y, heading - FRAC_PI_2);
-                images.push(BlockImage { camera, pose: Pose::new(&rotation, position), gnss: None });
+                images.push(BlockImage { camera, pose: Pose::new(&rotation, position), gnss: None, axis: None });
             }
         }
     };

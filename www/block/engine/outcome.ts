@@ -22,6 +22,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     rmse_px,
     sigma0_px,
     warnings,
+    verdict: { kind, text },
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
@@ -72,6 +73,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     refinement,
     byRays: by_rays.map(({ rays, points: count, rmse_px: rmsePx }) => ({ rays, points: count, rmsePx })),
     oriented,
+    verdict: { kind, text },
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
     score: null,
@@ -132,6 +134,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     refinement: null,
     byRays: [],
     oriented: 0,
+    verdict: null,
     rmsePx: null,
     sigma0Px: null,
     score: null,

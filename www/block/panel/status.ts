@@ -32,7 +32,7 @@ export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLEl
   return h('div', { class: 'status-bar' }, line, run, cancel);
 }
 
-function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'problem' } {
+function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem' } {
   const { running, notice, shown, files } = state;
   if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
   if (notice?.beside === true) {
@@ -56,10 +56,10 @@ function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'don
   return { text: 'Open the images of a block: files, a folder, or a simulated block.', kind: 'idle' };
 }
 
-function doneLine(shown: Shown): { text: string; kind: 'done' | 'problem' } {
+function doneLine(shown: Shown): { text: string; kind: 'done' | 'partial' | 'problem' } {
   const { view, files } = shown;
   // A block that was opened may never have been oriented.
-  if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: 'done' };
+  if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: view.verdict?.kind === 'oriented' ? 'done' : 'partial' };
   const group = view.groups[0]?.length ?? 0;
   const figures = {
     why: view.warnings[0] ?? message('overview_warning', { kind: 'none_oriented' }),
@@ -78,8 +78,7 @@ function connectedPairs({ connections }: BlockView): number {
 function doneText({ view, seconds }: Shown): string {
   return page('block_done', {
     images: view.images.length,
-    oriented: view.oriented,
-    all: view.oriented === view.images.length,
+    verdict: view.verdict?.text ?? '',
     skipped: view.leftOut.length,
     pairs: connectedPairs(view),
     points: view.points.count,

@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, BlockVerdict, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
   name: string;
@@ -102,6 +102,8 @@ export interface BlockView {
   refinement: Record<RefinementOutcome, number> | null;
   byRays: RayCount[];
   oriented: number;
+  /** What the block is worth, in one sentence; null while it is under way. */
+  verdict: { kind: BlockVerdict['kind']; text: string } | null;
   rmsePx: number | null;
   sigma0Px: number | null;
   /** How near a simulated block is to its truth. */

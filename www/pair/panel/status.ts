@@ -1,6 +1,7 @@
 /** The status line: what runs, how far it is, what went wrong, and what to do. */
-import { message } from '../../shared/crate';
+import { message, pair_hint } from '../../shared/crate';
 import { isCurrent } from '../state/keys';
+import { whyNone } from '../state/project';
 import { STAGES } from '../state/stages';
 import { anyStale, currentFailure, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
@@ -95,8 +96,10 @@ function resting(state: State, wanted: number, done: number): Line {
   const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
   const verdict = isCurrent(state, 'orientation') ? state.results.orientation?.value.verdict : undefined;
-  if (reason !== null || verdict === undefined) return { text: `${matched} ${reason ?? ''}`.trimEnd(), kind: 'partial' };
-  return { text: `${message('pair_verdict', verdict)} ${matched}`, kind: verdict.kind === 'oriented' ? 'done' : 'partial' };
+  const hint = pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
+  const more = hint === null ? '' : ` ${message('pair_hint', hint)}`;
+  if (reason !== null || verdict === undefined) return { text: `${matched} ${reason ?? ''}`.trimEnd() + more, kind: 'partial' };
+  return { text: `${message('pair_verdict', verdict)} ${matched}${more}`, kind: verdict.kind === 'oriented' ? 'done' : 'partial' };
 }
 
 /** Matches that determine no orientation are a result all the same. */

@@ -58,7 +58,7 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
 }
 
 /** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
-function whyNone(state: State): NoOrientation {
+export function whyNone(state: State): NoOrientation {
   const cameras = pairCameras(state);
   const { geometry = null, no_geometry = null } = state.results.match?.value ?? {};
   if ('missing' in cameras && interiorInUse(state) === null) return cameras.missing;

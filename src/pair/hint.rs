@@ -1,0 +1,61 @@
+//! What else would do, where a pair is not oriented.
+
+use super::no_orientation::NoOrientation;
+use super::settings::PairSettings;
+use super::verdict::PairVerdict;
+use crate::Strategy;
+use crate::message::messages;
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// What would do where the strategy of a pair did not.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PairHint as "pair_hint" {
+        /// Windows of grey values were compared, as they stand in both photos: photos may be turned, of another scale or of another offset.
+        OtherStrategy,
+    }
+}
+
+impl PairHint {
+    /// The hint for a verdict on a pair of these settings; `None` where the pair is oriented, or nothing else is known to do better.
+    pub fn of(verdict: &PairVerdict, settings: &PairSettings) -> Option<Self> {
+        let is_oriented = matches!(verdict, PairVerdict::Oriented { .. });
+        let is_helpless = matches!(verdict, PairVerdict::NotOriented { no_orientation } if is_of_interior(no_orientation));
+        let compares_windows = settings.resolved().matching.strategy != Strategy::Gradient;
+        (compares_windows && !is_oriented && !is_helpless).then_some(Self::OtherStrategy)
+    }
+}
+
+/// Whether what is missing is missing by any strategy.
+fn is_of_interior(no_orientation: &NoOrientation) -> bool {
+    matches!(no_orientation, NoOrientation::NoFocalLength | NoOrientation::NoPixelSize { .. } | NoOrientation::Panorama { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Side, Warning};
+
+    #[test]
+    fn only_what_another_strategy_may_mend_is_hinted_at() {
+        let with = |strategy: Strategy| {
+            let mut settings = PairSettings::default();
+            settings.matching.strategy = strategy;
+            settings
+        };
+        let not_oriented = |no_orientation| PairVerdict::NotOriented { no_orientation };
+        let weak = PairVerdict::Weak { points: 40, warning: Warning::Mirrored };
+        let oriented = PairVerdict::Oriented { points: 400, sigma0_px: 0.2, kappa_deg: 1.0, half_width_deg: 0.1 };
+        let moments = with(Strategy::Moments);
+        for verdict in [weak.clone(), not_oriented(NoOrientation::PureRotation), not_oriented(NoOrientation::NoCamera { side: Side::Left })]
+        {
+            assert_eq!(PairHint::of(&verdict, &moments), Some(PairHint::OtherStrategy), "{verdict:?}");
+            assert_eq!(PairHint::of(&verdict, &with(Strategy::Auto)), None, "{verdict:?}");
+            assert_eq!(PairHint::of(&verdict, &with(Strategy::Gradient)), None, "{verdict:?}");
+        }
+        assert_eq!(PairHint::of(&oriented, &moments), None);
+        assert_eq!(PairHint::of(&not_oriented(NoOrientation::NoFocalLength), &moments), None);
+    }
+}
