@@ -44,6 +44,8 @@ async function shown(page) {
   const panels = [];
   for (const id of ['block-settings', 'block-results', 'block-images', 'block-points']) {
     await part(page, `tab-${id}`).click();
+    // Rows are made a frame later.
+    if (/images|points/.test(id)) await page.locator(`[data-testid="${id}"] tbody tr:not(.filler)`).first().waitFor();
     const text = await page.locator(`[aria-labelledby="tab-${id}"]`).innerText();
     // Only rows in sight exist, and a longer status line leaves less room for them.
     panels.push(id === 'block-points' ? text.slice(0, 400) : text);
