@@ -932,6 +932,17 @@ function message(family, message, attribute) {
 	}
 }
 /**
+* What else would do for a pair of this verdict and these settings; null where nothing is known to.
+* @param {PairVerdict} verdict
+* @param {Given<PairSettings>} settings
+* @returns {PairHint | null}
+*/
+function pair_hint(verdict, settings) {
+	const ret = wasm.pair_hint(verdict, settings);
+	if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+	return takeFromExternrefTable0(ret[0]);
+}
+/**
 * What the paper printed for its own pair.
 * @returns {Paper}
 */
@@ -2035,6 +2046,9 @@ var problems = remember((files, placing, cameras, control, marks, masks) => {
 	return found;
 });
 // www/block/state/state.ts
+function isMode(text) {
+	return text === "pair" || text === "block";
+}
 var BLOCK_INITIAL = {
 	mode: "pair",
 	catalogue: null,
@@ -2069,7 +2083,7 @@ function isBusy$1({ running, notice }) {
 }
 // www/block/engine/engine.ts
 /** How long a run that was stopped may take to end by itself, in ms; computing what cannot be interrupted it is ended with its worker. */
-var PATIENCE_MS$1 = 80;
+var PATIENCE_MS$2 = 80;
 var BlockEngine = class {
 	store;
 	pool = new WorkerPool();
@@ -2077,6 +2091,7 @@ var BlockEngine = class {
 	block = new WorkerClient("block");
 	/** Records of images and pairs that were done, by key: what is done once is not done again. */
 	kept = /* @__PURE__ */ new Map();
+	recorded = () => void 0;
 	port = null;
 	/** Of the export that is written. */
 	writing = null;
@@ -2148,14 +2163,41 @@ var BlockEngine = class {
 		if (port === null && writing === null) return;
 		window.setTimeout(() => {
 			if (isBusy$1(this.store.state) && this.port === null && this.writing === null) this.block.cancel();
-		}, PATIENCE_MS$1);
+		}, PATIENCE_MS$2);
 	}
-	/** Forgets what was done. */
-	forget() {
+	/** Records of images and pairs that were done. */
+	get records() {
+		return this.kept;
+	}
+	/** Takes records of earlier runs, in place of those that are there. */
+	takeRecords(records) {
 		this.kept.clear();
+		for (const [key, record] of records) this.kept.set(key, record);
+	}
+	/** Calls back whenever there is another record. */
+	watchRecords(recorded) {
+		this.recorded = recorded;
+	}
+	/** The project file of the block that is held. */
+	async project() {
+		const { port1, port2 } = new MessageChannel();
+		try {
+			const { bytes } = await this.block.call("blockExport", {
+				kind: "project",
+				name: "block",
+				stop: port2
+			}, [port2]);
+			return new Blob([bytes]);
+		} finally {
+			port1.close();
+		}
+	}
+	/** Holds the block of a project file; what is shown stays. */
+	read(bytes) {
+		return this.block.call("blockOpen", { bytes }, [bytes.buffer]);
 	}
 	async open(bytes) {
-		const view = await this.block.call("blockOpen", { bytes }, [bytes.buffer]);
+		const view = await this.read(bytes);
 		this.store.dispatch({
 			type: "openedFile",
 			view
@@ -2202,8 +2244,10 @@ var BlockEngine = class {
 		this.port = port;
 		port.onmessage = (event) => {
 			const message = event.data;
-			if (message.kind === "keep") this.kept.set(message.key, message.record);
-			else if (message.kind === "job") this.perform(port, message.id, message.job);
+			if (message.kind === "keep") {
+				this.kept.set(message.key, message.record);
+				this.recorded();
+			} else if (message.kind === "job") this.perform(port, message.id, message.job);
 			else if (message.kind === "part") this.store.dispatch({
 				type: "part",
 				view: message.view,
@@ -2351,6 +2395,10 @@ var IMAGE = /\.(?:jpe?g|png|tiff?|bmp|webp|p[gpn]m)$/iu;
 var PROJECT = /\.tiepoint$/iu;
 var CAMERAS$1 = /\.json$/iu;
 var nextId$2 = 1;
+/** Later files have other numbers than these. */
+function passIds(taken) {
+	for (const id of taken) nextId$2 = Math.max(nextId$2, id + 1);
+}
 var TEXTS = {
 	cameras: "Cameras",
 	control: "Ground control points",
@@ -2371,8 +2419,8 @@ var BlockFiles = class {
 		markAt: () => "block",
 		take: (found) => void this.take(found)
 	};
-	/** Adds images to the block; what a folder holds besides images is left aside. */
-	async take(found) {
+	/** Adds images to the block; what a folder holds besides images is left aside. `why` is said first. */
+	async take(found, why = "") {
 		const alone = found.filter(({ path }) => path === "");
 		const project = alone.find(({ file }) => PROJECT.test(file.name));
 		const cameras = alone.find(({ file }) => CAMERAS$1.test(file.name));
@@ -2380,7 +2428,15 @@ var BlockFiles = class {
 		if (project !== void 0) await this.openProject(project.file);
 		if (cameras !== void 0) await this.takeText("cameras", cameras.file);
 		const aside = found.length - images.length - (project === void 0 ? 0 : 1) - (cameras === void 0 ? 0 : 1);
-		if (images.length > 0 || aside > 0) this.add(images, aside);
+		if (images.length > 0 || aside > 0) this.add(images, aside, why);
+	}
+	/** Takes more images than a pair has, which were given there. */
+	async give(files, masks) {
+		await this.take(files.map((file) => ({
+			file,
+			path: ""
+		})), "More than two images are a block.");
+		if (masks.length > 0) this.takeMasks(masks);
 	}
 	/** Photographs the simulated block, in place of the images that are there. */
 	async simulate() {
@@ -2439,7 +2495,7 @@ var BlockFiles = class {
 			this.failed(`${file.name} cannot be opened`, error);
 		}
 	}
-	add(found, aside) {
+	add(found, aside, why) {
 		const files = new Map(this.store.state.files.map((file) => [file.name, file]));
 		const before = files.size;
 		for (const { file, path } of found) {
@@ -2458,6 +2514,7 @@ var BlockFiles = class {
 			truth: this.store.state.truth
 		});
 		const notes = [
+			why,
 			`${images(sorted.length)} in the block.`,
 			twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : "",
 			aside > 0 ? `${String(aside)} ${aside === 1 ? "file" : "files"} skipped: not an image by name.` : "",
@@ -2481,6 +2538,335 @@ var BlockFiles = class {
 };
 function images(count) {
 	return `${String(count)} ${count === 1 ? "image" : "images"}`;
+}
+// www/shared/files/keepable.ts
+var names = /* @__PURE__ */ new WeakMap();
+/** A name of a value for its part of a project: the same as long as it is the same object. `kept`: the name that it has in the storage. */
+function nameOf(value, kept) {
+	const name = names.get(value) ?? kept ?? randomName();
+	names.set(value, name);
+	return name;
+}
+/** No two are the same, on plain http too. */
+function randomName() {
+	return Array.from(crypto.getRandomValues(/* @__PURE__ */ new Uint8Array(12)), (byte) => byte.toString(16).padStart(2, "0")).join("");
+}
+/** A field of what was kept is not as it should be. */
+function wrong(name) {
+	return /* @__PURE__ */ new Error(`the field ${name} is damaged`);
+}
+/** A kept object. @throws Error where it is none */
+function objectOf(value, name) {
+	if (typeof value !== "object" || value === null || Array.isArray(value)) throw wrong(name);
+	return value;
+}
+/** A kept value of one of the types of `like`. @throws Error where it is of another */
+function likeOf(value, like, name) {
+	if (typeof value !== typeof like || typeof value === "number" && Number.isNaN(value)) throw wrong(name);
+	return value;
+}
+/** @throws Error where it is no list, or one of its elements is not as `element` reads it */
+function listOf$1(value, name, element) {
+	if (!Array.isArray(value)) throw wrong(name);
+	return value.map((one, i) => element(one, `${name}[${String(i)}]`));
+}
+/** Null stays null. */
+function orNull(value, read) {
+	return value == null ? null : read(value);
+}
+/**
+* The values of a kept object in the shape of another: fields that a later version added have their default, fields that it dropped are left
+* out. Where the default is null, or is a list, what was kept stands. @throws Error where a field is of another type
+*/
+function fitted(value, defaults, name) {
+	const kept = objectOf(value, name);
+	const fields = Object.entries(defaults).map(([field, normal]) => {
+		const own = kept[field];
+		const path = `${name}.${field}`;
+		if (own === void 0) return [field, normal];
+		if (own === null || normal === null || Array.isArray(normal)) return [field, own];
+		if (typeof normal === "object") return [field, fitted(own, normal, path)];
+		return [field, likeOf(own, normal, path)];
+	});
+	return Object.fromEntries(fields);
+}
+// www/shared/text/project.ts
+/** What a project is called. */
+/** Called after its images, unless it was given a name. */
+function titleOf({ name, images }) {
+	if (name !== null) return name;
+	const [first, second] = images;
+	if (first === void 0) return "Without images";
+	if (second === void 0) return first;
+	return images.length === 2 ? `${first} and ${second}` : `${first} and ${count(images.length - 1)} more images`;
+}
+/** Bytes as a size in MB, or kB where there are few. */
+function sizeText(bytes) {
+	if (bytes < 1e6) return `${count(Math.ceil(bytes / 1e3))} kB`;
+	if (bytes < 1e9) return `${(bytes / 1e6).toFixed(1)} MB`;
+	return `${(bytes / 1e9).toFixed(1)} GB`;
+}
+// www/block/state/kept.ts
+/** Whether there is nothing yet that would have to be kept. */
+function isBlank$1({ catalogue, files, shown, options, flight }) {
+	const { settings, gps, cameras, control, marks, masks } = options;
+	const noText = cameras === null && control === null && marks === null;
+	const untouched = settings === catalogue?.defaults && flight === catalogue?.flight && gps === "use" && noText && masks.length === 0;
+	return catalogue === null || files.length === 0 && shown === null && untouched;
+}
+// www/block/files/keep.ts
+var GIVEN$1 = "block";
+var SHOWN = "block/shown";
+var FILE$1 = "block/file/";
+var RECORD = "block/record/";
+/** Room of what is small and not counted, in bytes. */
+var SMALL$1 = 4096;
+var KeptBlocks = class {
+	store;
+	engine;
+	catalogue;
+	/** The finished block on the screen as it is kept; null until its file is written. */
+	made = null;
+	making = false;
+	changed = () => void 0;
+	constructor(store, engine, catalogue) {
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+	}
+	watch(changed) {
+		this.changed = changed;
+		this.engine.watchRecords(changed);
+		this.store.watch([
+			"files",
+			"options",
+			"flight",
+			"truth",
+			"shown",
+			"opened",
+			"mode",
+			"running"
+		], () => {
+			changed();
+			this.make();
+		});
+	}
+	images() {
+		const { files, shown } = this.store.state;
+		return (files.length > 0 ? files : shown?.view.images ?? []).map(({ name }) => name);
+	}
+	parts() {
+		const { state } = this.store;
+		const parts = /* @__PURE__ */ new Map();
+		if (isBlank$1(state)) return parts;
+		const { files, options, flight, truth, opened, shown } = state;
+		parts.set(GIVEN$1, {
+			value: given$3(files, options, flight, truth, opened),
+			bytes: SMALL$1
+		});
+		if (truth !== null) parts.set(FILE$1 + nameOf(truth), {
+			value: truth,
+			bytes: SMALL$1,
+			alone: true
+		});
+		for (const { file } of [
+			...files,
+			...options.masks,
+			...shown?.files ?? []
+		]) parts.set(FILE$1 + nameOf(file), {
+			value: file,
+			bytes: file.size,
+			alone: true
+		});
+		const { made } = this;
+		if (made !== null && made.shown === shown) parts.set(SHOWN, {
+			value: made.kept,
+			bytes: SMALL$1 + made.kept.project.size
+		});
+		if (files.length > 0) for (const [key, record] of this.engine.records) parts.set(RECORD + key, {
+			value: record,
+			bytes: record.size,
+			again: true
+		});
+		return parts;
+	}
+	async read(parts) {
+		if (!parts.has(GIVEN$1)) return () => void 0;
+		const kept = givenFrom$1(parts.get(GIVEN$1), this.catalogue);
+		const files = kept.files.map((file) => fileFrom(parts, file));
+		const masks = kept.masks.map((file) => fileFrom(parts, file));
+		const finished = await this.finished(parts);
+		const truth = orNull(kept.truth, (name) => truthFrom$1(parts, name));
+		const records = new Map([...parts].flatMap(([part, record]) => part.startsWith(RECORD) && record instanceof Blob ? [[part.slice(13), record]] : []));
+		const shown = finished?.shown ?? null;
+		const count = shown?.view.images.length ?? 0;
+		const opened = kept.opened?.every((image) => image < count) === true ? kept.opened : null;
+		return () => {
+			passIds([
+				...files,
+				...masks,
+				...shown?.files ?? []
+			].map(({ id }) => id));
+			this.engine.takeRecords(records);
+			this.made = finished;
+			this.store.dispatch({
+				type: "restored",
+				restored: {
+					files,
+					options: {
+						...kept.options,
+						masks
+					},
+					flight: kept.flight,
+					truth,
+					shown,
+					opened
+				}
+			});
+			const names = this.images();
+			if (names.length === 0) return;
+			const goesOn = records.size > 0 && shown === null ? " The work that was done is kept: Run goes on from there." : "";
+			const text = `Restored from this browser: ${titleOf({
+				name: null,
+				images: names
+			})}.${goesOn}`;
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text,
+					beside: true
+				}
+			});
+		};
+	}
+	clear() {
+		this.made = null;
+		if (this.store.state.running.kind === "yes") this.engine.cancel();
+		this.engine.takeRecords(/* @__PURE__ */ new Map());
+		this.store.dispatch({ type: "cleared" });
+	}
+	/** Writes the finished block as a project file; its worker may be busy with another one, or be ended: then after the next change. */
+	async make() {
+		const { shown, running } = this.store.state;
+		if (this.making || shown === null || shown.view.partial || running.kind === "yes" || this.made?.shown === shown) return;
+		this.making = true;
+		try {
+			const project = await this.engine.project();
+			const { key, files, steps, seconds, view } = shown;
+			if (this.store.state.shown === shown) this.made = {
+				shown,
+				kept: {
+					project,
+					key,
+					files: files.map(keptFile),
+					steps,
+					seconds,
+					score: view.score
+				}
+			};
+		} catch {}
+		this.making = false;
+		this.changed();
+		if (this.store.state.shown !== shown) this.make();
+	}
+	async finished(parts) {
+		if (!parts.has(SHOWN)) return null;
+		const value = objectOf(parts.get(SHOWN), "shown");
+		const { project } = value;
+		if (!(project instanceof Blob)) throw new Error("the finished block is damaged");
+		const kept = {
+			project,
+			key: likeOf(value["key"], "", "shown.key"),
+			files: listOf$1(value["files"], "shown.files", fileOf$1),
+			steps: objectOf(value["steps"], "shown.steps"),
+			seconds: likeOf(value["seconds"], 0, "shown.seconds"),
+			score: orNull(value["score"], (score) => objectOf(score, "shown.score"))
+		};
+		const files = kept.files.map((file) => fileFrom(parts, file));
+		const view = await this.engine.read(new Uint8Array(await project.arrayBuffer()));
+		const { key, steps, seconds, score } = kept;
+		return {
+			shown: {
+				key,
+				files,
+				steps,
+				seconds,
+				view: {
+					...view,
+					score
+				}
+			},
+			kept: value
+		};
+	}
+};
+function keptFile({ id, name, file }) {
+	return {
+		id,
+		name,
+		file: nameOf(file)
+	};
+}
+/** All but files and the finished block; the same object while nothing of it has changed. */
+var given$3 = remember((files, { masks, ...options }, flight, truth, opened) => ({
+	files: files.map(keptFile),
+	options,
+	masks: masks.map(keptFile),
+	flight,
+	truth: orNull(truth, (known) => nameOf(known)),
+	opened
+}));
+function fileOf$1(value, name) {
+	const { id, name: called, file } = objectOf(value, name);
+	return {
+		id: likeOf(id, 0, `${name}.id`),
+		name: likeOf(called, "", `${name}.name`),
+		file: likeOf(file, "", `${name}.file`)
+	};
+}
+/** @throws Error naming the field that is damaged */
+function givenFrom$1(value, catalogue) {
+	const kept = objectOf(value, "block");
+	const options = objectOf(kept["options"], "options");
+	const text = (name) => orNull(options[name], (given) => {
+		const { name: called, text: content } = objectOf(given, `options.${name}`);
+		return {
+			name: likeOf(called, "", `options.${name}.name`),
+			text: likeOf(content, "", `options.${name}.text`)
+		};
+	});
+	const opened = orNull(kept["opened"], (pair) => listOf$1(pair, "opened", (image, name) => likeOf(image, 0, name)));
+	return {
+		files: listOf$1(kept["files"], "files", fileOf$1),
+		masks: listOf$1(kept["masks"], "masks", fileOf$1),
+		options: {
+			settings: orNull(options["settings"], (settings) => fitted(settings, catalogue.defaults, "options.settings")),
+			gps: options["gps"] === "ignore" ? "ignore" : "use",
+			cameras: text("cameras"),
+			control: text("control"),
+			marks: text("marks")
+		},
+		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flight, "flight")),
+		truth: orNull(kept["truth"], (name) => likeOf(name, "", "truth")),
+		opened: opened?.length === 2 ? opened : null
+	};
+}
+/** @throws Error where the file is not there */
+function fileFrom(parts, { id, name, file: at }) {
+	const file = parts.get(FILE$1 + at);
+	if (!(file instanceof Blob)) throw new Error(`the image ${name} is damaged`);
+	nameOf(file, at);
+	return {
+		id,
+		name,
+		file
+	};
+}
+function truthFrom$1(parts, name) {
+	const truth = objectOf(parts.get(FILE$1 + name), "truth");
+	nameOf(truth, name);
+	return truth;
 }
 // www/shared/panel/control.ts
 /** Beyond this many steps, or this range of a real number, a slider is too coarse to be of use. */
@@ -2946,6 +3332,19 @@ function reduceBlock(state, action) {
 				seconds: 0
 			}
 		};
+		case "restored": return {
+			...BLOCK_INITIAL,
+			mode: state.mode,
+			catalogue: state.catalogue,
+			...action.restored
+		};
+		case "cleared": return state.catalogue === null ? state : reduceBlock({
+			...BLOCK_INITIAL,
+			mode: state.mode
+		}, {
+			type: "ready",
+			catalogue: state.catalogue
+		});
 		case "clear": return {
 			...BLOCK_INITIAL,
 			mode: state.mode,
@@ -4353,7 +4752,7 @@ function welcomed(host, store, files) {
 	const welcome = h("div", {
 		class: "welcome",
 		testid: "block-welcome"
-	}, h("h2", {}, "Match a block of photographs"), h("p", {}, "Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block."), h("p", { class: "buttons" }, simulate), list, h("p", { class: "note" }, "Work is kept while this tab is open: a cancelled run goes on from there. Nothing leaves this computer."));
+	}, h("h2", {}, "Match a block of photographs"), h("p", {}, "Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block."), h("p", { class: "buttons" }, simulate), list, h("p", { class: "note" }, "Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there. Nothing leaves this computer."));
 	host.append(welcome);
 	store.watch([
 		"shown",
@@ -4428,6 +4827,16 @@ function lineOf$2(state) {
 		text: runText(running.steps),
 		kind: "busy"
 	};
+	if (notice?.beside === true) {
+		const line = lineOf$2({
+			...state,
+			notice: null
+		});
+		return {
+			...line,
+			text: `${line.text} ${notice.text}`
+		};
+	}
 	if (notice !== null) return {
 		text: notice.text,
 		kind: notice.kind === "info" ? "idle" : notice.kind
@@ -4461,7 +4870,7 @@ function doneLine(shown) {
 	const { view, files } = shown;
 	if (view.oriented > 0 || files.length === 0) return {
 		text: doneText(shown),
-		kind: "done"
+		kind: view.verdict?.kind === "oriented" ? "done" : "partial"
 	};
 	const group = view.groups[0]?.length ?? 0;
 	return {
@@ -4481,8 +4890,7 @@ function connectedPairs({ connections }) {
 function doneText({ view, seconds }) {
 	return page("block_done", {
 		images: view.images.length,
-		oriented: view.oriented,
-		all: view.oriented === view.images.length,
+		verdict: view.verdict?.text ?? "",
 		skipped: view.leftOut.length,
 		pairs: connectedPairs(view),
 		points: view.points.count,
@@ -4774,7 +5182,7 @@ function pointRows({ points }) {
 }
 // www/block/mount.ts
 /** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
-function mountBlock(openPair, openProject) {
+function mountBlock(catalogue, openPair, openProject) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
 	const engine = new BlockEngine(store);
 	const files = new BlockFiles(store, engine, openProject);
@@ -4811,7 +5219,7 @@ function mountBlock(openPair, openProject) {
 	const bar = heading?.parentElement;
 	if (heading == null || bar == null) throw new Error("the page has no bar");
 	const pairParts = [...bar.querySelectorAll(":scope > .actions"), ...document.querySelectorAll("body > main, body > .status-bar")];
-	byId("theme").before(actions, exports);
+	byId("page-actions").before(actions, exports);
 	document.querySelector("body > main")?.after(status, main);
 	const back = mountBack(store);
 	document.querySelector("body > main")?.before(back);
@@ -4844,7 +5252,9 @@ function mountBlock(openPair, openProject) {
 	});
 	return {
 		store,
+		kept: new KeptBlocks(store, engine, catalogue),
 		taker: files.taker,
+		give: (given, masks) => void files.give(given, masks),
 		open: (file) => files.open(file)
 	};
 }
@@ -4958,8 +5368,8 @@ async function openPair(block, store, engine, [a, b]) {
 		return;
 	}
 	const images = {
-		left: given$1(left),
-		right: given$1(right)
+		left: given$2(left),
+		right: given$2(right)
 	};
 	let camera;
 	try {
@@ -5041,7 +5451,7 @@ function fileOf(block, name) {
 	const { shown, files } = block.state;
 	return [...shown?.files ?? [], ...files].find((file) => file.name === name);
 }
-function given$1({ name, file }) {
+function given$2({ name, file }) {
 	return {
 		id: nextId$1--,
 		name,
@@ -5401,7 +5811,7 @@ function settingsOf(state) {
 	if (state.settings === null) throw new Error("the settings are not loaded");
 	return state.settings;
 }
-function given(state, side) {
+function given$1(state, side) {
 	const { points: at, frames } = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
 	return {
 		points: at,
@@ -5412,8 +5822,8 @@ function given(state, side) {
 function matchInput(state) {
 	const placed = !comparesGradients(settingsOf(state));
 	return {
-		left: given(state, "left"),
-		right: given(state, "right"),
+		left: given$1(state, "left"),
+		right: given$1(state, "right"),
 		offset: placed ? needed(state, "offset") : null
 	};
 }
@@ -5917,91 +6327,6 @@ function isReady(state, stage) {
 	const current = (input) => state.results[input]?.key === keys[input];
 	return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
 }
-// www/pair/view/geometry.ts
-/** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
-/** Space between the panes, crossed by the match lines. */
-var GAP = 10;
-/** Side by side where the canvas is wide, one above the other where it is high. */
-function panesOf(width, height) {
-	if (width >= .85 * height) {
-		const pane = Math.max(1, Math.floor((width - GAP) / 2));
-		return {
-			left: {
-				left: 0,
-				top: 0,
-				width: pane,
-				height
-			},
-			right: {
-				left: width - pane,
-				top: 0,
-				width: pane,
-				height
-			}
-		};
-	}
-	const pane = Math.max(1, Math.floor((height - GAP) / 2));
-	return {
-		left: {
-			left: 0,
-			top: 0,
-			width,
-			height: pane
-		},
-		right: {
-			left: 0,
-			top: height - pane,
-			width,
-			height: pane
-		}
-	};
-}
-function transformOf(pane, view) {
-	return {
-		scale: view.scale,
-		x: pane.left + pane.width / 2 - view.scale * view.x,
-		y: pane.top + pane.height / 2 - view.scale * view.y
-	};
-}
-/** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
-function drawView(t, clip) {
-	return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
-}
-/** What the bar with the image's name takes of the top of its pane, as in the style sheet. */
-var HEAD$1 = 40;
-/** The view that shows the whole image, in the middle of its pane where the bar over it leaves that free, else below the bar. */
-function fitView(pane, width, height) {
-	const head = Math.min(HEAD$1, pane.height / 4);
-	const scale = Math.min(pane.width / width, (pane.height - head) / height);
-	const top = Math.max(head, (pane.height - scale * height) / 2);
-	return {
-		x: width / 2,
-		y: (pane.height / 2 - top) / scale,
-		scale
-	};
-}
-var MAX_SCALE = 64;
-/** The view after zooming by `factor` about a canvas position, within sensible limits. */
-function zoomed(pane, view, factor, x, y, least) {
-	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
-		least,
-		most: MAX_SCALE
-	});
-	const [centreX, centreY] = toPosition(t, pane.left + pane.width / 2, pane.top + pane.height / 2);
-	return {
-		scale: t.scale,
-		x: centreX,
-		y: centreY
-	};
-}
-/** Keeps the centre of the pane on the image. */
-function clamped(view, { width, height }) {
-	return {
-		scale: view.scale,
-		x: Math.min(width, Math.max(0, view.x)),
-		y: Math.min(height, Math.max(0, view.y))
-	};
-}
 // www/pair/state/project.ts
 /** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
 function projectOf(state, contents) {
@@ -6105,13 +6430,13 @@ function truthFor$1(state) {
 }
 /** The state that shows a project: its results stand as if they had just been computed. What costs nothing and needs no image is computed. */
 function withProject(state, { project, images, overviews, masks, estimated }) {
-	const { input, settings, output, truth } = project;
-	const [left, right] = project.images;
+	const { input, settings, truth } = project;
+	const [left] = project.images;
 	const photo = (side) => ({
 		fiducials: input[side]?.fiducials ?? [],
 		origin: input[side]?.origin ?? null
 	});
-	let next = {
+	return withResults({
 		...state,
 		settings,
 		camera: input.camera ?? null,
@@ -6133,7 +6458,6 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 			leftHeight: left.height_px
 		},
 		refused: {},
-		results: {},
 		failures: {},
 		paused: false,
 		selection: null,
@@ -6141,21 +6465,17 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 			left: null,
 			right: null
 		}
-	};
-	const put = (stage, value) => {
-		const key = wantedKeys(next)[stage];
-		if (value !== null && key !== null) next = {
-			...next,
-			results: {
-				...next.results,
-				[stage]: {
-					key,
-					value,
-					milliseconds: 0
-				}
-			}
-		};
-	};
+	}, {
+		project,
+		estimated
+	}, standingFor$1({
+		project,
+		overviews
+	}), {});
+}
+/** What stands for images whose files are not there. */
+function standingFor$1({ project: { images }, overviews }) {
+	const [left, right] = images;
 	const info = ({ width_px, height_px, format, bits_per_sample, camera }) => ({
 		width: width_px,
 		height: height_px,
@@ -6164,37 +6484,66 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 		camera: camera ?? null,
 		drone: null
 	});
-	const nothing = () => ({
-		moments: /* @__PURE__ */ new Float64Array(),
-		gradients: /* @__PURE__ */ new Uint8Array()
-	});
-	put("openLeft", {
-		info: info(left),
-		overview: overviews.left
-	});
-	put("openRight", {
-		info: info(right),
-		overview: overviews.right
-	});
+	return {
+		openLeft: {
+			info: info(left),
+			overview: overviews.left
+		},
+		openRight: {
+			info: info(right),
+			overview: overviews.right
+		}
+	};
+}
+/** The state with the results of a project, which it was made from: they are kept under the keys of what the state has now. */
+function withResults(state, { project, estimated }, beside, times) {
+	const { output, truth } = project;
+	let next = {
+		...state,
+		results: {}
+	};
+	const put = (stage, value) => {
+		const key = wantedKeys(next)[stage];
+		if (value != null && key !== null) next = {
+			...next,
+			results: {
+				...next.results,
+				[stage]: {
+					key,
+					value,
+					milliseconds: times[stage] ?? 0
+				}
+			}
+		};
+	};
+	const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
+	put("openLeft", beside.openLeft);
+	put("openRight", beside.openRight);
 	put("pointsLeft", {
 		...output.left,
-		gradients: /* @__PURE__ */ new Uint8Array()
+		gradients: descriptorsLeft.gradients
 	});
 	put("pointsRight", {
 		...output.right,
-		gradients: /* @__PURE__ */ new Uint8Array()
+		gradients: descriptorsRight.gradients
 	});
-	put("descriptorsLeft", nothing());
-	put("descriptorsRight", nothing());
+	put("descriptorsLeft", descriptorsLeft);
+	put("descriptorsRight", descriptorsRight);
 	put("offset", output.offset);
+	put("interiorLeft", beside.interiorLeft);
+	put("interiorRight", beside.interiorRight);
 	put("match", {
 		...output.match,
 		estimated
 	});
 	put("orientation", output.orientation);
-	put("score", truth?.score ?? null);
+	put("score", truth?.score);
 	return next;
 }
+var nothing = () => ({
+	moments: /* @__PURE__ */ new Float64Array(),
+	gradients: /* @__PURE__ */ new Uint8Array()
+});
 /** The state with the files of images that a project names: their pixels are read, and what the project does not hold of their points is made. */
 function withFiles(state, images) {
 	const results = { ...state.results };
@@ -6385,6 +6734,187 @@ function currentFailure(state) {
 function anyStale(state) {
 	return RUN_STAGES.some((stage) => isStale(state, stage));
 }
+// www/pair/state/kept.ts
+function typedOf({ settings, camera, photos, fiducialModel, offset }) {
+	return settings === null ? null : {
+		settings,
+		camera,
+		photos,
+		fiducialModel,
+		offset
+	};
+}
+/** Whether there is nothing yet that would have to be kept. */
+function isBlank(state) {
+	const { catalogue, settings, flight, images, camera, photos, fiducialModel, offset } = state;
+	return catalogue === null || images.left === null && images.right === null && settings === catalogue.defaults && flight === (catalogue.flights[0]?.flight ?? null) && camera === null && photos === INITIAL.photos && fiducialModel === INITIAL.fiducialModel && offset === null;
+}
+/** Whether results of the user's own photographs are there, which should not be lost to the next pair. */
+function isWorthKeeping(state) {
+	return SIDES.every((side) => state.images[side]?.source.kind === "file") && isCurrent(state, "match");
+}
+/** Stages whose results the project file holds not, or not whole. */
+var BESIDE = [
+	"interiorLeft",
+	"interiorRight",
+	"descriptorsLeft",
+	"descriptorsRight"
+];
+/** Whether all that is wanted was computed, so that it can be kept. */
+function isWhole(state) {
+	const { wanted, done, running } = progress(state);
+	return running.length === 0 && done === wanted && isCurrent(state, "match");
+}
+/** What the project file does not hold of results that are up to date. */
+function besideOf(state) {
+	const beside = {};
+	const take = (stage) => {
+		const result = state.results[stage];
+		if (result !== void 0 && isCurrent(state, stage)) beside[stage] = result.value;
+	};
+	BESIDE.forEach(take);
+	const times = Object.entries(state.results).map(([stage, { milliseconds }]) => [stage, milliseconds]);
+	return {
+		beside,
+		times: Object.fromEntries(times)
+	};
+}
+/** The results by which what is kept of them is known to be the latest. */
+function resultsOf(state) {
+	const keys = wantedKeys(state);
+	return [
+		...[
+			"pointsLeft",
+			"pointsRight",
+			"offset",
+			"match",
+			"orientation",
+			"score",
+			...BESIDE
+		].map((stage) => keys[stage] === null ? null : state.results[stage]?.value),
+		state.images,
+		state.masks
+	];
+}
+/** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
+function withKept(state, { typed, display, flight, paused, images, masks, truth, opened, result }) {
+	const fresh = {
+		...INITIAL,
+		catalogue: state.catalogue,
+		notice: state.notice,
+		...typed,
+		display,
+		flight,
+		paused,
+		images,
+		masks,
+		truth
+	};
+	if (result === null) return fresh;
+	return {
+		...withResults({
+			...fresh,
+			...result.typed
+		}, result, {
+			...result.beside,
+			...opened
+		}, result.times),
+		...typed
+	};
+}
+/** The same of both sides. */
+function bothSides(of) {
+	const [left, right] = SIDES.map(of);
+	return {
+		left,
+		right
+	};
+}
+// www/pair/view/geometry.ts
+/** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
+/** Space between the panes, crossed by the match lines. */
+var GAP = 10;
+/** Side by side where the canvas is wide, one above the other where it is high. */
+function panesOf(width, height) {
+	if (width >= .85 * height) {
+		const pane = Math.max(1, Math.floor((width - GAP) / 2));
+		return {
+			left: {
+				left: 0,
+				top: 0,
+				width: pane,
+				height
+			},
+			right: {
+				left: width - pane,
+				top: 0,
+				width: pane,
+				height
+			}
+		};
+	}
+	const pane = Math.max(1, Math.floor((height - GAP) / 2));
+	return {
+		left: {
+			left: 0,
+			top: 0,
+			width,
+			height: pane
+		},
+		right: {
+			left: 0,
+			top: height - pane,
+			width,
+			height: pane
+		}
+	};
+}
+function transformOf(pane, view) {
+	return {
+		scale: view.scale,
+		x: pane.left + pane.width / 2 - view.scale * view.x,
+		y: pane.top + pane.height / 2 - view.scale * view.y
+	};
+}
+/** What the crate's drawing takes: `[scale, shift x, shift y, left, top, right, bottom]`. */
+function drawView(t, clip) {
+	return Float64Array.of(t.scale, t.x, t.y, clip.left, clip.top, clip.left + clip.width, clip.top + clip.height);
+}
+/** What the bar with the image's name takes of the top of its pane, as in the style sheet. */
+var HEAD$1 = 40;
+/** The view that shows the whole image, in the middle of its pane where the bar over it leaves that free, else below the bar. */
+function fitView(pane, width, height) {
+	const head = Math.min(HEAD$1, pane.height / 4);
+	const scale = Math.min(pane.width / width, (pane.height - head) / height);
+	const top = Math.max(head, (pane.height - scale * height) / 2);
+	return {
+		x: width / 2,
+		y: (pane.height / 2 - top) / scale,
+		scale
+	};
+}
+var MAX_SCALE = 64;
+/** The view after zooming by `factor` about a canvas position, within sensible limits. */
+function zoomed(pane, view, factor, x, y, least) {
+	const t = zoomedAbout(transformOf(pane, view), factor, x, y, {
+		least,
+		most: MAX_SCALE
+	});
+	const [centreX, centreY] = toPosition(t, pane.left + pane.width / 2, pane.top + pane.height / 2);
+	return {
+		scale: t.scale,
+		x: centreX,
+		y: centreY
+	};
+}
+/** Keeps the centre of the pane on the image. */
+function clamped(view, { width, height }) {
+	return {
+		scale: view.scale,
+		x: Math.min(width, Math.max(0, view.x)),
+		y: Math.min(height, Math.max(0, view.y))
+	};
+}
 // www/pair/files/export.ts
 /** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
 /** Rows of a flat array. */
@@ -6548,20 +7078,30 @@ var STANDING_GREY = 128;
 /** Writes all that is known of the pair. */
 async function exportProject(store, engine) {
 	const { state } = store;
+	const text = await projectText(state, engine);
+	if (text === null) throw new Error("the pair is not matched with the present settings yet");
+	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
+}
+/** The text of the pair's project file; null while parts of it are missing or out of date. */
+async function projectText(state, engine) {
 	const [left, right] = await Promise.all(SIDES.map((side) => contentOf(state, engine, side)));
 	const project = projectOf(state, {
 		left: left ?? null,
 		right: right ?? null
 	});
-	if (project === null) throw new Error("the pair is not matched with the present settings yet");
-	const text = await engine.client("pair").call("projectWrite", project);
-	save(new Blob([text], { type: "application/octet-stream" }), `${baseName(state)}.tiepoint`);
+	return project === null ? null : engine.client("pair").call("projectWrite", project);
 }
+/** Digests that were made: files are large. */
+var digests = /* @__PURE__ */ new WeakMap();
 /** The digest of an image's file; null for an image that was simulated. */
 async function contentOf({ images }, engine, side) {
 	const source = images[side]?.source;
 	switch (source?.kind) {
-		case "file": return engine.client("pair").call("digest", { file: source.file });
+		case "file": {
+			const digest = digests.get(source.file) ?? await engine.client("pair").call("digest", { file: source.file });
+			digests.set(source.file, digest);
+			return digest;
+		}
 		case "project": return source.content;
 		default: return null;
 	}
@@ -6592,6 +7132,10 @@ async function readProject(engine, file, nextId) {
 		return name == null ? null : {
 			id: nextId(),
 			name,
+			source: {
+				kind: "project",
+				content: null
+			},
 			width,
 			height,
 			grey: /* @__PURE__ */ new Uint8Array(),
@@ -6657,6 +7201,8 @@ var MASK_SIDE = 1024;
 /** Beyond this a file is refused before it is read, in bytes: a browser tab cannot hold it and its decoded copy. */
 var MOST_BYTES = 2 ** 30;
 var nextId = 1;
+/** Differs for every image and mask ever given. */
+var freshId = () => nextId++;
 /** Masks named "right", or the second of two, belong right. */
 function sideOfMask(mask, index) {
 	if (/right/iu.test(mask.name)) return "right";
@@ -6674,10 +7220,25 @@ var Files = class {
 	store;
 	engine;
 	openProject;
-	constructor(store, engine, openProject) {
+	toBlock;
+	putAside;
+	isReady = false;
+	started = () => void 0;
+	/** Resolves with `begin`. */
+	ready = new Promise((resolve) => {
+		this.started = resolve;
+	});
+	constructor(store, engine, openProject, toBlock, putAside) {
 		this.store = store;
 		this.engine = engine;
 		this.openProject = openProject;
+		this.toBlock = toBlock;
+		this.putAside = putAside;
+	}
+	/** Takes files from now on: what was kept of the pair is shown. */
+	begin() {
+		this.isReady = true;
+		this.started();
 	}
 	/** Takes files of any kind; `side` says where a single one belongs. */
 	async take(files, side) {
@@ -6695,7 +7256,7 @@ var Files = class {
 			return;
 		}
 		if (images.length > 2) {
-			this.tell([problem(`${String(images.length)} images were given: give one or two. Nothing was changed.`)]);
+			this.toBlock(files.filter((file) => !masks.includes(file)), masks);
 			return;
 		}
 		const told = [];
@@ -6716,11 +7277,13 @@ var Files = class {
 			}
 		});
 		try {
+			const opened = await readProject(this.engine, file, freshId);
+			const aside = await this.leave();
 			this.store.dispatch({
 				type: "opened",
-				opened: await readProject(this.engine, file, () => nextId++)
+				opened
 			});
-			this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`)]);
+			this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), aside]);
 		} catch (error) {
 			this.tell([this.failed(`${file.name} cannot be opened`, error)]);
 		}
@@ -6744,8 +7307,12 @@ var Files = class {
 				side,
 				mask: {
 					...mask,
-					id: nextId++,
-					name: file.name
+					id: freshId(),
+					name: file.name,
+					source: {
+						kind: "file",
+						file
+					}
 				}
 			});
 			return info(`${file.name} masks ${(100 * mask.leftOut).toFixed(1)} % of the ${side} image.`);
@@ -6765,20 +7332,21 @@ var Files = class {
 		try {
 			const pair = await this.engine.client("pair").call("simulate", flight);
 			const given = (side) => ({
-				id: nextId++,
+				id: freshId(),
 				name: `${name} ${side}`,
 				source: {
 					kind: "grey",
 					...pair[side]
 				}
 			});
+			const aside = await this.leave();
 			this.store.dispatch({
 				type: "simulated",
 				left: given("left"),
 				right: given("right"),
 				pair
 			});
-			this.tell([]);
+			this.tell([aside]);
 		} catch (error) {
 			this.tell([this.failed("The pair could not be rendered", error)]);
 		}
@@ -6849,7 +7417,7 @@ var Files = class {
 		for (const [i, file] of files.entries()) {
 			const target = sides[i];
 			if (target !== void 0) images[target] = {
-				id: nextId++,
+				id: freshId(),
 				name: file.name,
 				source: {
 					kind: "file",
@@ -6884,11 +7452,22 @@ var Files = class {
 	async check(images, type = "images") {
 		const entries = Object.entries(images);
 		const told = (await Promise.allSettled(entries.map(([side, image]) => this.engine.open(side, image)))).flatMap((outcome, i) => outcome.status === "rejected" ? [this.failedImage(entries[i]?.[1].name ?? "the file", outcome.reason)] : []);
-		if (told.length === 0) this.store.dispatch({
+		if (told.length > 0) return told;
+		const aside = entries.length === 2 && type === "images" ? await this.leave() : null;
+		this.store.dispatch({
 			type,
 			images
 		});
-		return told;
+		return [aside];
+	}
+	/** Before another pair takes the place of photographs that were matched: they stay in the list of projects. */
+	async leave() {
+		if (!isWorthKeeping(this.store.state)) return null;
+		const names = SIDES.flatMap((side) => this.store.state.images[side]?.name ?? []);
+		return await this.putAside() ? info(`${titleOf({
+			name: null,
+			images: names
+		})} stay under Projects.`) : null;
 	}
 	failedImage(name, error) {
 		const breakdown = breakdownOf(error);
@@ -6914,6 +7493,355 @@ function takerOf(view, files) {
 		markAt: (event) => sideAt(event) ?? "page",
 		take: (found, at) => void files.take(found.map(({ file }) => file), SIDES.find((side) => side === at) ?? null)
 	};
+}
+// www/pair/files/keep.ts
+/** Keeps the pair in the browser's storage, and reads it from there. */
+var GIVEN = "pair";
+var RESULT = "pair/result";
+var FILE = "pair/file/";
+/** Room of what is small and not counted, in bytes. */
+var SMALL = 4096;
+/** Results are written once nothing has changed for so long, in ms: the next ones, which a slider brings, need the worker. */
+var QUIET_MS = 300;
+/** What changes what is kept. */
+var WATCHED = [
+	"settings",
+	"camera",
+	"photos",
+	"fiducialModel",
+	"offset",
+	"images",
+	"masks",
+	"truth",
+	"flight",
+	"display",
+	"results",
+	"running",
+	"paused"
+];
+var KeptPairs = class {
+	store;
+	engine;
+	catalogue;
+	made = null;
+	making = false;
+	timer;
+	changed = () => void 0;
+	constructor(store, engine, catalogue) {
+		this.store = store;
+		this.engine = engine;
+		this.catalogue = catalogue;
+	}
+	watch(changed) {
+		this.changed = changed;
+		this.store.watch(WATCHED, () => {
+			changed();
+			window.clearTimeout(this.timer);
+			this.timer = window.setTimeout(() => void this.make(), QUIET_MS);
+		});
+	}
+	images() {
+		const { images } = this.store.state;
+		return SIDES.flatMap((side) => images[side]?.name ?? []);
+	}
+	parts() {
+		const { state } = this.store;
+		const parts = /* @__PURE__ */ new Map();
+		const given = isBlank(state) ? null : givenOf(state);
+		if (given === null) return parts;
+		parts.set(GIVEN, {
+			value: given,
+			bytes: SMALL
+		});
+		for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) if (given !== null) parts.set(FILE + nameOf(given.source), {
+			value: given.source,
+			bytes: bytesOf$1(given.source),
+			alone: true
+		});
+		const places = state.truth?.rightPosition;
+		if (places !== void 0) parts.set(FILE + nameOf(places), {
+			value: places,
+			bytes: places.byteLength,
+			alone: true
+		});
+		if (this.made !== null && this.made.kept.of === filesOf$1(state)) {
+			const { kept } = this.made;
+			const { descriptorsLeft: left, descriptorsRight: right } = kept.beside;
+			const bytes = [left, right].reduce((sum, given) => sum + (given?.gradients.byteLength ?? 0) + (given?.moments.byteLength ?? 0), 0);
+			parts.set(RESULT, {
+				value: kept,
+				bytes: SMALL + kept.project.length + bytes
+			});
+		}
+		return parts;
+	}
+	async read(parts) {
+		const value = parts.get(GIVEN);
+		if (value === void 0) return () => void 0;
+		const kept = givenFrom(value, this.catalogue);
+		const { typed, display, flight, paused } = kept;
+		const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({
+			id: freshId(),
+			name,
+			source: sourceFrom(parts, file)
+		})));
+		const result = await this.result(parts, kept);
+		const masks = await this.masks(kept, parts, result?.masks ?? {
+			left: null,
+			right: null
+		});
+		const opened = { ...result?.standing };
+		await Promise.all(SIDES.map(async (side) => {
+			const image = images[side];
+			if (image !== null && image.source.kind !== "project") opened[side === "left" ? "openLeft" : "openRight"] = await this.engine.open(side, image);
+		}));
+		const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
+		return () => {
+			this.store.dispatch({
+				type: "restored",
+				restored: {
+					typed,
+					display,
+					flight,
+					paused,
+					images,
+					masks,
+					truth,
+					opened,
+					result
+				}
+			});
+			if (result !== null) this.made = {
+				kept: result.kept,
+				results: resultsOf(this.store.state)
+			};
+			const names = this.images();
+			if (names.length === 0) return;
+			const text = `Restored from this browser: ${titleOf({
+				name: null,
+				images: names
+			})}.`;
+			this.store.dispatch({
+				type: "notice",
+				notice: {
+					kind: "info",
+					text
+				}
+			});
+		};
+	}
+	clear() {
+		this.made = null;
+		if (Object.keys(this.store.state.running).length > 0) this.engine.cancel();
+		this.store.dispatch({ type: "cleared" });
+	}
+	/** Writes the results as a project file once they are all there; what is cancelled meanwhile is written after the next change. */
+	async make() {
+		const { state } = this.store;
+		if (this.making || !isWhole(state)) return;
+		const results = resultsOf(state);
+		const typed = typedOf(state);
+		if (typed === null || this.made?.results.every((value, i) => value === results[i]) === true) return;
+		this.making = true;
+		try {
+			const project = await projectText(state, this.engine);
+			if (project !== null) this.made = {
+				results,
+				kept: {
+					project,
+					typed,
+					of: filesOf$1(state),
+					...besideOf(state)
+				}
+			};
+		} catch {}
+		this.making = false;
+		this.changed();
+		if (this.store.state !== state) this.make();
+	}
+	/** `standing`: in place of masks whose files are not there. */
+	async masks({ masks }, parts, standing) {
+		const read = async (side) => {
+			const kept = masks[side];
+			if (kept === null) return null;
+			const source = sourceFrom(parts, kept.file);
+			if (source.kind !== "file") return orNull(standing[side], (mask) => ({
+				...mask,
+				source
+			}));
+			return {
+				...await this.engine.client("pair").call("mask", {
+					file: source.file,
+					overlaySide: MASK_SIDE
+				}),
+				id: freshId(),
+				name: kept.name,
+				source
+			};
+		};
+		const [left, right] = await Promise.all([read("left"), read("right")]);
+		return {
+			left,
+			right
+		};
+	}
+	/** The results, where they are of these very files. */
+	async result(parts, { images, masks }) {
+		if (!parts.has(RESULT)) return null;
+		const value = objectOf(parts.get(RESULT), "result");
+		const kept = {
+			project: likeOf(value["project"], "", "result.project"),
+			typed: typedFrom(value["typed"], this.catalogue, "result.typed"),
+			of: likeOf(value["of"], "", "result.of"),
+			beside: objectOf(value["beside"], "result.beside"),
+			times: objectOf(value["times"], "result.times")
+		};
+		const opened = await readProject(this.engine, new Blob([kept.project]), freshId);
+		const files = [
+			images.left,
+			images.right,
+			masks.left,
+			masks.right
+		].map((given) => given?.file ?? null);
+		if (kept.of !== JSON.stringify(files)) return null;
+		return {
+			...kept,
+			kept: value,
+			project: opened.project,
+			estimated: opened.estimated,
+			masks: opened.masks,
+			standing: standingFor$1(opened)
+		};
+	}
+};
+/** The names under which images and masks are kept, as one text. */
+function filesOf$1({ images, masks }) {
+	const files = [
+		images.left,
+		images.right,
+		masks.left,
+		masks.right
+	].map((given) => given === null ? null : nameOf(given.source));
+	return JSON.stringify(files);
+}
+/** All but files and results; the same object while nothing of it has changed. */
+function givenOf(state) {
+	const typed = typedOf(state);
+	const { settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth } = state;
+	return typed === null ? null : given(settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth);
+}
+var given = remember((settings, camera, photos, fiducialModel, offset, display, flight, paused, images, masks, truth) => {
+	if (settings === null) return null;
+	const file = ({ id, name, source }) => ({
+		id,
+		name,
+		file: nameOf(source)
+	});
+	return {
+		typed: {
+			settings,
+			camera,
+			photos,
+			fiducialModel,
+			offset
+		},
+		display,
+		flight,
+		paused,
+		images: bothSides((side) => orNull(images[side], file)),
+		masks: bothSides((side) => orNull(masks[side], file)),
+		truth: orNull(truth, ({ rightPosition, ...known }) => ({
+			...known,
+			file: nameOf(rightPosition)
+		}))
+	};
+});
+/** @throws Error naming the field that is damaged */
+function givenFrom(value, catalogue) {
+	const kept = objectOf(value, "pair");
+	const file = (one, name) => {
+		const { id, name: called, file: at } = objectOf(one, name);
+		return {
+			id: likeOf(id, 0, `${name}.id`),
+			name: likeOf(called, "", `${name}.name`),
+			file: likeOf(at, "", `${name}.file`)
+		};
+	};
+	const files = (name) => {
+		const sides = objectOf(kept[name], name);
+		return bothSides((side) => orNull(sides[side], (one) => file(one, `${name}.${side}`)));
+	};
+	return {
+		typed: typedFrom(kept["typed"], catalogue, "typed"),
+		display: fitted(kept["display"], INITIAL.display, "display"),
+		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
+		paused: kept["paused"] === true,
+		images: files("images"),
+		masks: files("masks"),
+		truth: orNull(kept["truth"], (truth) => objectOf(truth, "truth")) ?? null
+	};
+}
+/** What was typed, judged as it is where it is typed. @throws Error naming what is damaged */
+function typedFrom(value, { defaults }, name) {
+	const kept = objectOf(value, name);
+	const settings = fitted(kept["settings"], defaults, `${name}.settings`);
+	resolved(settings);
+	const camera = orNull(kept["camera"], (given) => objectOf(given, `${name}.camera`));
+	if (camera !== null) parse_camera(JSON.stringify(camera));
+	const pair = (given, at) => {
+		const [a, b] = listOf$1(given, at, (number, place) => likeOf(number, 0, place));
+		return [a ?? NaN, b ?? NaN];
+	};
+	const offset = orNull(kept["offset"], (given) => pair(given, `${name}.offset`));
+	if (offset !== null) constant_offset(...offset);
+	const photos = objectOf(kept["photos"], `${name}.photos`);
+	const photo = (side) => {
+		const at = `${name}.photos.${side}`;
+		const { fiducials, origin } = objectOf(photos[side], at);
+		return {
+			fiducials: listOf$1(fiducials, `${at}.fiducials`, (mark, place) => objectOf(mark, place)),
+			origin: orNull(origin, (given) => pair(given, `${at}.origin`))
+		};
+	};
+	const fiducialModel = likeOf(kept["fiducialModel"], "", `${name}.fiducialModel`);
+	return {
+		settings,
+		camera,
+		photos: bothSides(photo),
+		fiducialModel,
+		offset
+	};
+}
+/** @throws Error where the file is not there */
+function sourceFrom(parts, file) {
+	const source = objectOf(parts.get(FILE + file), `file ${file}`);
+	if (source.kind === "file" && !(source.file instanceof Blob)) throw new Error("an image is damaged");
+	nameOf(source, file);
+	return source;
+}
+/** The truth of images that have other numbers now. */
+function truthFrom(truth, kept, parts, images) {
+	const { file, ...known } = truth;
+	const rightPosition = parts.get(FILE + file);
+	if (!(rightPosition instanceof Float32Array)) throw new Error("the truth of the simulated pair is damaged");
+	nameOf(rightPosition, file);
+	const idOf = (id) => {
+		const side = SIDES.find((one) => kept.images[one]?.id === id);
+		return (side === void 0 ? null : images[side]?.id) ?? NaN;
+	};
+	return {
+		...known,
+		rightPosition,
+		leftId: idOf(truth.leftId),
+		rightId: idOf(truth.rightId)
+	};
+}
+function bytesOf$1(source) {
+	switch (source.kind) {
+		case "file": return source.file.size;
+		case "grey": return source.grey.byteLength;
+		case "project": return 0;
+	}
 }
 // www/pair/panel/announce.ts
 /** Announces the selected point to screen readers. */
@@ -8288,7 +9216,7 @@ function pictures(state, result) {
 // www/pair/panel/status.ts
 /** The status line: what runs, how far it is, what went wrong, and what to do. */
 /** A run shorter than this shows no bar: it would only flicker. */
-var PATIENCE_MS = 250;
+var PATIENCE_MS$1 = 250;
 function mountStatus(store, actions) {
 	const line = byId("status");
 	const bar = byId("progress");
@@ -8310,7 +9238,7 @@ function mountStatus(store, actions) {
 			window.clearTimeout(timer);
 			timer = void 0;
 			bar.classList.remove("is-on");
-		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS);
+		} else timer ??= window.setTimeout(() => bar.classList.add("is-on"), PATIENCE_MS$1);
 	});
 }
 function isBusy(state) {
@@ -8386,12 +9314,17 @@ function resting(state, wanted, done) {
 	});
 	const reason = whyNotOriented(state);
 	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
+	const hint = pair_hint(verdict ?? {
+		kind: "not_oriented",
+		no_orientation: whyNone(state)
+	}, state.settings);
+	const more = hint === null ? "" : ` ${message("pair_hint", hint)}`;
 	if (reason !== null || verdict === void 0) return {
-		text: `${matched} ${reason ?? ""}`.trimEnd(),
+		text: `${matched} ${reason ?? ""}`.trimEnd() + more,
 		kind: "partial"
 	};
 	return {
-		text: `${message("pair_verdict", verdict)} ${matched}`,
+		text: `${message("pair_verdict", verdict)} ${matched}${more}`,
 		kind: verdict.kind === "oriented" ? "done" : "partial"
 	};
 }
@@ -8413,6 +9346,7 @@ function pickerOf(files) {
 		what: "any"
 	};
 	input.addEventListener("change", () => {
+		if (!files.isReady) return;
 		const given = [...input.files ?? []];
 		const [first] = given;
 		if (wanted.what === "mask" && wanted.side !== null && first !== void 0) files.takeMask(first, wanted.side);
@@ -8424,7 +9358,9 @@ function pickerOf(files) {
 			what: "any"
 		};
 	});
-	if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event("change"));
+	files.ready.then(() => {
+		if ((input.files?.length ?? 0) > 0) input.dispatchEvent(new Event("change"));
+	});
 	return (side, what = "any") => {
 		wanted = {
 			side,
@@ -9708,6 +10644,8 @@ var DEEDS = /* @__PURE__ */ new Set([
 	"images",
 	"simulated",
 	"opened",
+	"restored",
+	"cleared",
 	"found",
 	"flight",
 	"swap",
@@ -9746,6 +10684,11 @@ function changed(state, action) {
 		case "images": return withImages(state, action.images);
 		case "simulated": return withSimulated(state, action);
 		case "opened": return withProject(state, action.opened);
+		case "restored": return withKept(state, action.restored);
+		case "cleared": return state.catalogue === null ? state : changed(INITIAL, {
+			type: "ready",
+			catalogue: state.catalogue
+		});
 		case "found": return withFiles(state, action.images);
 		case "flight": return {
 			...state,
@@ -10742,8 +11685,8 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-/** `openProject` opens a project of whatever kind where it belongs. */
-function mountPair(openProject) {
+/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has; `putAside` leaves a pair in the list of projects. */
+function mountPair(catalogue, openProject, toBlock, putAside) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("Settings", [
 		["settings", "Settings"],
@@ -10760,7 +11703,8 @@ function mountPair(openProject) {
 	const engine = new Engine(store);
 	const view = new View(byId("view"), store, engine);
 	const navigator = new Navigator(store, view);
-	const files = new Files(store, engine, openProject);
+	const kept = new KeptPairs(store, engine, catalogue);
+	const files = new Files(store, engine, openProject, toBlock, () => putAside(kept));
 	/** Runs an action of the user's; what goes wrong is said in the status line. */
 	const attempt = async (action) => {
 		try {
@@ -10822,6 +11766,8 @@ function mountPair(openProject) {
 	return {
 		store,
 		engine,
+		kept,
+		begin: () => files.begin(),
 		taker: takerOf(view, files),
 		open: (file) => files.takeProject(file)
 	};
@@ -10833,10 +11779,364 @@ async function loadCatalogue() {
 	initSync({ module: await wasmModule() });
 	return readCatalogue();
 }
+// node_modules/idb/build/index.js
+var instanceOfAny = (object, constructors) => constructors.some((c) => object instanceof c);
+var idbProxyableTypes;
+var cursorAdvanceMethods;
+function getIdbProxyableTypes() {
+	return idbProxyableTypes || (idbProxyableTypes = [
+		IDBIndex,
+		IDBObjectStore,
+		IDBCursor,
+		IDBDatabase,
+		IDBTransaction
+	]);
+}
+function getCursorAdvanceMethods() {
+	return cursorAdvanceMethods || (cursorAdvanceMethods = [
+		"advance",
+		"continue",
+		"continuePrimaryKey"
+	].map((method) => IDBCursor.prototype[method]));
+}
+var transactionDoneMap = /* @__PURE__ */ new WeakMap();
+var transformCache = /* @__PURE__ */ new WeakMap();
+var reverseTransformCache = /* @__PURE__ */ new WeakMap();
+function promisifyRequest(request) {
+	const promise = new Promise((resolve, reject) => {
+		const unlisten = () => {
+			request.removeEventListener("success", success);
+			request.removeEventListener("error", error);
+		};
+		const success = () => {
+			resolve(wrap(request.result));
+			unlisten();
+		};
+		const error = () => {
+			reject(request.error);
+			unlisten();
+		};
+		request.addEventListener("success", success);
+		request.addEventListener("error", error);
+	});
+	reverseTransformCache.set(promise, request);
+	return promise;
+}
+function cacheDonePromiseForTransaction(tx) {
+	if (transactionDoneMap.has(tx)) return;
+	const done = new Promise((resolve, reject) => {
+		const unlisten = () => {
+			tx.removeEventListener("complete", complete);
+			tx.removeEventListener("error", error);
+			tx.removeEventListener("abort", error);
+		};
+		const complete = () => {
+			resolve();
+			unlisten();
+		};
+		const error = () => {
+			reject(tx.error || new DOMException("AbortError", "AbortError"));
+			unlisten();
+		};
+		tx.addEventListener("complete", complete);
+		tx.addEventListener("error", error);
+		tx.addEventListener("abort", error);
+	});
+	transactionDoneMap.set(tx, done);
+}
+var idbProxyTraps = {
+	get(target, prop, receiver) {
+		if (target instanceof IDBTransaction) {
+			if (prop === "done") return transactionDoneMap.get(target);
+			if (prop === "store") return receiver.objectStoreNames[1] ? void 0 : receiver.objectStore(receiver.objectStoreNames[0]);
+		}
+		return wrap(target[prop]);
+	},
+	set(target, prop, value) {
+		target[prop] = value;
+		return true;
+	},
+	has(target, prop) {
+		if (target instanceof IDBTransaction && (prop === "done" || prop === "store")) return true;
+		return prop in target;
+	}
+};
+function replaceTraps(callback) {
+	idbProxyTraps = callback(idbProxyTraps);
+}
+function wrapFunction(func) {
+	if (getCursorAdvanceMethods().includes(func)) return function(...args) {
+		func.apply(unwrap(this), args);
+		return wrap(this.request);
+	};
+	return function(...args) {
+		return wrap(func.apply(unwrap(this), args));
+	};
+}
+function transformCachableValue(value) {
+	if (typeof value === "function") return wrapFunction(value);
+	if (value instanceof IDBTransaction) cacheDonePromiseForTransaction(value);
+	if (instanceOfAny(value, getIdbProxyableTypes())) return new Proxy(value, idbProxyTraps);
+	return value;
+}
+function wrap(value) {
+	if (value instanceof IDBRequest) return promisifyRequest(value);
+	if (transformCache.has(value)) return transformCache.get(value);
+	const newValue = transformCachableValue(value);
+	if (!Object.is(newValue, value)) {
+		transformCache.set(value, newValue);
+		reverseTransformCache.set(newValue, value);
+	}
+	return newValue;
+}
+var unwrap = (value) => reverseTransformCache.get(value);
+/**
+* Open a database.
+*
+* @param name Name of the database.
+* @param version Schema version.
+* @param callbacks Additional callbacks.
+*/
+function openDB(name, version, { blocked, upgrade, blocking, terminated } = {}) {
+	const request = indexedDB.open(name, version);
+	const openPromise = wrap(request);
+	if (upgrade) request.addEventListener("upgradeneeded", (event) => {
+		upgrade(wrap(request.result), event.oldVersion, event.newVersion, wrap(request.transaction), event);
+	});
+	if (blocked) request.addEventListener("blocked", (event) => blocked(event.oldVersion, event.newVersion, event));
+	openPromise.then((db) => {
+		if (terminated) db.addEventListener("close", () => terminated());
+		if (blocking) db.addEventListener("versionchange", (event) => blocking(event.oldVersion, event.newVersion, event));
+	}).catch(() => {});
+	return openPromise;
+}
+var readMethods = [
+	"get",
+	"getKey",
+	"getAll",
+	"getAllKeys",
+	"count"
+];
+var writeMethods = [
+	"put",
+	"add",
+	"delete",
+	"clear"
+];
+var cachedMethods = {};
+function getMethod(target, prop) {
+	if (!(target instanceof IDBDatabase && !(prop in target) && typeof prop === "string")) return;
+	if (cachedMethods[prop]) return cachedMethods[prop];
+	const targetFuncName = prop.replace(/FromIndex$/, "");
+	const useIndex = prop !== targetFuncName;
+	const isWrite = writeMethods.includes(targetFuncName);
+	if (!(targetFuncName in (useIndex ? IDBIndex : IDBObjectStore).prototype) || !(isWrite || readMethods.includes(targetFuncName))) return;
+	const method = async function(storeName, ...args) {
+		const tx = this.transaction(storeName, isWrite ? "readwrite" : "readonly");
+		let target = tx.store;
+		if (useIndex) target = target.index(args.shift());
+		return (await Promise.all([target[targetFuncName](...args), isWrite && tx.done]))[0];
+	};
+	return cachedMethods[prop] = method;
+}
+replaceTraps((oldTraps) => ({
+	...oldTraps,
+	get: (target, prop, receiver) => getMethod(target, prop) || oldTraps.get(target, prop, receiver),
+	has: (target, prop) => !!getMethod(target, prop) || oldTraps.has(target, prop)
+}));
+var advanceMethodProps = [
+	"advance",
+	"continue",
+	"continuePrimaryKey"
+];
+var methodMap = {};
+var advanceResults = /* @__PURE__ */ new WeakMap();
+var ittrProxiedCursorToOriginalProxy = /* @__PURE__ */ new WeakMap();
+var cursorIteratorTraps = { get(target, prop) {
+	if (!advanceMethodProps.includes(prop)) return target[prop];
+	let cachedFunc = methodMap[prop];
+	if (!cachedFunc) cachedFunc = methodMap[prop] = function(...args) {
+		advanceResults.set(this, ittrProxiedCursorToOriginalProxy.get(this)[prop](...args));
+	};
+	return cachedFunc;
+} };
+async function* iterate(...args) {
+	let cursor = this;
+	if (!(cursor instanceof IDBCursor)) cursor = await cursor.openCursor(...args);
+	if (!cursor) return;
+	cursor = cursor;
+	const proxiedCursor = new Proxy(cursor, cursorIteratorTraps);
+	ittrProxiedCursorToOriginalProxy.set(proxiedCursor, cursor);
+	reverseTransformCache.set(proxiedCursor, unwrap(cursor));
+	while (cursor) {
+		yield proxiedCursor;
+		cursor = await (advanceResults.get(proxiedCursor) || cursor.continue());
+		advanceResults.delete(proxiedCursor);
+	}
+}
+function isIteratorProp(target, prop) {
+	return prop === Symbol.asyncIterator && instanceOfAny(target, [
+		IDBIndex,
+		IDBObjectStore,
+		IDBCursor
+	]) || prop === "iterate" && instanceOfAny(target, [IDBIndex, IDBObjectStore]);
+}
+replaceTraps((oldTraps) => ({
+	...oldTraps,
+	get(target, prop, receiver) {
+		if (isIteratorProp(target, prop)) return iterate;
+		return oldTraps.get(target, prop, receiver);
+	},
+	has(target, prop) {
+		return isIteratorProp(target, prop) || oldTraps.has(target, prop);
+	}
+}));
+// www/shared/files/database.ts
+/** The browser's own storage: projects, each kept in named parts. A change is one transaction: it is there whole, or not at all. */
+var NAME$1 = "tiepoint";
+/** Of the database itself; what projects look like inside has a number of its own (`FORM`). */
+var VERSION = 1;
+/** Storage that does not answer in this time, in ms, counts as absent. */
+var PATIENCE_MS = 5e3;
+var KeepError = class extends Error {
+	kind;
+	name = "KeepError";
+	constructor(kind, message) {
+		super(message);
+		this.kind = kind;
+	}
+};
+/** All parts of a project, in the order of their names. */
+var partsOf = (project) => IDBKeyRange.bound([project], [project, []]);
+var Database = class Database {
+	db;
+	constructor(db) {
+		this.db = db;
+	}
+	/** Rejects where the browser keeps nothing: in some private windows, where storage is blocked, or where a later version of the page wrote it. */
+	static async open() {
+		const opening = openDB(NAME$1, VERSION, {
+			upgrade: (db) => {
+				db.createObjectStore("projects", { keyPath: "id" });
+				db.createObjectStore("parts", { keyPath: ["project", "part"] }).createIndex("sizes", ["project", "bytes"]);
+			},
+			blocking: (_, __, event) => event.target.close()
+		});
+		const late = new Promise((_, reject) => setTimeout(() => reject(/* @__PURE__ */ new Error("the storage does not answer")), PATIENCE_MS));
+		return new Database(await Promise.race([opening, late]));
+	}
+	/** The one changed last comes first. */
+	async projects() {
+		return (await this.db.getAll("projects")).sort((a, b) => b.changed - a.changed);
+	}
+	project(id) {
+		return this.db.get("projects", id);
+	}
+	async parts(id) {
+		const rows = await this.db.getAll("parts", partsOf(id));
+		return new Map(rows.map(({ part, value }) => [part, value]));
+	}
+	/** About how much room a project takes: no part is read for that. */
+	async bytesOf(id) {
+		let sum = 0;
+		let cursor = await this.db.transaction("parts").store.index("sizes").openKeyCursor(IDBKeyRange.bound([id], [id, []]));
+		while (cursor !== null) {
+			sum += cursor.key[1];
+			cursor = await cursor.continue();
+		}
+		return sum;
+	}
+	/** Writes what has changed of a project. `isNew`: it need not be there. @throws KeepError, with nothing changed */
+	async write(row, { put, drop }, isNew) {
+		await this.change(async (projects, parts) => {
+			const there = await projects.get(row.id);
+			if (there !== void 0 && there.writer !== row.writer) throw new KeepError("taken", "another tab has taken the project over");
+			if (there !== void 0 && there.form > row.form) throw new KeepError("other", "a later version of this page wrote the project");
+			if (there === void 0 && !isNew) throw new KeepError("gone", "the project is no longer in the storage");
+			await Promise.all([
+				projects.put(row),
+				...[...put].map(([part, { value, bytes }]) => parts.put({
+					project: row.id,
+					part,
+					bytes,
+					value
+				})),
+				...drop.map((part) => parts.delete([row.id, part]))
+			]);
+		});
+	}
+	/** Changes what the list says of a project. */
+	async edit(id, changed) {
+		await this.change(async (projects) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", "the project is no longer in the storage");
+			await projects.put({
+				...there,
+				...changed
+			});
+		});
+	}
+	async duplicate(id, row) {
+		await this.change(async (projects, parts) => {
+			const there = await projects.get(id);
+			if (there === void 0) throw new KeepError("gone", "the project is no longer in the storage");
+			await projects.put({
+				...there,
+				...row,
+				writer: ""
+			});
+			for (const part of await parts.getAll(partsOf(id))) await parts.put({
+				...part,
+				project: row.id
+			});
+		});
+	}
+	async remove(id) {
+		await this.change(async (projects, parts) => {
+			await Promise.all([projects.delete(id), parts.delete(partsOf(id))]);
+		});
+	}
+	/** One transaction, which is on the disk when this resolves. */
+	async change(work) {
+		let done = null;
+		let abort = () => {};
+		try {
+			const transaction = this.db.transaction(["projects", "parts"], "readwrite", { durability: "strict" });
+			done = transaction.done;
+			done.catch(() => {});
+			abort = () => transaction.abort();
+			await work(transaction.objectStore("projects"), transaction.objectStore("parts"));
+			await done;
+		} catch (error) {
+			const reason = await ended(error, done, abort);
+			if (reason instanceof KeepError) throw reason;
+			throw new KeepError(isFull(reason) ? "full" : "other", reason instanceof Error ? reason.message : String(reason));
+		}
+	}
+};
+/** Ends a transaction that failed; gives what is to blame for it: requests of a transaction that broke off say only that it did. */
+async function ended(error, done, abort) {
+	try {
+		abort();
+		return error;
+	} catch {
+		return done === null ? error : done.then(() => error, (reason) => reason ?? error);
+	}
+}
+function isFull(error) {
+	return error instanceof DOMException && error.name === "QuotaExceededError";
+}
 // www/shared/files/drop.ts
-/** The first taker that is active gets what is given. */
-function mountDrop(takers) {
-	const active = () => takers.find(({ isActive }) => isActive());
+/** The first taker that is active gets what is given. Takers come once the program has loaded: what is given before is kept for them. */
+function mountDrop() {
+	let serving = null;
+	const waiting = [];
+	const loading = {
+		isActive: () => true,
+		markAt: () => "page",
+		take: (found) => void waiting.push(...found)
+	};
+	const active = () => (serving ?? [loading]).find(({ isActive }) => isActive());
 	const unmark = () => {
 		delete document.body.dataset.drop;
 	};
@@ -10859,7 +12159,10 @@ function mountDrop(takers) {
 			entry: item.webkitGetAsEntry(),
 			file: item.getAsFile()
 		}));
-		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => taker.take(lists.flat(), at));
+		Promise.all(items.map(({ entry, file }) => found(entry, file))).then((lists) => {
+			const late = taker === loading && serving !== null;
+			(late ? active() : taker)?.take(lists.flat(), late ? null : at);
+		});
 	});
 	document.addEventListener("paste", (event) => {
 		const pasted = [...event.clipboardData?.files ?? []];
@@ -10871,6 +12174,10 @@ function mountDrop(takers) {
 			path: ""
 		})), null);
 	});
+	return (takers) => {
+		serving = takers;
+		if (waiting.length > 0) active()?.take(waiting.splice(0), null);
+	};
 }
 function hasFiles(event) {
 	return event.dataTransfer?.types.includes("Files") === true;
@@ -10903,6 +12210,1144 @@ async function entriesOf(folder) {
 		all.push(...portion);
 	}
 }
+// www/shared/files/claim.ts
+/** Which tab has a project open: one at a time, told by a lock where the browser has locks, else by asking the other tabs. */
+/** A tab that is just leaving lets go of its lock within this time, in ms. */
+var LEAVING_MS = 1e3;
+/** Other tabs answer within this time, in ms. */
+var ANSWER_MS = 400;
+var Claims = class {
+	tab;
+	held = /* @__PURE__ */ new Map();
+	channel = typeof BroadcastChannel === "undefined" ? null : new BroadcastChannel("tiepoint-projects");
+	/** `tab` names this tab. */
+	constructor(tab) {
+		this.tab = tab;
+		this.channel?.addEventListener("message", ({ data }) => {
+			if (data.from === tab || !this.held.has(data.project)) return;
+			if (data.kind === "ask") this.post("here", data.project);
+			if (data.kind === "taken") this.lose(data.project);
+		});
+	}
+	/** Claims a project; null where another tab has it, unless it is to be taken from there. `lost`: another tab has taken it. */
+	async take(project, steal, lost) {
+		const held = this.held.get(project);
+		if (held !== void 0) return held.claim;
+		const release = await this.claimed(project, steal);
+		if (release === null) return null;
+		const claim = { release: () => {
+			this.held.delete(project);
+			release();
+		} };
+		this.held.set(project, {
+			claim,
+			lost
+		});
+		if (steal) this.post("taken", project);
+		return claim;
+	}
+	/** Whether another tab has it open. */
+	async elsewhere(project) {
+		if (this.held.has(project)) return false;
+		const release = await this.claimed(project, false);
+		release?.();
+		return release === null;
+	}
+	lose(project) {
+		const held = this.held.get(project);
+		held?.claim.release();
+		held?.lost();
+	}
+	post(kind, project) {
+		this.channel?.postMessage({
+			kind,
+			project,
+			from: this.tab
+		});
+	}
+	/** What lets a project go again; null where another tab has it. */
+	claimed(project, steal) {
+		const locks = navigator.locks;
+		if (locks === void 0) return steal ? Promise.resolve(() => void 0) : this.asked(project);
+		return new Promise((resolve) => {
+			const how = steal ? { steal } : { signal: AbortSignal.timeout(LEAVING_MS) };
+			locks.request(`tiepoint-project-${project}`, how, () => new Promise((release) => resolve(release))).catch(() => {
+				resolve(null);
+				this.lose(project);
+			});
+		});
+	}
+	asked(project) {
+		const { channel } = this;
+		if (channel === null) return Promise.resolve(() => void 0);
+		return new Promise((resolve) => {
+			const answer = (release) => {
+				channel.removeEventListener("message", listen);
+				resolve(release);
+			};
+			const listen = ({ data }) => {
+				if (data.kind === "here" && data.project === project) answer(null);
+			};
+			channel.addEventListener("message", listen);
+			this.post("ask", project);
+			setTimeout(() => answer(() => void 0), ANSWER_MS);
+		});
+	}
+};
+// www/shared/files/keeper.ts
+/** Keeps the project of this tab in the browser's storage as it changes, and shows it again. */
+/** Changes are gathered for so long before they are written, in ms. */
+var GATHER_MS = 200;
+/** A tab that loses its project has so long to write its last changes, in ms. */
+var HANDOVER_MS = 400;
+/** So much of files is written in one go. */
+var PORTION_BYTES = 32e6;
+/** The project of this tab, which a reload opens again. */
+var TAB_PROJECT = "tiepoint-project";
+/** How often in a row the page broke off with a project; then it is opened only when the user asks. */
+var BROKE_OFF = "tiepoint-broke-off";
+var MOST_BREAKS = 2;
+/** A page that lasts so long with a project, in ms, did not break off for it. */
+var CALM_MS = 15e3;
+var Keeper = class {
+	keepables;
+	mode;
+	keeping = new Holder({
+		project: "",
+		name: null,
+		trouble: null,
+		works: false
+	}, (state, changed) => ({
+		...state,
+		...changed
+	}));
+	tab = randomName();
+	claims = new Claims(this.tab);
+	claim = null;
+	database = null;
+	/** What stands in the storage, by the names of the parts. */
+	written = /* @__PURE__ */ new Map();
+	writtenMode = "";
+	/** Nothing of the project is in the storage yet. */
+	isNew = true;
+	timer;
+	saving = Promise.resolve();
+	constructor(keepables, mode) {
+		this.keepables = keepables;
+		this.mode = mode;
+	}
+	/** Opens the project that this tab had, else the one changed last. `ready`: called before anything is shown, in any case. */
+	async start(opening, ready) {
+		let show = () => {};
+		try {
+			this.database = await opening;
+			this.keeping.dispatch({ works: true });
+			show = await this.first(this.database);
+		} catch (error) {
+			this.database = null;
+			this.keeping.dispatch({
+				works: false,
+				trouble: {
+					kind: "absent",
+					reason: messageOf(error),
+					project: null
+				}
+			});
+		}
+		ready();
+		try {
+			show();
+		} catch (error) {
+			for (const keepable of this.keepables) keepable.clear();
+			const { project } = this.keeping.state;
+			this.keeping.dispatch({ trouble: {
+				kind: "unreadable",
+				reason: messageOf(error),
+				project: {
+					id: project,
+					title: "The last project"
+				}
+			} });
+			this.claim?.release();
+			this.claim = null;
+		}
+		if (this.claim === null) await this.begin();
+		this.writtenMode = this.mode.now();
+		for (const keepable of this.keepables) keepable.watch(() => this.later());
+		document.addEventListener("visibilitychange", () => {
+			if (document.visibilityState === "hidden") this.flush();
+		});
+		window.addEventListener("pagehide", () => {
+			forgetBreaks();
+			this.flush();
+		});
+	}
+	/** All projects that are kept, the one changed last first. */
+	async projects() {
+		const { database } = this;
+		if (database === null) return [];
+		await this.flush();
+		const rows = await database.projects();
+		return Promise.all(rows.map(async (row) => ({
+			...row,
+			bytes: await database.bytesOf(row.id)
+		})));
+	}
+	/** Opens a kept project in place of the present one, which stays in the list; where it cannot be opened nothing changes. */
+	async open(id, steal = false) {
+		await this.flush();
+		const show = await this.read(id, steal);
+		if (show === null) return;
+		await this.flush();
+		for (const keepable of this.keepables) keepable.clear();
+		show();
+		this.writtenMode = this.mode.now();
+	}
+	/** Puts the present project aside and begins a new one. */
+	async anew() {
+		await this.flush();
+		await this.begin();
+		for (const keepable of this.keepables) keepable.clear();
+		this.keeping.dispatch({ trouble: null });
+	}
+	/**
+	* Leaves the project in the list as it is and goes on with the same in a new one; false where nothing is kept, or another part of the page
+	* has something in it too, which would be kept twice.
+	*/
+	async putAside(part) {
+		await this.flush();
+		const { trouble } = this.keeping.state;
+		const others = this.keepables.some((keepable) => keepable !== part && keepable.parts().size > 0);
+		if (this.isNew || trouble !== null || others) return false;
+		await this.begin();
+		return true;
+	}
+	/** Keeps what is on the page as a project of its own. */
+	async keepAsNew() {
+		await this.begin();
+		this.keeping.dispatch({ trouble: null });
+		await this.flush();
+	}
+	async rename(id, name) {
+		await this.database?.edit(id, { name });
+		if (id === this.keeping.state.project) this.keeping.dispatch({ name });
+	}
+	async duplicate(id, name) {
+		await this.flush();
+		await this.database?.duplicate(id, {
+			id: randomName(),
+			name,
+			changed: Date.now()
+		});
+	}
+	/** Deletes a project; of the one on the page nothing is left there either. @throws Error where another tab has it open */
+	async remove(id) {
+		if (await this.claims.elsewhere(id)) throw new Error("another tab has this project open: close it there first");
+		if (id === this.keeping.state.project) await this.anew();
+		await this.database?.remove(id);
+	}
+	/** The parts of a project as they stand in the storage. */
+	async partsOf(id) {
+		return await this.database?.parts(id) ?? /* @__PURE__ */ new Map();
+	}
+	/** What was said is known. */
+	dismiss() {
+		this.keeping.dispatch({ trouble: null });
+	}
+	/** Resolves when all changes so far are written, or could not be. */
+	flush() {
+		window.clearTimeout(this.timer);
+		this.timer = void 0;
+		this.saving = this.saving.then(() => this.save());
+		return this.saving;
+	}
+	later() {
+		this.timer ??= window.setTimeout(() => void this.flush(), GATHER_MS);
+	}
+	/** Reads the project that a start shows. */
+	async first(database) {
+		const remembered = rememberedProject();
+		const rows = await database.projects();
+		const row = remembered === null ? rows[0] : rows.find(({ id }) => id === remembered);
+		const nothing = () => {};
+		if (row === void 0) return nothing;
+		if (breaks(row.id) >= MOST_BREAKS) {
+			this.keeping.dispatch({ trouble: {
+				kind: "broke-off",
+				reason: "",
+				project: {
+					id: row.id,
+					title: titleOf(row)
+				}
+			} });
+			return nothing;
+		}
+		countBreak(row.id);
+		window.setTimeout(forgetBreaks, CALM_MS);
+		return await this.read(row.id, false) ?? nothing;
+	}
+	/** Claims and reads a project; gives what shows it, or null where it cannot be opened, for which there is then a trouble. */
+	async read(id, steal) {
+		const { database } = this;
+		const row = await database?.project(id);
+		if (database === null || row === void 0) return null;
+		const project = {
+			id,
+			title: titleOf(row)
+		};
+		const refuse = (kind, reason) => {
+			this.keeping.dispatch({ trouble: {
+				kind,
+				reason,
+				project
+			} });
+			return null;
+		};
+		if (row.form > 1) return refuse("unreadable", "a later version of this page wrote it");
+		const claim = await this.claims.take(id, steal, () => this.lost(id));
+		if (claim === null) return refuse("elsewhere", "");
+		try {
+			if (steal) await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+			const parts = await database.parts(id);
+			const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
+			await database.edit(id, { writer: this.tab });
+			return () => {
+				if (this.claim !== claim) this.claim?.release();
+				this.claim = claim;
+				this.isNew = false;
+				this.written = new Map(parts);
+				this.keeping.dispatch({
+					project: id,
+					name: row.name,
+					trouble: null
+				});
+				rememberProject(id);
+				for (const show of shows) show();
+				this.mode.show(row.mode);
+			};
+		} catch (error) {
+			if (this.claim !== claim) claim.release();
+			return refuse("unreadable", messageOf(error));
+		}
+	}
+	/** Begins a project of which nothing is kept yet. */
+	async begin() {
+		const project = randomName();
+		this.claim?.release();
+		this.claim = await this.claims.take(project, false, () => this.lost(project));
+		this.isNew = true;
+		this.written = /* @__PURE__ */ new Map();
+		this.keeping.dispatch({
+			project,
+			name: null
+		});
+		rememberProject(project);
+	}
+	lost(id) {
+		if (id !== this.keeping.state.project) return;
+		const taken = () => this.keeping.dispatch({ trouble: {
+			kind: "taken",
+			reason: "",
+			project: {
+				id,
+				title: this.title()
+			}
+		} });
+		this.flush().then(taken);
+	}
+	title() {
+		return titleOf({
+			name: this.keeping.state.name,
+			images: this.images()
+		});
+	}
+	images() {
+		return this.keepables.map((keepable) => keepable.images()).find((images) => images.length > 0) ?? [];
+	}
+	/** Writes what has changed since it was written last. */
+	async save() {
+		const { database, keeping } = this;
+		const { project, name, trouble } = keeping.state;
+		if (database === null || project === "" || trouble?.kind === "taken") return;
+		const parts = new Map(this.keepables.flatMap((keepable) => [...keepable.parts()]));
+		const put = new Map([...parts].filter(([part, { value }]) => !this.written.has(part) || this.written.get(part) !== value));
+		const drop = [...this.written.keys()].filter((part) => !parts.has(part));
+		const mode = this.mode.now();
+		if (put.size === 0 && drop.length === 0 && (this.isNew || mode === this.writtenMode)) return;
+		const row = {
+			id: project,
+			form: 1,
+			name,
+			images: this.images(),
+			mode,
+			changed: Date.now(),
+			writer: this.tab
+		};
+		try {
+			await this.write(database, row, put, drop);
+			this.writtenMode = mode;
+			if (trouble?.kind === "full" || trouble?.kind === "failed") keeping.dispatch({ trouble: null });
+		} catch (error) {
+			this.failed(error, project);
+		}
+	}
+	/** Files go first, in portions; what names them goes last, all at once. Where there is no room for all, what can be made again is left out. */
+	async write(database, row, put, drop) {
+		const write = async (some, gone) => {
+			await database.write(row, {
+				put: some,
+				drop: gone
+			}, this.isNew);
+			this.isNew = false;
+			for (const [part, { value }] of some) this.written.set(part, value);
+			for (const part of gone) this.written.delete(part);
+		};
+		for (const portion of portionsOf(put)) await write(portion, []);
+		const rest = new Map([...put].filter(([part]) => this.written.get(part) !== put.get(part)?.value || !this.written.has(part)));
+		try {
+			await write(rest, drop);
+		} catch (error) {
+			const needed = new Map([...rest].filter(([, { again }]) => again !== true));
+			if (!(error instanceof KeepError) || error.kind !== "full" || needed.size === rest.size) throw error;
+			await write(needed, drop);
+			throw error;
+		}
+	}
+	failed(error, id) {
+		const kind = error instanceof KeepError ? error.kind : "other";
+		if (kind === "taken") {
+			this.keeping.dispatch({ trouble: {
+				kind: "taken",
+				reason: "",
+				project: {
+					id,
+					title: this.title()
+				}
+			} });
+			return;
+		}
+		if (kind === "gone") {
+			this.isNew = true;
+			this.written = /* @__PURE__ */ new Map();
+			this.later();
+			return;
+		}
+		const project = {
+			id,
+			title: this.title()
+		};
+		this.keeping.dispatch({ trouble: {
+			kind: kind === "full" ? "full" : "failed",
+			reason: messageOf(error),
+			project
+		} });
+	}
+};
+/** Files that may be written before the rest, in portions that take a moment each. */
+function portionsOf(put) {
+	const portions = [];
+	let room = 0;
+	for (const [part, kept] of put) {
+		if (kept.alone !== true) continue;
+		if (room < kept.bytes) {
+			portions.push(/* @__PURE__ */ new Map());
+			room = PORTION_BYTES;
+		}
+		portions.at(-1)?.set(part, kept);
+		room -= kept.bytes;
+	}
+	return portions;
+}
+/** Runs what may be forbidden to a page: its storage of words. */
+function allowed(action, otherwise) {
+	try {
+		return action();
+	} catch {
+		return otherwise;
+	}
+}
+var rememberedProject = () => allowed(() => sessionStorage.getItem(TAB_PROJECT), null);
+var rememberProject = (id) => allowed(() => sessionStorage.setItem(TAB_PROJECT, id), void 0);
+/** How often in a row the page broke off with this project. */
+function breaks(id) {
+	const [project, count] = (allowed(() => localStorage.getItem(BROKE_OFF), null) ?? "").split(" ");
+	return project === id ? Number(count) || 0 : 0;
+}
+var countBreak = (id) => allowed(() => localStorage.setItem(BROKE_OFF, `${id} ${String(breaks(id) + 1)}`), void 0);
+var forgetBreaks = () => allowed(() => localStorage.removeItem(BROKE_OFF), void 0);
+// node_modules/fflate/esm/browser.js
+var u8 = Uint8Array;
+var u16 = Uint16Array;
+var i32 = Int32Array;
+var fleb = new u8([
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	1,
+	1,
+	2,
+	2,
+	2,
+	2,
+	3,
+	3,
+	3,
+	3,
+	4,
+	4,
+	4,
+	4,
+	5,
+	5,
+	5,
+	5,
+	0,
+	0,
+	0,
+	0
+]);
+var fdeb = new u8([
+	0,
+	0,
+	0,
+	0,
+	1,
+	1,
+	2,
+	2,
+	3,
+	3,
+	4,
+	4,
+	5,
+	5,
+	6,
+	6,
+	7,
+	7,
+	8,
+	8,
+	9,
+	9,
+	10,
+	10,
+	11,
+	11,
+	12,
+	12,
+	13,
+	13,
+	0,
+	0
+]);
+new u8([
+	16,
+	17,
+	18,
+	0,
+	8,
+	7,
+	9,
+	6,
+	10,
+	5,
+	11,
+	4,
+	12,
+	3,
+	13,
+	2,
+	14,
+	1,
+	15
+]);
+var freb = function(eb, start) {
+	var b = new u16(31);
+	for (var i = 0; i < 31; ++i) b[i] = start += 1 << eb[i - 1];
+	var r = new i32(b[30]);
+	for (var i = 1; i < 30; ++i) for (var j = b[i]; j < b[i + 1]; ++j) r[j] = j - b[i] << 5 | i;
+	return {
+		b,
+		r
+	};
+};
+var _a = freb(fleb, 2);
+var fl = _a.b;
+var revfl = _a.r;
+fl[28] = 258, revfl[258] = 28;
+var _b = freb(fdeb, 0);
+_b.b;
+_b.r;
+var rev = new u16(32768);
+for (var i = 0; i < 32768; ++i) {
+	var x = (i & 43690) >> 1 | (i & 21845) << 1;
+	x = (x & 52428) >> 2 | (x & 13107) << 2;
+	x = (x & 61680) >> 4 | (x & 3855) << 4;
+	rev[i] = ((x & 65280) >> 8 | (x & 255) << 8) >> 1;
+}
+var flt = new u8(288);
+for (var i = 0; i < 144; ++i) flt[i] = 8;
+for (var i = 144; i < 256; ++i) flt[i] = 9;
+for (var i = 256; i < 280; ++i) flt[i] = 7;
+for (var i = 280; i < 288; ++i) flt[i] = 8;
+var fdt = new u8(32);
+for (var i = 0; i < 32; ++i) fdt[i] = 5;
+var slc = function(v, s, e) {
+	if (s == null || s < 0) s = 0;
+	if (e == null || e > v.length) e = v.length;
+	return new u8(v.subarray(s, e));
+};
+var ec = [
+	"unexpected EOF",
+	"invalid block type",
+	"invalid length/literal",
+	"invalid distance",
+	"stream finished",
+	"no stream handler",
+	,
+	"no callback",
+	"invalid UTF-8 data",
+	"extra field too long",
+	"date not in range 1980-2099",
+	"filename too long",
+	"stream finishing",
+	"invalid zip data"
+];
+var err = function(ind, msg, nt) {
+	var e = new Error(msg || ec[ind]);
+	e.code = ind;
+	if (Error.captureStackTrace) Error.captureStackTrace(e, err);
+	if (!nt) throw e;
+	return e;
+};
+var et = /*#__PURE__*/ new u8(0);
+var crct = /*#__PURE__*/ (function() {
+	var t = /* @__PURE__ */ new Int32Array(256);
+	for (var i = 0; i < 256; ++i) {
+		var c = i, k = 9;
+		while (--k) c = (c & 1 && -306674912) ^ c >>> 1;
+		t[i] = c;
+	}
+	return t;
+})();
+var crc = function() {
+	var c = -1;
+	return {
+		p: function(d) {
+			var cr = c;
+			for (var i = 0; i < d.length; ++i) cr = crct[cr & 255 ^ d[i]] ^ cr >>> 8;
+			c = cr;
+		},
+		d: function() {
+			return ~c;
+		}
+	};
+};
+var mrg = function(a, b) {
+	var o = {};
+	for (var k in a) o[k] = a[k];
+	for (var k in b) o[k] = b[k];
+	return o;
+};
+var wbytes = function(d, b, v) {
+	for (; v; ++b) d[b] = v, v >>>= 8;
+};
+var te = typeof TextEncoder != "undefined" && /*#__PURE__*/ new TextEncoder();
+var td = typeof TextDecoder != "undefined" && /*#__PURE__*/ new TextDecoder();
+try {
+	td.decode(et, { stream: true });
+} catch (e) {}
+/**
+* Converts a string into a Uint8Array for use with compression/decompression methods
+* @param str The string to encode
+* @param latin1 Whether or not to interpret the data as Latin-1. This should
+*               not need to be true unless decoding a binary string.
+* @returns The string encoded in UTF-8/Latin-1 binary
+*/
+function strToU8(str, latin1) {
+	if (latin1) {
+		var ar_1 = new u8(str.length);
+		for (var i = 0; i < str.length; ++i) ar_1[i] = str.charCodeAt(i);
+		return ar_1;
+	}
+	if (te) return te.encode(str);
+	var l = str.length;
+	var ar = new u8(str.length + (str.length >> 1));
+	var ai = 0;
+	var w = function(v) {
+		ar[ai++] = v;
+	};
+	for (var i = 0; i < l; ++i) {
+		if (ai + 5 > ar.length) {
+			var n = new u8(ai + 8 + (l - i << 1));
+			n.set(ar);
+			ar = n;
+		}
+		var c = str.charCodeAt(i);
+		if (c < 128 || latin1) w(c);
+		else if (c < 2048) w(192 | c >> 6), w(128 | c & 63);
+		else if (c > 55295 && c < 57344) c = 65536 + (c & 1047552) | str.charCodeAt(++i) & 1023, w(240 | c >> 18), w(128 | c >> 12 & 63), w(128 | c >> 6 & 63), w(128 | c & 63);
+		else w(224 | c >> 12), w(128 | c >> 6 & 63), w(128 | c & 63);
+	}
+	return slc(ar, 0, ai);
+}
+var exfl = function(ex) {
+	var le = 0;
+	if (ex) for (var k in ex) {
+		var l = ex[k].length;
+		if (l > 65535) err(9);
+		le += l + 4;
+	}
+	return le;
+};
+var wzh = function(d, b, f, fn, u, c, ce, co) {
+	var fl = fn.length, ex = f.extra, col = co && co.length;
+	var exl = exfl(ex);
+	wbytes(d, b, ce != null ? 33639248 : 67324752), b += 4;
+	if (ce != null) d[b++] = 20, d[b++] = f.os;
+	d[b] = 20, b += 2;
+	d[b++] = f.flag << 1 | (c < 0 && 8), d[b++] = u && 8;
+	d[b++] = f.compression & 255, d[b++] = f.compression >> 8;
+	var dt = new Date(f.mtime == null ? Date.now() : f.mtime), y = dt.getFullYear() - 1980;
+	if (y < 0 || y > 119) err(10);
+	wbytes(d, b, y << 25 | dt.getMonth() + 1 << 21 | dt.getDate() << 16 | dt.getHours() << 11 | dt.getMinutes() << 5 | dt.getSeconds() >> 1), b += 4;
+	if (c != -1) {
+		wbytes(d, b, f.crc);
+		wbytes(d, b + 4, c < 0 ? -c - 2 : c);
+		wbytes(d, b + 8, f.size);
+	}
+	wbytes(d, b + 12, fl);
+	wbytes(d, b + 14, exl), b += 16;
+	if (ce != null) {
+		wbytes(d, b, col);
+		wbytes(d, b + 6, f.attrs);
+		wbytes(d, b + 10, ce), b += 14;
+	}
+	d.set(fn, b);
+	b += fl;
+	if (exl) for (var k in ex) {
+		var exf = ex[k], l = exf.length;
+		wbytes(d, b, +k);
+		wbytes(d, b + 2, l);
+		d.set(exf, b + 4), b += 4 + l;
+	}
+	if (col) d.set(co, b), b += col;
+	return b;
+};
+var wzf = function(o, b, c, d, e) {
+	wbytes(o, b, 101010256);
+	wbytes(o, b + 8, c);
+	wbytes(o, b + 10, c);
+	wbytes(o, b + 12, d);
+	wbytes(o, b + 16, e);
+};
+/**
+* A pass-through stream to keep data uncompressed in a ZIP archive.
+*/
+var ZipPassThrough = /* @__PURE__ */ function() {
+	/**
+	* Creates a pass-through stream that can be added to ZIP archives
+	* @param filename The filename to associate with this data stream
+	*/
+	function ZipPassThrough(filename) {
+		this.filename = filename;
+		this.c = crc();
+		this.size = 0;
+		this.compression = 0;
+	}
+	/**
+	* Processes a chunk and pushes to the output stream. You can override this
+	* method in a subclass for custom behavior, but by default this passes
+	* the data through. You must call this.ondata(err, chunk, final) at some
+	* point in this method.
+	* @param chunk The chunk to process
+	* @param final Whether this is the last chunk
+	*/
+	ZipPassThrough.prototype.process = function(chunk, final) {
+		this.ondata(null, chunk, final);
+	};
+	/**
+	* Pushes a chunk to be added. If you are subclassing this with a custom
+	* compression algorithm, note that you must push data from the source
+	* file only, pre-compression.
+	* @param chunk The chunk to push
+	* @param final Whether this is the last chunk
+	*/
+	ZipPassThrough.prototype.push = function(chunk, final) {
+		if (!this.ondata) err(5);
+		this.c.p(chunk);
+		this.size += chunk.length;
+		if (final) this.crc = this.c.d();
+		this.process(chunk, final || false);
+	};
+	return ZipPassThrough;
+}();
+/**
+* A zippable archive to which files can incrementally be added
+*/
+var Zip = /* @__PURE__ */ function() {
+	/**
+	* Creates an empty ZIP archive to which files can be added
+	* @param cb The callback to call whenever data for the generated ZIP archive
+	*           is available
+	*/
+	function Zip(cb) {
+		this.ondata = cb;
+		this.u = [];
+		this.d = 1;
+	}
+	/**
+	* Adds a file to the ZIP archive
+	* @param file The file stream to add
+	*/
+	Zip.prototype.add = function(file) {
+		var _this = this;
+		if (!this.ondata) err(5);
+		if (this.d & 2) this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, false);
+		else {
+			var f = strToU8(file.filename), fl_1 = f.length;
+			var com = file.comment, o = com && strToU8(com);
+			var u = fl_1 != file.filename.length || o && com.length != o.length;
+			var hl_1 = fl_1 + exfl(file.extra) + 30;
+			if (fl_1 > 65535) this.ondata(err(11, 0, 1), null, false);
+			var header = new u8(hl_1);
+			wzh(header, 0, file, f, u, -1);
+			var chks_1 = [header];
+			var pAll_1 = function() {
+				for (var _i = 0, chks_2 = chks_1; _i < chks_2.length; _i++) {
+					var chk = chks_2[_i];
+					_this.ondata(null, chk, false);
+				}
+				chks_1 = [];
+			};
+			var tr_1 = this.d;
+			this.d = 0;
+			var ind_1 = this.u.length;
+			var uf_1 = mrg(file, {
+				f,
+				u,
+				o,
+				t: function() {
+					if (file.terminate) file.terminate();
+				},
+				r: function() {
+					pAll_1();
+					if (tr_1) {
+						var nxt = _this.u[ind_1 + 1];
+						if (nxt) nxt.r();
+						else _this.d = 1;
+					}
+					tr_1 = 1;
+				}
+			});
+			var cl_1 = 0;
+			file.ondata = function(err, dat, final) {
+				if (err) {
+					_this.ondata(err, dat, final);
+					_this.terminate();
+				} else {
+					cl_1 += dat.length;
+					chks_1.push(dat);
+					if (final) {
+						var dd = new u8(16);
+						wbytes(dd, 0, 134695760);
+						wbytes(dd, 4, file.crc);
+						wbytes(dd, 8, cl_1);
+						wbytes(dd, 12, file.size);
+						chks_1.push(dd);
+						uf_1.c = cl_1, uf_1.b = hl_1 + cl_1 + 16, uf_1.crc = file.crc, uf_1.size = file.size;
+						if (tr_1) uf_1.r();
+						tr_1 = 1;
+					} else if (tr_1) pAll_1();
+				}
+			};
+			this.u.push(uf_1);
+		}
+	};
+	/**
+	* Ends the process of adding files and prepares to emit the final chunks.
+	* This *must* be called after adding all desired files for the resulting
+	* ZIP file to work properly.
+	*/
+	Zip.prototype.end = function() {
+		var _this = this;
+		if (this.d & 2) {
+			this.ondata(err(4 + (this.d & 1) * 8, 0, 1), null, true);
+			return;
+		}
+		if (this.d) this.e();
+		else this.u.push({
+			r: function() {
+				if (!(_this.d & 1)) return;
+				_this.u.splice(-1, 1);
+				_this.e();
+			},
+			t: function() {}
+		});
+		this.d = 3;
+	};
+	Zip.prototype.e = function() {
+		var bt = 0, l = 0, tl = 0;
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) {
+			var f = _a[_i];
+			tl += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0);
+		}
+		var out = new u8(tl + 22);
+		for (var _b = 0, _c = this.u; _b < _c.length; _b++) {
+			var f = _c[_b];
+			wzh(out, bt, f, f.f, f.u, -f.c - 2, l, f.o);
+			bt += 46 + f.f.length + exfl(f.extra) + (f.o ? f.o.length : 0), l += f.b;
+		}
+		wzf(out, bt, this.u.length, tl, l);
+		this.ondata(null, out, true);
+		this.d = 2;
+	};
+	/**
+	* A method to terminate any internal workers used by the stream. Subsequent
+	* calls to add() will fail.
+	*/
+	Zip.prototype.terminate = function() {
+		for (var _i = 0, _a = this.u; _i < _a.length; _i++) _a[_i].t();
+		this.d = 2;
+	};
+	return Zip;
+}();
+// www/shared/files/rescue.ts
+/** The parts of a kept project as files in one archive, whatever state they are in. */
+async function archiveOf(parts) {
+	const chunks = [];
+	const archive = new Zip((error, chunk) => {
+		if (error !== null) throw error;
+		chunks.push(chunk);
+	});
+	for (const [part, value] of parts) for (const [name, content] of filesOf(part, value)) {
+		const entry = new ZipPassThrough(name);
+		archive.add(entry);
+		entry.push(await bytesOf(content), true);
+	}
+	archive.end();
+	return new Blob(chunks, { type: "application/zip" });
+}
+/** Files that a part holds, and the part itself as JSON. */
+function filesOf(part, value) {
+	if (value instanceof Blob) return [[part, value]];
+	const { project, file } = typeof value === "object" && value !== null ? value : {};
+	const held = [];
+	if (file instanceof Blob) held.push([`${part}/${file instanceof File ? file.name : "file"}`, file]);
+	if (typeof project === "string" || project instanceof Blob) held.push([`${part}.tiepoint`, project]);
+	const text = JSON.stringify(value, (name, one) => ArrayBuffer.isView(one) || name === "project" && typeof one === "string" ? void 0 : one);
+	return [...held, [`${part}.json`, text ?? ""]];
+}
+async function bytesOf(content) {
+	if (typeof content === "string") return new TextEncoder().encode(content);
+	try {
+		return new Uint8Array(await content.arrayBuffer());
+	} catch (error) {
+		return new TextEncoder().encode(String(error));
+	}
+}
+// www/shared/panel/keeping.ts
+function mountKeeping(host, keeper, actions) {
+	keeper.keeping.watch(["trouble"], ([trouble]) => {
+		const held = host.contains(document.activeElement);
+		host.hidden = trouble === null;
+		fill(host, ...trouble === null ? [] : [h("p", {}, textOf(trouble)), ...buttonsFor(trouble, keeper, actions)]);
+		if (held) byId("projects").focus();
+	});
+}
+function textOf({ kind, reason, project }) {
+	const title = `“${project?.title ?? ""}”`;
+	switch (kind) {
+		case "absent": return `This browser keeps nothing of the page (a private window, or its storage is blocked): save the project as a file before you leave. ${reason}`;
+		case "full": return "The storage of this browser is full: the last changes are not kept. What was kept before is whole. Delete projects that you no longer need, or save this one as a file.";
+		case "failed": return `The last changes could not be kept: ${reason}. What was kept before is whole. Save the project as a file before you leave.`;
+		case "elsewhere": return `${title} is open in another tab. This tab has a project of its own.`;
+		case "taken": return `Another tab has taken ${title} over. What is changed here is no longer kept.`;
+		case "unreadable": return `${title} cannot be restored: ${reason}. It stays in the storage as it is.`;
+		case "broke-off": return `${title} was not opened: the page broke off the last times that it was. This is a new project.`;
+	}
+}
+function buttonsFor({ kind, project }, keeper, { projects, saveFiles }) {
+	const id = project?.id ?? "";
+	const list = button("Projects …", "keeping-projects", projects);
+	const close = button("Close", "keeping-close", () => keeper.dismiss());
+	switch (kind) {
+		case "elsewhere": return [button("Take it over", "keeping-take", () => void keeper.open(id, true)), close];
+		case "taken": return [button("Take it back", "keeping-take", () => void keeper.open(id, true), "Shows the project as the other tab has kept it"), button("Keep this as a new project", "keeping-new", () => void keeper.keepAsNew())];
+		case "unreadable": return [
+			button("Save its files", "keeping-save", () => saveFiles(id)),
+			list,
+			close
+		];
+		case "broke-off": return [
+			button("Open it", "keeping-open", () => void keeper.open(id)),
+			button("Save its files", "keeping-save", () => saveFiles(id)),
+			close
+		];
+		case "full": return [list, close];
+		default: return [close];
+	}
+}
+// www/shared/panel/projects.ts
+var DATE = new Intl.DateTimeFormat("en-GB", {
+	dateStyle: "medium",
+	timeStyle: "short"
+});
+/** The buttons of the bar, the dialog, and the line that says what stands in the way of keeping. */
+function mountProjects(keeper) {
+	const anew = byId("anew");
+	const press = byId("projects");
+	const list = new ProjectList(keeper);
+	document.body.append(list.dialog);
+	anew.addEventListener("click", () => void keeper.anew());
+	press.addEventListener("click", () => void list.open());
+	mountKeeping(byId("keeping"), keeper, {
+		projects: () => void list.open(),
+		saveFiles: (project) => void saveFiles(keeper, project, "tiepoint-project")
+	});
+	keeper.keeping.watch(["works", "project"], ([works, project]) => {
+		anew.disabled = project === "";
+		press.disabled = !works || project === "";
+	});
+}
+async function saveFiles(keeper, project, name) {
+	save(await archiveOf(await keeper.partsOf(project)), `${name}.zip`);
+}
+var ProjectList = class {
+	keeper;
+	dialog;
+	rows = h("ul", {
+		class: "projects",
+		testid: "project-list"
+	});
+	room = h("p", {
+		class: "note",
+		testid: "project-room"
+	});
+	problem = h("p", {
+		class: "field-problem",
+		role: "alert",
+		testid: "project-problem"
+	});
+	stay = button("Ask the browser never to clear it", "project-persist", () => void this.attempt(() => this.persist()));
+	constructor(keeper) {
+		this.keeper = keeper;
+		const close = button("Close", "projects-close", () => this.dialog.close());
+		const anew = button("New project", "project-new", () => void this.leave(() => keeper.anew()));
+		anew.className = "primary";
+		const heading = h("h2", { id: "projects-heading" }, "Projects");
+		const note = h("p", { class: "note" }, "This browser keeps each project as it changes. Nothing leaves this computer.");
+		const foot = h("div", { class: "buttons" }, this.stay, close);
+		this.dialog = h("dialog", {
+			class: "dialog",
+			testid: "projects-dialog",
+			aria: { labelledby: heading.id }
+		});
+		this.dialog.append(h("div", { class: "dialog-head" }, heading, anew), note, this.rows, this.problem, this.room, foot);
+	}
+	async open() {
+		this.problem.textContent = "";
+		await this.attempt(() => this.show());
+		if (!this.dialog.open) this.dialog.showModal();
+	}
+	/** Does something after which the list is no longer needed. */
+	async leave(action) {
+		if (await this.attempt(action)) this.dialog.close();
+	}
+	/** Does something, and says what went wrong. */
+	async attempt(action) {
+		this.problem.textContent = "";
+		try {
+			await action();
+			return true;
+		} catch (error) {
+			this.problem.textContent = sentence(messageOf(error));
+			return false;
+		}
+	}
+	/** Does something that changes the list. The keyboard goes on to `focus`. */
+	async change(action, focus) {
+		await this.attempt(async () => {
+			await action();
+			await this.show();
+		});
+		(this.rows.querySelector(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector("button"))?.focus();
+	}
+	async show() {
+		const projects = await this.keeper.projects();
+		const none = h("li", { class: "note" }, "Nothing is kept yet.");
+		fill(this.rows, ...projects.length === 0 ? [none] : projects.map((row) => this.row(row)));
+		await this.showRoom(projects);
+	}
+	async showRoom(projects) {
+		const own = projects.reduce((sum, { bytes }) => sum + bytes, 0);
+		const storage = navigator.storage;
+		const { usage = 0, quota = 0 } = await storage?.estimate().catch(() => void 0) ?? {};
+		const left = quota > usage ? ` About ${sizeText(quota - usage)} are left.` : "";
+		const persisted = await storage?.persisted?.().catch(() => false) ?? false;
+		this.stay.hidden = storage === void 0 || persisted || projects.length === 0;
+		const may = persisted ? "" : " The browser may clear it where room is short.";
+		this.room.textContent = `The projects take about ${sizeText(own)}.${left}${may}`;
+	}
+	async persist() {
+		if (!await navigator.storage.persist()) throw new Error("the browser does not promise it: save what matters as a file");
+		await this.show();
+	}
+	row(row) {
+		const { id } = row;
+		const title = titleOf(row);
+		const current = id === this.keeper.keeping.state.project;
+		const open = button(title, `project-open-${id}`, () => void this.leave(() => current ? Promise.resolve() : this.keeper.open(id)), "Open this project");
+		open.className = "link";
+		const facts = h("span", { class: "note" }, `${`${String(row.images.length)} ${row.images.length === 1 ? "image" : "images"}`} · ${sizeText(row.bytes)} · ${DATE.format(row.changed)}${current ? " · on the page" : ""}`);
+		const named = (text, what, action) => {
+			const made = button(text, `project-${what}-${id}`, action);
+			made.setAttribute("aria-label", `${text}: ${title}`);
+			return made;
+		};
+		const element = h("li", {
+			testid: "project",
+			...current ? { aria: { current: "true" } } : {}
+		});
+		const buttons = h("div", { class: "buttons" }, named("Rename", "rename", () => this.rename(element, row)), named("Duplicate", "duplicate", () => void this.change(() => this.keeper.duplicate(id, `${title} (copy)`), () => `project-duplicate-${id}`)), named("Save files", "save", () => void this.attempt(() => saveFiles(this.keeper, id, "tiepoint-project"))), named("Delete", "delete", () => this.confirm(element, row)));
+		element.append(h("div", { class: "project-name" }, open, facts), buttons);
+		return element;
+	}
+	rename(element, { id, ...row }) {
+		const input = h("input", {
+			type: "text",
+			testid: "project-name",
+			aria: { label: `New name of ${titleOf(row)}` }
+		});
+		input.value = titleOf(row);
+		const take = () => {
+			const name = input.value.trim();
+			this.change(() => this.keeper.rename(id, name === "" ? null : name), () => `project-rename-${id}`);
+		};
+		const cancel = () => void this.change(() => Promise.resolve(), () => `project-rename-${id}`);
+		input.addEventListener("keydown", (event) => {
+			if (event.key === "Enter") take();
+			if (event.key !== "Escape") return;
+			event.preventDefault();
+			cancel();
+		});
+		fill(element, input, h("div", { class: "buttons" }, button("Rename", "project-name-take", take), button("Cancel", "project-name-cancel", cancel)));
+		input.select();
+	}
+	confirm(element, row) {
+		const keep = button("Keep", "project-keep", () => void this.change(() => Promise.resolve(), () => `project-delete-${row.id}`));
+		const remove = button("Delete", "project-delete", () => void this.change(() => this.keeper.remove(row.id), () => ""));
+		fill(element, h("p", { role: "alert" }, `Delete “${titleOf(row)}” with its images and results? This cannot be undone.`), h("div", { class: "buttons" }, remove, keep));
+		keep.focus();
+	}
+};
 // www/shared/panel/theme.ts
 /** Light, dark, or as the system has it. */
 var NEXT = {
@@ -10944,13 +13389,14 @@ function mountTheme(button) {
 // www/main.ts
 /** So much of a project file says what it holds. */
 var START_BYTES = 1024;
-/** The module holds words and options of the page: its parts are made once it is there. */
-async function start() {
+/** The module holds words and options of the page: its parts are made once it is there, and show what the browser has kept. */
+async function start(opening, serveDrop) {
 	const catalogue = await loadCatalogue();
 	checkRules(catalogue.rules);
 	byId("version").textContent = `Tiepoint ${catalogue.version}`;
-	const pair = mountPair(openProject);
-	const block = mountBlock((store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
+	const pair = mountPair(catalogue, openProject, toBlock, (kept) => keeper.putAside(kept));
+	const ofBlocks = blockCatalogue(catalogue);
+	const block = mountBlock(ofBlocks, (store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
 	/** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
 	async function openProject(file) {
 		const mode = project_kind(new Uint8Array(await file.slice(0, START_BYTES).arrayBuffer())) ?? block.store.state.mode;
@@ -10960,18 +13406,41 @@ async function start() {
 		});
 		await (mode === "pair" ? pair : block).open(file);
 	}
-	mountDrop([block.taker, pair.taker]);
-	pair.store.dispatch({
-		type: "ready",
-		catalogue
+	/** More images than two are a block. */
+	function toBlock(files, masks) {
+		block.store.dispatch({
+			type: "mode",
+			mode: "block"
+		});
+		block.give(files, masks);
+	}
+	const keeper = new Keeper([block.kept, pair.kept], {
+		now: () => block.store.state.mode,
+		show: (kept) => {
+			if (isMode(kept)) block.store.dispatch({
+				type: "mode",
+				mode: kept
+			});
+		}
 	});
-	block.store.dispatch({
-		type: "ready",
-		catalogue: blockCatalogue(catalogue)
+	mountProjects(keeper);
+	await keeper.start(opening, () => {
+		pair.store.dispatch({
+			type: "ready",
+			catalogue
+		});
+		block.store.dispatch({
+			type: "ready",
+			catalogue: ofBlocks
+		});
 	});
+	pair.begin();
+	serveDrop([block.taker, pair.taker]);
 }
 mountTheme(byId("theme"));
-start().catch((error) => {
+var opening = Database.open();
+opening.catch(() => void 0);
+start(opening, mountDrop()).catch((error) => {
 	const status = byId("status");
 	status.dataset.kind = "problem";
 	status.textContent = messageOf(error);

@@ -1859,7 +1859,7 @@
 	// www/block/engine/outcome.ts
 	/** What of a block, finished or under way, the page shows. */
 	function viewOf(block) {
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict: { kind, text }, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		return {
 			partial: false,
@@ -1909,6 +1909,10 @@
 				rmsePx
 			})),
 			oriented,
+			verdict: {
+				kind,
+				text
+			},
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
 			score: null,
@@ -1973,6 +1977,7 @@
 			refinement: null,
 			byRays: [],
 			oriented: 0,
+			verdict: null,
 			rmsePx: null,
 			sigma0Px: null,
 			score: null,

@@ -61,17 +61,17 @@ pub use matching::{
 pub use math::{geographic_from_local, local_from_geographic};
 pub use message::{Message, Texts};
 pub use model::{
-    BlockDescription, BlockModel, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage, NamedCamera,
-    ObjectPoint, ObservedPosition,
+    BlockDescription, BlockModel, ControlRole, GeographicOrigin, GroundControlPoint, ImageObservation, KnownCamera, KnownImage, ModelImage,
+    NamedCamera, ObjectPoint, ObservedPosition,
 };
 pub use orientation::{
     ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions,
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
 };
 pub use outputs::{
-    BlockFiles, BlockOverview, BlockVerdict, CameraRow, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow, OverviewWarning,
-    PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary, WithText, block_files,
-    coverage, planned_files, project_kind, read_project, write_block_project, write_pair_project,
+    BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow,
+    OverviewWarning, PROJECT_VERSION, PairPhoto, PairRow, PairRun, PairTruth, PointColumns, Project, ProjectKind, RayCount, Summary,
+    WithText, block_files, coverage, planned_files, project_kind, read_project, write_block_project, write_pair_project,
 };
 pub use pair::{
     DescribedImage, FeatureMatchOptions, NoOrientation, PairHint, PairImage, PairInput, PairInterior, PairMatching, PairResult,
@@ -91,7 +91,7 @@ pub use points::{
 };
 pub use reconstruction::{
     BlockWarning, LengthUnit, ObservationSource, Observed, PointSource, ReconstructedModel, Reconstruction, ReconstructionOptions,
-    RejectedObservation, RejectedPosition, UnorientedImage, UnorientedReason, reconstruct_block,
+    RejectedObservation, RejectedPosition, SurveyedPoint, UnorientedImage, UnorientedReason, reconstruct_block,
 };
 pub use report::{PAPER, Paper, PrintedOrientation, Report, ReportImage, ReportTruth};
 pub use simulate::{

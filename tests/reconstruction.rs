@@ -9,7 +9,7 @@ use normal::Normal;
 use sampling::{about_one, runs};
 use scene::{Scene, scene, selected};
 use tiepoint::{
-    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, Datum, FreeParameters,
+    AdjustmentOptions, Block, BlockDescription, BlockFlight, BlockOptions, BlockView, BlockWarning, ControlRole, Datum, FreeParameters,
     GroundControlPoint, ImageObservation, ObservationVerdict, ObservedPosition, PointSource, Reconstruction, ReconstructionOptions,
     TiePoints, UnorientedReason, adjust_block, geographic_from_local, local_from_geographic, reconstruct_block, simulate_block, tie_points,
 };
@@ -184,6 +184,7 @@ fn geographic_positions_and_control_put_a_block_onto_the_earth() {
     };
     let control = GroundControlPoint {
         name: "church".into(),
+        role: ControlRole::Control,
         position: ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m: Some(height_m), sigma_m: [0.02; 3] },
         measurements: rays.iter().map(ray).collect(),
     };
@@ -248,7 +249,8 @@ fn what_does_not_fit_together_is_refused() {
     refused(&|_, o| o.adjustment.alpha0 = 2.0, "adjustment.alpha0");
     refused(&|_, o| o.datum = Some(Datum::Gnss), "GNSS positions or control points");
     let ray = ImageObservation { image: 9, x_px: 1.0, y_px: 1.0, confidence: 1.0 };
-    let control = GroundControlPoint { name: "a".into(), position: local(0.0).unwrap(), measurements: vec![ray] };
+    let control =
+        GroundControlPoint { name: "a".into(), role: ControlRole::Control, position: local(0.0).unwrap(), measurements: vec![ray] };
     refused(&|d, _| d.control.push(control.clone()), "index 9 as image of GCP a");
     for (x_px, y_px) in [(-500.0, 99_999.0), (-0.5, 10.0), (10.0, 3000.5), (f64::NAN, 10.0)] {
         let ray = ImageObservation { image: 1, x_px, y_px, confidence: 1.0 };

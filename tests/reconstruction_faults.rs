@@ -4,7 +4,8 @@ mod scene;
 
 use scene::{Scene, scene, selected};
 use tiepoint::{
-    BlockFlight, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction, geographic_from_local,
+    BlockFlight, ControlRole, Datum, GroundControlPoint, ImageObservation, KnownCamera, ObservedPosition, Reconstruction,
+    geographic_from_local,
 };
 
 /// Where the simulated blocks lie on the earth.
@@ -181,11 +182,35 @@ fn surveyed(scene: &Scene, most_px: f64) -> Vec<GroundControlPoint> {
         }
         control.push(GroundControlPoint {
             name: format!("gcp {index}"),
+            role: ControlRole::Control,
             position: ObservedPosition::Local { position, sigma: [0.02, 0.02, 0.03] },
             measurements: rays,
         });
     }
     control
+}
+
+#[test]
+fn check_points_take_no_part_and_say_what_the_block_is_worth() {
+    let mut scene = scene(&BlockFlight { strips: 3, exposures: 5, features: 1000, ..BlockFlight::default() }, 1.0);
+    scene.description.control = surveyed(&scene, 0.3);
+    scene.description.control[2].role = ControlRole::Check;
+    let plain = scene.reconstruct(&selected());
+    let model = &plain.models[0];
+    assert_eq!((model.adjusted.block.control.len(), model.surveyed.len()), (4, 5));
+    let check = model.surveyed.iter().find(|point| point.role == ControlRole::Check).unwrap();
+    assert_eq!(check.name, "gcp 2");
+    for k in 0..3 {
+        let (difference, error) = (check.difference_m[k], check.standard_errors_m[k].unwrap());
+        assert!(difference.abs() < 4.0 * error && error < 0.5, "{k}: {difference} +- {error}");
+    }
+    // A check point that is wrong says so, and moves nothing.
+    let ObservedPosition::Local { position, .. } = &mut scene.description.control[2].position else { unreachable!() };
+    position[2] += 5.0;
+    let wrong = scene.reconstruct(&selected());
+    let off = wrong.models[0].surveyed.iter().find(|point| point.role == ControlRole::Check).unwrap().difference_m[2];
+    assert!((off + 5.0 - check.difference_m[2]).abs() < 1e-6, "{off}");
+    assert_eq!(wrong.models[0].adjusted.block.images, model.adjusted.block.images);
 }
 
 #[test]

@@ -43,6 +43,13 @@ export function describe(out, { verdict, images, cameras, pairs, groups, points,
             ['residuals, RMS [px]', fixed(first.rmse_px, 3)],
           ]
         : []),
+      ...(first?.checks
+        ? [
+            ['check points', first.checks.points],
+            ['check points, RMSE of x y z [m]', first.checks.rmse_m.map((v) => fixed(v, 3)).join(' ')],
+            ...(first.checks.ratio === null ? [] : [['their differences by predicted standard errors', fixed(first.checks.ratio, 2)]]),
+          ]
+        : []),
       ...(score
         ? [
             ['right points by the truth', `${score.right_points} of ${score.points}`],

@@ -138,6 +138,8 @@ export interface Messages {
     no_geometry: NoGeometry;
     no_orientation: NoOrientation;
     pair_verdict: PairVerdict;
+    pair_hint: PairHint;
+    block_verdict: BlockVerdict;
     degeneracy: Degeneracy;
     two_view_model: Pick<TwoViewModel, "kind">;
     verdict: Rule | "gross_error" | "undecided";
@@ -866,8 +868,8 @@ export interface ObjectPoint {
 /**
  * An adjusted block with its precision and reliability.
  *
- * Standard errors are with σ₀ a priori where that is given, else with the estimated one; those of a free network are with respect to its
- * inner constraints.
+ * Standard errors are with σ₀ a priori where that is given, else with the estimated one, enlarged by what rejections took from the
+ * estimate; those of a free network are with respect to its inner constraints.
  */
 export interface AdjustmentResult {
     /**
@@ -946,6 +948,10 @@ export interface KnownImage {
      * Where GNSS has the projection centre.
      */
     position?: ObservedPosition | null;
+    /**
+     * The direction of view that a drone recorded, of length 1: east, north, up. It levels a block that its positions hardly level.
+     */
+    view?: [number, number, number];
 }
 
 /**
@@ -1384,6 +1390,10 @@ export interface BlockImage {
      * Where GNSS has the projection centre.
      */
     gnss?: PositionPrior | null;
+    /**
+     * Where its axis is known to point in the system of the observed positions; a free network does not use it.
+     */
+    axis?: AxisPrior;
 }
 
 /**
@@ -2352,6 +2362,7 @@ export interface Pose {
  * The figures of a finished block.
  */
 export interface Summary {
+    verdict: WithText<BlockVerdict>;
     images: ImageCounts;
     /**
      * What of the input was not taken as it was given, or is hardly right.
@@ -2473,6 +2484,20 @@ export interface PairInterior {
     left: Interior;
     right: Interior;
     focal_mm: number;
+}
+
+/**
+ * The known direction of a camera axis.
+ */
+export interface AxisPrior {
+    /**
+     * Against the direction of view, of length 1: (0, 0, 1) looks down.
+     */
+    direction: [number, number, number];
+    /**
+     * Standard error across it in degrees.
+     */
+    sigma_deg: number;
 }
 
 /**
@@ -2756,6 +2781,11 @@ export interface DroneRecord {
     absolute_height_m: number | null;
     rtk: RtkSolution | null;
 }
+
+/**
+ * What a finished block is worth.
+ */
+export type BlockVerdict = { kind: "oriented"; oriented: number; images: number; points: number; sigma0_px: number | null } | { kind: "weak"; oriented: number; images: number; points: number; overview_warning: OverviewWarning } | { kind: "not_oriented"; connected: number; failure: Failure | null };
 
 /**
  * What a point of an adjusted block is.
@@ -3061,6 +3091,7 @@ export type OrientationMethod = "rigorous" | "determinant";
  * What is shown of a finished block, but for its points: [`PointColumns`].
  */
 export interface BlockOverview {
+    verdict: WithText<BlockVerdict>;
     images: ImageRow[];
     skipped: NamedReason[];
     /**
@@ -3111,12 +3142,12 @@ export interface BlockOverview {
 /**
  * What is weak about a block at a glance.
  */
-export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "failed"; failure: Failure };
+export type OverviewWarning = { kind: "model"; block_warning: BlockWarning } | { kind: "few_oriented"; oriented: number; images: number } | { kind: "apart"; images: number } | { kind: "none_oriented" } | { kind: "failed"; failure: Failure };
 
 /**
  * What is weak about a model.
  */
-export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
+export type BlockWarning = { kind: "free"; cause: Cause | null } | { kind: "unknown_rotation"; observed: Observed; tilt_deg: number | null } | { kind: "uncertain_rotation"; observed: Observed; error_deg: number; tilt_deg: number | null } | { kind: "levelled"; recorded: boolean; error_deg: number | null; level_deg: number } | { kind: "no_heights" } | { kind: "positions_rejected"; images: RejectedPosition[] } | { kind: "imprecise"; sigma0_px: number; most_px: number } | { kind: "scale"; ratio: number; unit: LengthUnit | null } | { kind: "degrees" } | { kind: "point_rejected"; point: string; measurements: number } | { kind: "measurements_rejected"; point: string; measurements: number; images: string[] } | { kind: "focal_estimated"; camera: NamedCamera; error_px: number } | { kind: "focal_undetermined"; camera: NamedCamera } | { kind: "parameter_fixed"; camera: NamedCamera; camera_parameter: CameraParameter } | { kind: "few_observations"; images: string[]; least: number } | { kind: "two_rays"; two: number; points: number } | { kind: "many_rejected"; rejected: number; observations: number };
 
 /**
  * What makes an orientation weak although it could be computed.
@@ -3141,7 +3172,7 @@ export type Datum = "free" | "gnss" | "control" | "gnss_and_control";
 /**
  * What speaks against the camera that a file names.
  */
-export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "contradiction"; xmp_focal_px: number; exif_focal_px: number } | { kind: "panorama"; projection: string };
+export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "focal_plane"; pixel_um: number; expected_um: number } | { kind: "contradiction"; xmp_focal_px: number; exif_focal_px: number } | { kind: "panorama"; projection: string };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -3163,6 +3194,10 @@ export interface PriorStatistics {
      * Residual by its standard error (Baarda's w), of a new observation where it took no part; absent without statistics.
      */
     w: [number, number, number] | null;
+    /**
+     * The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
+     */
+    detectable?: [number | null, number | null, number | null];
 }
 
 /**
@@ -3182,6 +3217,10 @@ export interface ObservationStatistics {
      * Residuals by their standard errors (Baarda's w), of a new observation for a rejected one; absent without statistics.
      */
     w: [number, number] | null;
+    /**
+     * The error that its test finds with a probability of 0.80 (internal reliability); absent where nothing checks the coordinate.
+     */
+    detectable_px?: [number | null, number | null];
 }
 
 /**
@@ -3253,6 +3292,11 @@ export type ParameterKind = { kind: "integer"; min: number; max: number; odd: bo
  * What was observed of positions.
  */
 export type Observed = "positions" | "points" | "both";
+
+/**
+ * What would do where the strategy of a pair did not.
+ */
+export type PairHint = { kind: "other_strategy" };
 
 /**
  * Where the focal length in px of a file's camera comes from, the most certain first.
@@ -3835,6 +3879,11 @@ export function orient_matches(matches: Float64Array | number[], fits: Float64Ar
 export function orient_relative(observations: Float64Array | number[], focal_mm: number, options: Given<OrientationOptions>, weights?: Float64Array | number[] | null): RelativeOrientation;
 
 /**
+ * What else would do for a pair of this verdict and these settings; null where nothing is known to.
+ */
+export function pair_hint(verdict: PairVerdict, settings: Given<PairSettings>): PairHint | null;
+
+/**
  * What the paper printed for its own pair.
  */
 export function paper(): Paper;
@@ -4027,6 +4076,7 @@ export interface InitOutput {
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
+    readonly pair_hint: (a: any, b: any) => [number, number, number];
     readonly paper: () => any;
     readonly parameters: () => any;
     readonly parse_camera: (a: number, b: number) => [number, number, number];

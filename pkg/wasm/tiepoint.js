@@ -1654,6 +1654,20 @@ export function orient_relative(observations, focal_mm, options, weights) {
 }
 
 /**
+ * What else would do for a pair of this verdict and these settings; null where nothing is known to.
+ * @param {PairVerdict} verdict
+ * @param {Given<PairSettings>} settings
+ * @returns {PairHint | null}
+ */
+export function pair_hint(verdict, settings) {
+    const ret = wasm.pair_hint(verdict, settings);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
  * What the paper printed for its own pair.
  * @returns {Paper}
  */

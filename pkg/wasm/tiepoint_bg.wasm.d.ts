@@ -70,6 +70,7 @@ export const open_pair_project: (a: number, b: number) => [number, number, numbe
 export const orient_fiducials: (a: any, b: any) => [number, number, number];
 export const orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
 export const orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
+export const pair_hint: (a: any, b: any) => [number, number, number];
 export const paper: () => any;
 export const parameters: () => any;
 export const parse_camera: (a: number, b: number) => [number, number, number];

@@ -1,7 +1,7 @@
 //! Reading surveyed points: control and check points of a block.
 
-use crate::Error;
 use crate::text::{records, shorten};
+use crate::{ControlRole, Error};
 use csv::StringRecord;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -18,12 +18,19 @@ pub struct GroundControlRow {
     pub position: [f64; 3],
     /// Standard errors of the place and of the height, above 0; absent where the file has none.
     pub standard_errors: Option<[f64; 2]>,
+    /// What it is for; absent where it is not used at all.
+    #[serde(default = "control")]
+    pub role: Option<ControlRole>,
+}
+
+fn control() -> Option<ControlRole> {
+    Some(ControlRole::Control)
 }
 
 /// Reads lines of `name, x, y, z` with or without the standard errors of place and height behind them, between commas, semicolons or tabs.
 ///
 /// A first line that names columns may come before them: `name` or `label`, `x`, `y`, `z`, `sigma_xy`, `sigma_z` (or `accH`,
-/// `accV`), in any order, among others, in capitals or not. Without it the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
+/// `accV`), and `use` (`control`, `check` or `off`), in any order, among others, in capitals or not. Without it the columns are those, as in Pix4D's files. Blank lines and lines that begin with `#` are skipped.
 ///
 /// # Errors
 /// [`Error::InvalidInput`], naming the line, for numbers that are none, standard errors that are not above 0, and a name that comes twice.
@@ -49,11 +56,12 @@ struct Columns {
     name: usize,
     position: [usize; 3],
     standard_errors: Option<[usize; 2]>,
+    role: Option<usize>,
 }
 
 impl Default for Columns {
     fn default() -> Self {
-        Self { name: 0, position: [1, 2, 3], standard_errors: Some([4, 5]) }
+        Self { name: 0, position: [1, 2, 3], standard_errors: Some([4, 5]), role: None }
     }
 }
 
@@ -71,7 +79,7 @@ impl Columns {
         let errors = |[xy, z]: [&str; 2]| place(xy).zip(place(z)).map(|(xy, z)| [xy, z]);
         let standard_errors = errors(["sigma_xy", "sigma_z"]).or_else(|| errors(["accH", "accV"]));
         let name = place("label").map_or_else(|| needed("name"), Ok)?;
-        Ok(Some(Self { name, position: [needed("x")?, needed("y")?, needed("z")?], standard_errors }))
+        Ok(Some(Self { name, position: [needed("x")?, needed("y")?, needed("z")?], standard_errors, role: place("use") }))
     }
 }
 
@@ -95,7 +103,13 @@ fn read_point(record: &StringRecord, columns: &Columns, line: usize, names: &mut
     if let Some(errors) = standard_errors.filter(|errors| !errors.iter().all(|error| *error > 0.0)) {
         return Err(refused(format!("standard errors {errors:?} in line {line}, which are not above 0")));
     }
-    Ok(GroundControlRow { name, position, standard_errors })
+    let role = match columns.role.map(field).unwrap_or("").to_ascii_lowercase().as_str() {
+        "" | "control" => Some(ControlRole::Control),
+        "check" => Some(ControlRole::Check),
+        "off" => None,
+        other => return Err(refused(format!("'{}' as use in line {line}; it is control, check or off", shorten(other)))),
+    };
+    Ok(GroundControlRow { name, position, standard_errors, role })
 }
 
 fn refused(got: String) -> Error {
@@ -116,7 +130,12 @@ mod tests {
 
     #[test]
     fn points_are_read_with_and_without_names_of_columns() {
-        let point = |name: &str, position, standard_errors| GroundControlRow { name: name.into(), position, standard_errors };
+        let point = |name: &str, position, standard_errors| GroundControlRow {
+            name: name.into(),
+            position,
+            standard_errors,
+            role: Some(ControlRole::Control),
+        };
         let wanted = [point("A1", [1.0, 2.0, 3.0], Some([0.02, 0.03])), point("A 2", [-1.5, 2e3, 0.0], None)];
         assert_eq!(parse_ground_control_points("A1,1,2,3,0.02,0.03\n\nA 2,-1.5,2e3,0\n").unwrap(), wanted);
         assert_eq!(
@@ -127,6 +146,10 @@ mod tests {
         assert_eq!(parse_ground_control_points("A1\t1\t2\t3\t0.02\t0.03\nA 2\t-1.5\t2000\t0\n").unwrap(), wanted);
         assert_eq!(parse_ground_control_points("label,X,Y,Z,accH,accV\nA1,1,2,3,0.02,0.03\nA 2,-1.5,2000,0\n").unwrap(), wanted);
         assert!(parse_ground_control_points("").unwrap().is_empty());
+        let roles = parse_ground_control_points("name,x,y,z,Use\na,1,2,3,control\nb,1,2,3,Check\nc,1,2,3,off\nd,1,2,3,\n").unwrap();
+        let [control, check] = [Some(ControlRole::Control), Some(ControlRole::Check)];
+        assert_eq!(roles.iter().map(|point| point.role).collect::<Vec<_>>(), [control, check, None, control]);
+        assert!(message("name,x,y,z,use\na,1,2,3,maybe\n").contains("'maybe' as use in line 2"));
     }
 
     #[test]

@@ -50,6 +50,18 @@ impl ObservedPosition {
     }
 }
 
+/// What the coordinates of a surveyed point are for.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum ControlRole {
+    /// They place the block.
+    #[default]
+    Control,
+    /// They take no part: what the block says of them is compared with them. Image measurements of the point do, as those of a tie point.
+    Check,
+}
+
 /// A point with known object coordinates, with the images in which it was measured.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -57,6 +69,8 @@ impl ObservedPosition {
 pub struct GroundControlPoint {
     pub name: String,
     pub position: ObservedPosition,
+    #[serde(default)]
+    pub role: ControlRole,
     /// Inside their images, one in each.
     pub measurements: Vec<ImageObservation>,
 }

@@ -10,5 +10,5 @@ mod description;
 #[cfg(test)]
 pub(crate) use block::tiny_block;
 pub use block::{BlockModel, GeographicOrigin, ImageObservation, ModelImage, ObjectPoint};
-pub use control::{GroundControlPoint, ObservedPosition};
+pub use control::{ControlRole, GroundControlPoint, ObservedPosition};
 pub use description::{BlockDescription, KnownCamera, KnownImage, NamedCamera};

@@ -2,11 +2,11 @@
 
 use super::images::{ImageRow, image_rows};
 use super::pairs::{PairRow, pair_rows};
-use super::summary::{NamedReason, outcome_counts};
+use super::summary::{CheckSummary, NamedReason, outcome_counts};
 use super::verdict::BlockVerdict;
 use super::warning::{OverviewWarning, overview_warnings};
 use super::with_text::WithText;
-use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome, Remark};
+use crate::{BlockModel, BlockRun, Camera, Error, ObjectPoint, RefinementOutcome, Remark, SurveyedPoint};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -38,6 +38,10 @@ pub struct BlockOverview {
     /// Root mean square length of the residuals of all observations in px; absent before the adjustment.
     pub rmse_px: Option<f64>,
     pub sigma0_px: Option<f64>,
+    /// Absent without check points.
+    pub checks: Option<CheckSummary>,
+    /// The surveyed points of the model that is written.
+    pub surveyed: Vec<SurveyedPoint>,
     /// What is weak about the block.
     pub warnings: Vec<WithText<OverviewWarning>>,
 }
@@ -121,6 +125,8 @@ impl BlockOverview {
             oriented: run.model.images.iter().filter(|image| image.pose.is_some()).count(),
             rmse_px: adjusted.map_or_else(|| rmse_px(&run.model.points.iter().collect::<Vec<_>>()), |adjusted| Some(adjusted.rmse_px)),
             sigma0_px: adjusted.and_then(|adjusted| adjusted.sigma0_px),
+            checks: CheckSummary::of(surveyed(run)),
+            surveyed: surveyed(run).to_vec(),
             warnings: overview_warnings(run).into_iter().map(WithText::of).collect(),
         })
     }
@@ -163,6 +169,12 @@ fn camera_rows(run: &BlockRun) -> Vec<CameraRow> {
         }
     });
     rows.collect()
+}
+
+/// The surveyed points of the model that is written.
+pub(super) fn surveyed(run: &BlockRun) -> &[SurveyedPoint] {
+    let model = run.reconstruction.as_ref().ok().and_then(|assembly| assembly.models.first());
+    model.map_or(&[], |model| &model.surveyed)
 }
 
 fn rmse_by_rays(model: &BlockModel) -> Vec<RayCount> {

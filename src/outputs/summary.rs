@@ -5,9 +5,9 @@ use super::pairs::PairRow;
 use super::verdict::BlockVerdict;
 use super::with_text::WithText;
 use crate::{
-    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera, JoinCounts,
-    ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable, Remark,
-    SkippedImage, UnorientedReason,
+    BlockRun, BlockScore, BlockSettings, BlockWarning, Camera, ControlRole, Datum, ExportFormat, Failure, GeographicOrigin, InitialCamera,
+    JoinCounts, ObservationVerdict, PairOutcome, RayCountRmse, ReconstructedModel, RefinementMethod, RefinementOutcome, RefinementTable,
+    Remark, SkippedImage, SurveyedPoint, UnorientedReason,
 };
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -168,7 +168,37 @@ pub struct ModelSummary {
     pub rays_rejected: usize,
     /// Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
     pub position_rmse_m: Option<[f64; 3]>,
+    /// Absent without check points.
+    pub checks: Option<CheckSummary>,
     pub warnings: Vec<WithText<BlockWarning>>,
+}
+
+/// What check points say of a model: differences, adjusted minus surveyed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CheckSummary {
+    pub points: usize,
+    /// Root mean squares of x, y, z.
+    pub rmse_m: [f64; 3],
+    pub mean_m: [f64; 3],
+    /// Root mean square of the differences by their predicted standard errors: about 1 where these hold; absent without statistics.
+    pub ratio: Option<f64>,
+}
+
+impl CheckSummary {
+    /// Of the check points among the surveyed points of a model; absent without any.
+    pub(super) fn of(surveyed: &[SurveyedPoint]) -> Option<Self> {
+        let checks: Vec<&SurveyedPoint> = surveyed.iter().filter(|point| point.role == ControlRole::Check).collect();
+        let mean = |of: &dyn Fn(&SurveyedPoint) -> f64| checks.iter().map(|point| of(point)).sum::<f64>() / checks.len() as f64;
+        let ratios: Vec<f64> =
+            (checks.iter()).flat_map(|point| (0..3).filter_map(|k| Some(point.difference_m[k] / point.standard_errors_m[k]?))).collect();
+        (!checks.is_empty()).then(|| Self {
+            points: checks.len(),
+            rmse_m: [0, 1, 2].map(|k| mean(&|point| point.difference_m[k] * point.difference_m[k]).sqrt()),
+            mean_m: [0, 1, 2].map(|k| mean(&|point| point.difference_m[k])),
+            ratio: (!ratios.is_empty()).then(|| (ratios.iter().map(|ratio| ratio * ratio).sum::<f64>() / ratios.len() as f64).sqrt()),
+        })
+    }
 }
 
 /// A format that was asked for.
@@ -312,6 +342,7 @@ fn model_summary(model: &ReconstructedModel, name: impl Fn(usize) -> String) -> 
         degrees_of_freedom: adjusted.degrees_of_freedom,
         rays_rejected: model.rejected.len() + adjusted.rays.iter().filter(|ray| ray.verdict != ObservationVerdict::Accepted).count(),
         position_rmse_m: (!residuals.is_empty()).then(|| [0, 1, 2].map(root_mean_square)),
+        checks: CheckSummary::of(&model.surveyed),
         warnings: model.warnings.iter().cloned().map(WithText::of).collect(),
     }
 }

@@ -5,11 +5,12 @@ use super::pairs::PairRow;
 use super::refined::refined_observations;
 use crate::formats::{images_table, rays_table};
 use crate::text::{Row, table};
-use crate::{BlockRun, PairOutcome, RefinedObservation};
+use crate::{BlockRun, PairOutcome, RefinedObservation, SurveyedPoint};
 
 const OF_IMAGES: [&str; 8] =
     ["model", "features", "rays", "places", "exif_orientation", "recorded_longitude_deg", "recorded_latitude_deg", "recorded_height_m"];
 const OF_RAYS: [&str; 3] = ["refinement", "standard_error_px", "correlation"];
+const CONTROL: [&str; 12] = ["name", "use", "rays", "x", "y", "z", "dx", "dy", "dz", "sigma_dx", "sigma_dy", "sigma_dz"];
 const PAIRS: [&str; 13] = [
     "first",
     "second",
@@ -69,6 +70,16 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
         row.number(pair.common_points).number(pair.chosen_points).text(&pair.reason)
     });
     table(&PAIRS, rows)
+}
+
+/// `control.csv`: surveyed points beside their adjusted places.
+pub(super) fn control(points: &[SurveyedPoint]) -> String {
+    let rows = points.iter().map(|point| {
+        let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);
+        let row = point.position.iter().chain(&point.difference_m).fold(row, |row, value| row.number(value));
+        point.standard_errors_m.iter().fold(row, |row, error| row.known(*error))
+    });
+    table(&CONTROL, rows)
 }
 
 /// The name of a variant, as JSON has it.

@@ -1,7 +1,7 @@
 //! Ground control points with their image measurements, and GNSS positions, as the reconstruction takes them.
 
 use crate::{
-    BlockDescription, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
+    BlockDescription, ControlRole, Error, ExifPosition, GeoreferencingOptions, GroundControlPoint, GroundControlRow, ImageMeasurementRow,
     ImageObservation, KnownCamera, KnownImage, ObservedPosition, RtkSolution, parse_ground_control_points, parse_image_measurements,
 };
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,11 +57,13 @@ impl ControlTables {
     /// # Errors
     /// [`Error::InvalidInput`] for a measurement of an unknown point, and where fewer than three points are measured in two images or more.
     pub fn join(&self, images: &[String], placing: &GeoreferencingOptions) -> Result<(Vec<GroundControlPoint>, Vec<String>), Error> {
-        let mut joined: Vec<GroundControlPoint> = self.points.iter().map(|point| control_point(point, placing)).collect();
-        let index_of: BTreeMap<&str, usize> = self.points.iter().enumerate().map(|(index, point)| (point.name.as_str(), index)).collect();
+        let used = || self.points.iter().filter_map(|point| Some((point, point.role?)));
+        let mut joined: Vec<GroundControlPoint> = used().map(|(point, role)| control_point(point, role, placing)).collect();
+        let index_of: BTreeMap<&str, usize> = used().enumerate().map(|(index, (point, _))| (point.name.as_str(), index)).collect();
+        let off: BTreeSet<&str> = self.points.iter().filter(|point| point.role.is_none()).map(|point| point.name.as_str()).collect();
         let image_of: BTreeMap<&str, usize> = images.iter().enumerate().map(|(index, name)| (name.as_str(), index)).collect();
         let mut unknown = BTreeSet::new();
-        for mark in &self.marks {
+        for mark in self.marks.iter().filter(|mark| !off.contains(mark.point.as_str())) {
             let Some(point) = index_of.get(mark.point.as_str()) else {
                 let got = format!("the point {}", mark.point);
                 return Err(Error::InvalidInput {
@@ -79,7 +81,8 @@ impl ControlTables {
             }
         }
         let unknown: Vec<String> = unknown.into_iter().collect();
-        let seen = joined.iter().filter(|point| point.measurements.len() >= 2).count();
+        let places = |point: &&GroundControlPoint| point.role == ControlRole::Control && point.measurements.len() >= 2;
+        let seen = joined.iter().filter(places).count();
         if seen < LEAST_CONTROL {
             let more = if unknown.len() > SHOWN { " …" } else { "" };
             let named = unknown.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
@@ -95,10 +98,10 @@ impl ControlTables {
     }
 }
 
-fn control_point(point: &GroundControlRow, placing: &GeoreferencingOptions) -> GroundControlPoint {
+fn control_point(point: &GroundControlRow, role: ControlRole, placing: &GeoreferencingOptions) -> GroundControlPoint {
     let [across, up] = point.standard_errors.unwrap_or([placing.surveyed_across_m, placing.surveyed_up_m]);
     let position = ObservedPosition::Local { position: point.position, sigma: [across, across, up] };
-    GroundControlPoint { name: point.name.clone(), position, measurements: Vec::new() }
+    GroundControlPoint { name: point.name.clone(), position, role, measurements: Vec::new() }
 }
 
 /// Standard errors in m below which those of an RTK solution are not believed: the exposure and the antenna's place have their own.

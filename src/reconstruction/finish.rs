@@ -7,9 +7,10 @@ use super::material::Material;
 use super::net::Net;
 use super::result::{ObservationSource, PointSource, ReconstructedModel, RejectedObservation};
 use super::review::{Placing, warnings};
+use super::surveyed::surveyed_points;
 use super::warning::UnorientedReason;
-use crate::Error;
 use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, ControlPoint, Datum, adjust_block};
+use crate::{ControlRole, Error};
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
@@ -126,7 +127,7 @@ impl Draft {
         let control = point.checked_sub(material.points.len());
         self.points.push(control.map_or(PointSource::TiePoint(point as u32), PointSource::GroundControl));
         self.block.points.push(position);
-        if let Some(control) = control {
+        if let Some(control) = control.filter(|control| material.description.control[*control].role == ControlRole::Control) {
             let (position, sigma) = material.frame.control[control];
             self.block.control.push(ControlPoint { point: index, position, sigma });
         }
@@ -201,9 +202,11 @@ impl Draft {
             rays: self.rays,
             rejected: self.rejected,
             adjusted,
+            surveyed: Vec::new(),
             in_system: !matches!(placing, Placing::Free { .. }),
             warnings: Vec::new(),
         };
+        model.surveyed = surveyed_points(&model, material.description, material.frame);
         model.warnings = warnings(&model, material.description, material.frame, placing);
         model
     }

@@ -2,7 +2,7 @@
 
 use crate::adjustment::PositionPrior;
 use crate::math::{local_from_geographic, median};
-use crate::{BlockDescription, Error, GeographicOrigin, ObservedPosition};
+use crate::{BlockDescription, ControlRole, Error, GeographicOrigin, GroundControlPoint, ObservedPosition};
 
 /// Observed positions in one Cartesian system.
 pub(super) struct Frame {
@@ -37,7 +37,8 @@ impl Frame {
     /// surveyed points are too few to place the block.
     pub fn new(description: &BlockDescription) -> Result<Self, Error> {
         let of_images: Vec<ObservedPosition> = description.images.iter().filter_map(|image| image.position).collect();
-        let of_control: Vec<ObservedPosition> = description.control.iter().map(|control| control.position).collect();
+        let places = |control: &&GroundControlPoint| control.role == ControlRole::Control;
+        let of_control: Vec<ObservedPosition> = description.control.iter().filter(places).map(|control| control.position).collect();
         let are_apart = of_control.len() >= PLACING
             && matches!((is_geographic(&of_images), is_geographic(&of_control)), (Some(images), Some(control)) if images != control);
         let (placing, apart) = if are_apart { (of_control, of_images) } else { ([of_images, of_control].concat(), Vec::new()) };

@@ -23,10 +23,11 @@ mod resection;
 mod result;
 mod review;
 mod start;
+mod surveyed;
 mod units;
 mod warning;
 
 pub use options::ReconstructionOptions;
 pub use reconstruct::reconstruct_block;
-pub use result::{ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, UnorientedImage};
+pub use result::{ObservationSource, PointSource, ReconstructedModel, Reconstruction, RejectedObservation, SurveyedPoint, UnorientedImage};
 pub use warning::{BlockWarning, LengthUnit, Observed, RejectedPosition, UnorientedReason};

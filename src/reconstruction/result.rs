@@ -2,7 +2,7 @@
 
 use super::warning::{BlockWarning, UnorientedReason};
 use crate::adjustment::AdjustmentResult;
-use crate::model::GeographicOrigin;
+use crate::model::{ControlRole, GeographicOrigin};
 use serde::{Deserialize, Serialize};
 
 /// The models of a block, the one with most images first, and the images that are in none.
@@ -32,9 +32,29 @@ pub struct ReconstructedModel {
     /// Rays of its images that do not fit, left out before the bundle adjustment; their points are those of the adjusted block.
     pub rejected: Vec<RejectedObservation>,
     pub adjusted: AdjustmentResult,
+    /// The surveyed points, where it lies in their system.
+    #[serde(default)]
+    pub surveyed: Vec<SurveyedPoint>,
     /// Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
     pub in_system: bool,
     pub warnings: Vec<BlockWarning>,
+}
+
+/// A surveyed point beside its adjusted place.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SurveyedPoint {
+    pub name: String,
+    pub role: ControlRole,
+    /// Image measurements that took part.
+    pub rays: usize,
+    /// Surveyed, in the system of the model.
+    pub position: [f64; 3],
+    /// Adjusted minus surveyed in m.
+    pub difference_m: [f64; 3],
+    /// Standard errors of the difference: of a check point those of both places together, of a control point those of a residual; absent without
+    /// statistics, and for coordinates that nothing checks.
+    pub standard_errors_m: [Option<f64>; 3],
 }
 
 /// What a point of an adjusted block is.

@@ -23,6 +23,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     sigma0_px,
     warnings,
     verdict: { kind, text },
+    checks,
     points,
   } = block.overview();
   const connections = pairs.map(connectionOf);
@@ -76,6 +77,7 @@ export function viewOf(block: FinishedBlock): BlockView {
     verdict: { kind, text },
     rmsePx: rmse_px,
     sigma0Px: sigma0_px,
+    checks,
     score: null,
     warnings: warnings.map(({ text }) => text),
     formats: export_formats(),
@@ -137,6 +139,7 @@ export function viewOfParts(read: readonly ReadImage[], connections: readonly Co
     verdict: null,
     rmsePx: null,
     sigma0Px: null,
+    checks: null,
     score: null,
     warnings: [],
     formats: export_formats(),

@@ -67,6 +67,15 @@ function listOf(title: string, testid: string, texts: readonly string[]): HTMLEl
   return texts.length === 0 ? null : section(title, testid, h('ul', {}, ...texts.map((text) => h('li', {}, text))));
 }
 
+function checkFact({ points, rmse_m: rmse, ratio }: CheckSummary): Fact {
+  return {
+    name: 'Check points, RMSE',
+    testid: 'block-checks',
+    value: `${rmse.map((value) => fixed(value, 3)).join(' ')} m, ${count(points)} points${ratio === null ? '' : `, ${fixed(ratio, 2)} predicted`}`,
+    help: 'Root mean square difference of x, y, z between adjusted and surveyed check points, whose coordinates took no part; then the same in predicted standard errors, about 1 where these hold.',
+  };
+}
+
 function factsOf(view: BlockView): Fact[] {
   const connected = view.connections.filter(({ outcome }) => outcome.kind === 'connected');
   const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
@@ -108,6 +117,7 @@ function factsOf(view: BlockView): Fact[] {
       value: `${count(view.points.count)}, ${count(rays)} observations`,
       help: 'The tie points of the block and their image observations.',
     },
+    ...(view.checks === null ? [] : [checkFact(view.checks)]),
     {
       name: 'RMSE',
       testid: 'block-rmse',

@@ -1,5 +1,5 @@
 /** What the page shows of a block: small enough to be handed from worker to page, flat where there is much of it. */
-import type { BlockScore, BlockVerdict, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, BlockVerdict, CheckSummary, Connection, ExportFormat, Camera, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 
 export interface ViewImage {
   name: string;
@@ -106,6 +106,8 @@ export interface BlockView {
   verdict: { kind: BlockVerdict['kind']; text: string } | null;
   rmsePx: number | null;
   sigma0Px: number | null;
+  /** What check points say of the block; null without any. */
+  checks: CheckSummary | null;
   /** How near a simulated block is to its truth. */
   score: BlockScore | null;
   /** What is weak about the block, in words. */
