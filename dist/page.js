@@ -3544,6 +3544,14 @@ function strays(title, testid, names, why) {
 function listOf(title, testid, texts) {
 	return texts.length === 0 ? null : section(title, testid, h("ul", {}, ...texts.map((text) => h("li", {}, text))));
 }
+function checkFact({ points, rmse_m: rmse, ratio }) {
+	return {
+		name: "Check points, RMSE",
+		testid: "block-checks",
+		value: `${rmse.map((value) => fixed(value, 3)).join(" ")} m, ${count(points)} points${ratio === null ? "" : `, ${fixed(ratio, 2)} predicted`}`,
+		help: "Root mean square difference of x, y, z between adjusted and surveyed check points, whose coordinates took no part; then the same in predicted standard errors, about 1 where these hold."
+	};
+}
 function factsOf(view) {
 	const connected = view.connections.filter(({ outcome }) => outcome.kind === "connected");
 	const matches = connected.reduce((sum, connection) => sum + matchesOf(connection), 0);
@@ -3586,6 +3594,7 @@ function factsOf(view) {
 			value: `${count(view.points.count)}, ${count(rays)} observations`,
 			help: "The tie points of the block and their image observations."
 		},
+		...view.checks === null ? [] : [checkFact(view.checks)],
 		{
 			name: "RMSE",
 			testid: "block-rmse",
@@ -9314,7 +9323,7 @@ function resting(state, wanted, done) {
 	});
 	const reason = whyNotOriented(state);
 	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
-	const hint = pair_hint(verdict ?? {
+	const hint = state.settings === null ? null : pair_hint(verdict ?? {
 		kind: "not_oriented",
 		no_orientation: whyNone(state)
 	}, state.settings);

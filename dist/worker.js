@@ -1859,7 +1859,7 @@
 	// www/block/engine/outcome.ts
 	/** What of a block, finished or under way, the page shows. */
 	function viewOf(block) {
-		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict: { kind, text }, points } = block.overview();
+		const { images, skipped, unused_masks, unknown_images, remarks, cameras, pairs, groups, found, refinement, by_rays, oriented, rmse_px, sigma0_px, warnings, verdict: { kind, text }, checks, points } = block.overview();
 		const connections = pairs.map(connectionOf);
 		return {
 			partial: false,
@@ -1915,6 +1915,7 @@
 			},
 			rmsePx: rmse_px,
 			sigma0Px: sigma0_px,
+			checks,
 			score: null,
 			warnings: warnings.map(({ text }) => text),
 			formats: export_formats()
@@ -1980,6 +1981,7 @@
 			verdict: null,
 			rmsePx: null,
 			sigma0Px: null,
+			checks: null,
 			score: null,
 			warnings: [],
 			formats: export_formats()

@@ -2,6 +2,7 @@
 import { withText } from '../messages.js';
 import { acting_parameters, defaults, matches_csv, message, pair_hint, points_csv, resolved, write_pair_project } from '../node.js';
 import { checkSize } from './block-camera.js';
+import { VERDICT_CODES } from './errors.js';
 import { describeFileCameras, fileCamerasOf } from './file-cameras.js';
 import { makeFolder, readPhoto, writeInto } from './files.js';
 import { DEFAULT_WORKERS, JSON_FLAG, ORIENTING_OPTIONS, path, SETTING_OPTIONS, settingsOf, workersOption } from './options.js';

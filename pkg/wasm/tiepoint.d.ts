@@ -608,6 +608,10 @@ export interface ModelSummary {
      * Root mean square residuals of the GNSS positions that took part, of each coordinate; absent without any.
      */
     position_rmse_m: [number, number, number] | null;
+    /**
+     * Absent without check points.
+     */
+    checks: CheckSummary | null;
     warnings: WithText<BlockWarning>[];
 }
 
@@ -640,6 +644,10 @@ export interface ReconstructedModel {
      */
     rejected: RejectedObservation[];
     adjusted: AdjustmentResult;
+    /**
+     * The surveyed points, where it lies in their system.
+     */
+    surveyed?: SurveyedPoint[];
     /**
      * Whether it lies in the system of the observed positions; otherwise its place, turn and scale mean nothing.
      */
@@ -764,6 +772,10 @@ export interface GroundControlRow {
      * Standard errors of the place and of the height, above 0; absent where the file has none.
      */
     standard_errors: [number, number] | null;
+    /**
+     * What it is for; absent where it is not used at all.
+     */
+    role?: ControlRole | null;
 }
 
 /**
@@ -787,6 +799,7 @@ export interface ControlPoint {
 export interface GroundControlPoint {
     name: string;
     position: ObservedPosition;
+    role?: ControlRole;
     /**
      * Inside their images, one in each.
      */
@@ -840,6 +853,31 @@ export interface ImageMeasurementRow {
      */
     x_px: number;
     y_px: number;
+}
+
+/**
+ * A surveyed point beside its adjusted place.
+ */
+export interface SurveyedPoint {
+    name: string;
+    role: ControlRole;
+    /**
+     * Image measurements that took part.
+     */
+    rays: number;
+    /**
+     * Surveyed, in the system of the model.
+     */
+    position: [number, number, number];
+    /**
+     * Adjusted minus surveyed in m.
+     */
+    difference_m: [number, number, number];
+    /**
+     * Standard errors of the difference: of a check point those of both places together, of a control point those of a residual; absent without
+     * statistics, and for coordinates that nothing checks.
+     */
+    standard_errors_m: [number | null, number | null, number | null];
 }
 
 /**
@@ -2921,6 +2959,22 @@ export interface JoinedPoints {
 export type PairOutcome = { kind: "waiting" } | { kind: "connected"; matches: number } | { kind: "too_few_matches"; matches: number; needed: number } | { kind: "not_oriented"; no_geometry: NoGeometry } | { kind: "failed"; failure: Failure };
 
 /**
+ * What check points say of a model: differences, adjusted minus surveyed.
+ */
+export interface CheckSummary {
+    points: number;
+    /**
+     * Root mean squares of x, y, z.
+     */
+    rmse_m: [number, number, number];
+    mean_m: [number, number, number];
+    /**
+     * Root mean square of the differences by their predicted standard errors: about 1 where these hold; absent without statistics.
+     */
+    ratio: number | null;
+}
+
+/**
  * What is computed.
  */
 export type Computation = "affine_transformation" | "bundle_adjustment" | "by_and_bz" | "datum" | "determinant_form" | "distortion_correction" | "free_network" | "fundamental_matrix" | "homography" | "omega_and_kappa" | "relative_orientation" | "two_view_geometry";
@@ -3134,6 +3188,14 @@ export interface BlockOverview {
     rmse_px: number | null;
     sigma0_px: number | null;
     /**
+     * Absent without check points.
+     */
+    checks: CheckSummary | null;
+    /**
+     * The surveyed points of the model that is written.
+     */
+    surveyed: SurveyedPoint[];
+    /**
      * What is weak about the block.
      */
     warnings: WithText<OverviewWarning>[];
@@ -3222,6 +3284,11 @@ export interface ObservationStatistics {
      */
     detectable_px?: [number | null, number | null];
 }
+
+/**
+ * What the coordinates of a surveyed point are for.
+ */
+export type ControlRole = "control" | "check";
 
 /**
  * What the difference of two moments is divided by.

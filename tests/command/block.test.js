@@ -271,6 +271,15 @@ test('surveyed points place the block', () => {
   };
   assert.match(outside('-500,9'), /got \(-500, 9\) for P0 in photo_00000\.png, outside any image/);
   assert.match(outside('500,99999'), /got \(500, 99999\) for P0 in photo_00000\.png, outside the image; allowed: positions within its/);
+  const uses = points.map(({ name, at: place }, i) => [name, ...place, i === 3 ? 'check' : 'control'].join());
+  const checked = ran(...known, '--control', file(at, 'uses.csv', `name,x,y,z,use\n${uses.join('\n')}\n`), '--marks', file(at, 'marks.csv', marks.join('\n')));
+  const { checks } = checked.summary.orientation.models[0];
+  assert.ok(checks.points === 1 && checks.ratio < 4 && checks.rmse_m.every((/** @type {number} */ rmse) => rmse < 4), JSON.stringify(checks));
+  const table = readFileSync(join(checked.out, 'control.csv'), 'utf8').trimEnd().split('\n');
+  assert.deepEqual(
+    table.slice(1).map((row) => row.split(',').slice(0, 2).join(' ')),
+    ['P0 control', 'P1 control', 'P2 control', 'P3 check'],
+  );
   const feet = file(at, 'feet.csv', points.map(({ name, at: place }) => [name, ...place.map((v) => v * 3.28084)].join()).join('\n'));
   const { warnings } = ran(...known, '--control', feet, '--marks', file(at, 'marks.csv', marks.join('\n'))).summary.orientation.models[0];
   assert.ok(

@@ -5,7 +5,7 @@ import type { Fact } from '../../shared/panel/facts';
 import { count, fixed } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
 import { isOutdated } from '../state/state';
-import type { BlockScore, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
+import type { BlockScore, CheckSummary, RefinementOutcome } from '../../../pkg/wasm/tiepoint.js';
 import type { BlockView, ViewCamera } from '../state/view';
 import { matchesOf } from '../state/words';
 

@@ -96,7 +96,7 @@ function resting(state: State, wanted: number, done: number): Line {
   const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
   const verdict = isCurrent(state, 'orientation') ? state.results.orientation?.value.verdict : undefined;
-  const hint = pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
+  const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
   const more = hint === null ? '' : ` ${message('pair_hint', hint)}`;
   if (reason !== null || verdict === undefined) return { text: `${matched} ${reason ?? ''}`.trimEnd() + more, kind: 'partial' };
   return { text: `${message('pair_verdict', verdict)} ${matched}${more}`, kind: verdict.kind === 'oriented' ? 'done' : 'partial' };
