@@ -66,7 +66,7 @@ export const block = {
     ...OPTIONS,
   ],
   details:
-    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, control.csv (surveyed points beside their adjusted places), rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a ' +
+    'Files: project.tiepoint, images.csv, pairs.csv (with the reason of each pair), points.csv, surveyed.csv (surveyed points beside their adjusted places), rays.csv, orientation.json (the adjustment in full), summary.json. Images of one make, model, focal length and size share a ' +
     'camera. An image that cannot be read is told and left out. Files of an earlier run that this one does not write are removed unless they were changed; other files in DIR stay. ' +
     'A file that would be written over and that no run wrote, or that was changed since, is refused before anything is computed. The exit code is that of the verdict: 0 oriented, 3 weak, 4 where no image could be oriented; the files are written in any case. ' +
     'Models count from 1; what other programs read holds the first of them. JSON: what summary.json holds.',

@@ -73,7 +73,7 @@ export const match = {
     if (values.has('json')) printJson(result);
     else
       print(
-        ...describe(output, pair_hint(output.verdict, settings)),
+        ...describe(output, settings),
         ...(input.camera ? [] : describeFileCameras([leftPath, rightPath], cameras)),
         ...(score ? ['', ...describeScore(score, output)] : []),
         ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []),
@@ -178,9 +178,10 @@ function describeGeometry({ geometry, no_geometry: none }) {
   ];
 }
 
-/** The outcome in text.  @param {PairOutput} output @param {import('../node.js').PairHint | null} hint @returns {string[]} */
-export function describe(output, hint = null) {
+/** The outcome in text.  @param {PairOutput} output @param {import('../node.js').Given<import('../node.js').PairSettings>} settings @returns {string[]} */
+export function describe(output, settings) {
   const { matches, ...rejected } = output.match.counts;
+  const hint = pair_hint(output.verdict, settings);
   return [
     message('pair_verdict', output.verdict),
     ...(hint ? [`hint: ${message('pair_hint', hint)}`] : []),

@@ -13,8 +13,8 @@ use serde::Serialize;
 /// The name of the project file.
 const PROJECT: &str = "project.tiepoint";
 
-/// What is written of each block; `control.csv` where it has surveyed points.
-const FIXED: [&str; 8] = [PROJECT, "images.csv", "points.csv", "rays.csv", "orientation.json", "control.csv", "pairs.csv", "summary.json"];
+/// What is written of each block; `surveyed.csv` where it has surveyed points.
+const FIXED: [&str; 8] = [PROJECT, "images.csv", "points.csv", "rays.csv", "orientation.json", "surveyed.csv", "pairs.csv", "summary.json"];
 
 /// Takes the path, relative to the folder of the block and with slashes, and the text of a file.
 type Emit<'a> = &'a mut dyn FnMut(&str, &str) -> Result<(), Error>;
@@ -80,7 +80,7 @@ fn write_tables(run: &BlockRun, emit: Emit<'_>) -> Result<(), Error> {
         emit("orientation.json", &(json(assembly, false)? + "\n"))?;
     }
     if !surveyed(run).is_empty() {
-        emit("control.csv", &tables::control(surveyed(run)))?;
+        emit("surveyed.csv", &tables::control(surveyed(run)))?;
     }
     emit("pairs.csv", &tables::pairs(run, &pair_rows(run)?.0))
 }

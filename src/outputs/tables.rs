@@ -72,7 +72,7 @@ pub(super) fn pairs(run: &BlockRun, rows: &[PairRow]) -> String {
     table(&PAIRS, rows)
 }
 
-/// `control.csv`: surveyed points beside their adjusted places.
+/// `surveyed.csv`: surveyed points beside their adjusted places.
 pub(super) fn control(points: &[SurveyedPoint]) -> String {
     let rows = points.iter().map(|point| {
         let row = Row::default().text(&point.name).number(word(&point.role)).number(point.rays);

@@ -9,7 +9,7 @@ const BLOCK = photographed();
 const out = folder();
 const { orientation } = json(...BLOCK.call, '--out', out, '--workers', '2');
 const project = join(out, 'project.tiepoint');
-const photo = (/** @type {number} */ index) => join(BLOCK.photos, `photo_${index}.png`);
+const photo = (/** @type {number} */ index) => join(BLOCK.photos, `photo_0000${index}.png`);
 
 test('a pair takes the camera that a block calibrated', () => {
   const pair = json('match', photo(0), photo(1), '--camera', project);

@@ -275,7 +275,7 @@ test('surveyed points place the block', () => {
   const checked = ran(...known, '--control', file(at, 'uses.csv', `name,x,y,z,use\n${uses.join('\n')}\n`), '--marks', file(at, 'marks.csv', marks.join('\n')));
   const { checks } = checked.summary.orientation.models[0];
   assert.ok(checks.points === 1 && checks.ratio < 4 && checks.rmse_m.every((/** @type {number} */ rmse) => rmse < 4), JSON.stringify(checks));
-  const table = readFileSync(join(checked.out, 'control.csv'), 'utf8').trimEnd().split('\n');
+  const table = readFileSync(join(checked.out, 'surveyed.csv'), 'utf8').trimEnd().split('\n');
   assert.deepEqual(
     table.slice(1).map((row) => row.split(',').slice(0, 2).join(' ')),
     ['P0 control', 'P1 control', 'P2 control', 'P3 check'],
