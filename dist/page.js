@@ -12031,7 +12031,7 @@ var Database = class Database {
 			},
 			blocking: (_, __, event) => event.target.close()
 		});
-		const late = new Promise((_, reject) => setTimeout(() => reject(/* @__PURE__ */ new Error("the storage does not answer")), PATIENCE_MS));
+		const late = new Promise((_, reject) => setTimeout(() => setTimeout(() => reject(/* @__PURE__ */ new Error("the storage does not answer"))), PATIENCE_MS));
 		return new Database(await Promise.race([opening, late]));
 	}
 	/** The one changed last comes first. */
@@ -12224,7 +12224,7 @@ async function entriesOf(folder) {
 /** A tab that is just leaving lets go of its lock within this time, in ms. */
 var LEAVING_MS = 1e3;
 /** Other tabs answer within this time, in ms. */
-var ANSWER_MS = 400;
+var ANSWER_MS = 1500;
 var Claims = class {
 	tab;
 	held = /* @__PURE__ */ new Map();
@@ -12279,10 +12279,14 @@ var Claims = class {
 		const locks = navigator.locks;
 		if (locks === void 0) return steal ? Promise.resolve(() => void 0) : this.asked(project);
 		return new Promise((resolve) => {
+			let granted = false;
 			const how = steal ? { steal } : { signal: AbortSignal.timeout(LEAVING_MS) };
-			locks.request(`tiepoint-project-${project}`, how, () => new Promise((release) => resolve(release))).catch(() => {
+			locks.request(`tiepoint-project-${project}`, how, () => {
+				granted = true;
+				return new Promise((release) => resolve(release));
+			}).catch(() => {
 				resolve(null);
-				this.lose(project);
+				if (granted) this.lose(project);
 			});
 		});
 	}
@@ -12364,22 +12368,7 @@ var Keeper = class {
 			});
 		}
 		ready();
-		try {
-			show();
-		} catch (error) {
-			for (const keepable of this.keepables) keepable.clear();
-			const { project } = this.keeping.state;
-			this.keeping.dispatch({ trouble: {
-				kind: "unreadable",
-				reason: messageOf(error),
-				project: {
-					id: project,
-					title: "The last project"
-				}
-			} });
-			this.claim?.release();
-			this.claim = null;
-		}
+		await this.shown(show);
 		if (this.claim === null) await this.begin();
 		this.writtenMode = this.mode.now();
 		for (const keepable of this.keepables) keepable.watch(() => this.later());
@@ -12409,8 +12398,27 @@ var Keeper = class {
 		if (show === null) return;
 		await this.flush();
 		for (const keepable of this.keepables) keepable.clear();
-		show();
+		await this.shown(show);
 		this.writtenMode = this.mode.now();
+	}
+	/** Shows what was read. What was read well and still cannot be shown must not stop the page, and stays in the storage as it is. */
+	async shown(show) {
+		try {
+			show();
+		} catch (error) {
+			const { project } = this.keeping.state;
+			this.keeping.dispatch({ project: "" });
+			for (const keepable of this.keepables) keepable.clear();
+			await this.begin();
+			this.keeping.dispatch({ trouble: {
+				kind: "unreadable",
+				reason: messageOf(error),
+				project: {
+					id: project,
+					title: "The project"
+				}
+			} });
+		}
 	}
 	/** Puts the present project aside and begins a new one. */
 	async anew() {
@@ -12517,9 +12525,9 @@ var Keeper = class {
 		if (claim === null) return refuse("elsewhere", "");
 		try {
 			if (steal) await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
+			await database.edit(id, { writer: this.tab });
 			const parts = await database.parts(id);
 			const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
-			await database.edit(id, { writer: this.tab });
 			return () => {
 				if (this.claim !== claim) this.claim?.release();
 				this.claim = claim;
@@ -12550,7 +12558,7 @@ var Keeper = class {
 			project,
 			name: null
 		});
-		rememberProject(project);
+		if (this.database !== null) rememberProject(project);
 	}
 	lost(id) {
 		if (id !== this.keeping.state.project) return;
@@ -13215,7 +13223,9 @@ function mountProjects(keeper) {
 	const press = byId("projects");
 	const list = new ProjectList(keeper);
 	document.body.append(list.dialog);
-	anew.addEventListener("click", () => void keeper.anew());
+	anew.addEventListener("click", () => {
+		if (mayLeave(keeper)) keeper.anew();
+	});
 	press.addEventListener("click", () => void list.open());
 	mountKeeping(byId("keeping"), keeper, {
 		projects: () => void list.open(),
@@ -13225,6 +13235,11 @@ function mountProjects(keeper) {
 		anew.disabled = project === "";
 		press.disabled = !works || project === "";
 	});
+}
+/** Asks before what could not be kept is lost. */
+function mayLeave({ keeping }) {
+	const kind = keeping.state.trouble?.kind;
+	return !(kind === "full" || kind === "failed" || kind === "taken") || window.confirm("The last changes on the page could not be kept in this browser. Leave them?");
 }
 async function saveFiles(keeper, project, name) {
 	save(await archiveOf(await keeper.partsOf(project)), `${name}.zip`);
@@ -13268,7 +13283,7 @@ var ProjectList = class {
 	}
 	/** Does something after which the list is no longer needed. */
 	async leave(action) {
-		if (await this.attempt(action)) this.dialog.close();
+		if (mayLeave(this.keeper) && await this.attempt(action)) this.dialog.close();
 	}
 	/** Does something, and says what went wrong. */
 	async attempt(action) {
@@ -13285,14 +13300,15 @@ var ProjectList = class {
 	async change(action, focus) {
 		await this.attempt(async () => {
 			await action();
-			await this.show();
+			await this.show(focus);
 		});
-		(this.rows.querySelector(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector("button"))?.focus();
 	}
-	async show() {
+	/** `focus`: what has the keyboard among the new rows, at once: the next key is meant for it. */
+	async show(focus) {
 		const projects = await this.keeper.projects();
 		const none = h("li", { class: "note" }, "Nothing is kept yet.");
 		fill(this.rows, ...projects.length === 0 ? [none] : projects.map((row) => this.row(row)));
+		if (focus !== void 0) (this.rows.querySelector(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector("button"))?.focus();
 		await this.showRoom(projects);
 	}
 	async showRoom(projects) {
@@ -13348,6 +13364,7 @@ var ProjectList = class {
 			cancel();
 		});
 		fill(element, input, h("div", { class: "buttons" }, button("Rename", "project-name-take", take), button("Cancel", "project-name-cancel", cancel)));
+		input.focus();
 		input.select();
 	}
 	confirm(element, row) {

@@ -64,8 +64,10 @@ struct Description<'a> {
 impl<'a> Description<'a> {
     fn new(block: &'a Block, options: &'a AdjustmentOptions, settled: Settled) -> Self {
         let number = |verdict| settled.verdicts.iter().filter(|given| **given == verdict).count();
-        // Of a rejected observation one coordinate was beyond the limit: the other was cut by nothing.
-        let (kept, rejected) = (2 * number(ObservationVerdict::Accepted), number(ObservationVerdict::GrossError));
+        // The four coordinates of a point with two rays are one test: no more residuals are apart from each other than there is redundancy. Of a
+        // rejected observation one coordinate was beyond the limit: the other was cut by nothing.
+        let kept = (2 * number(ObservationVerdict::Accepted)).min(settled.redundancy);
+        let rejected = number(ObservationVerdict::GrossError);
         let cut = variance_left(kept, settled.redundancy, rejected, options.alpha0).sqrt();
         let estimated = (settled.redundancy > 0).then_some(settled.adjusted.sigma / cut);
         let sigma = options.sigma0_px.or(estimated).unwrap_or(0.0);

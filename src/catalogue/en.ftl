@@ -308,7 +308,7 @@ block-warning-levelled =
     }: { $recorded ->
         [true] the recorded directions of view level it
        *[false] its views are taken as vertical on average
-    }, to ± { FIXED($level_deg, digits: 0) }°.
+    }, assumed to ± { FIXED($level_deg, digits: 0) }°.
 block-warning-imprecise =
     σ0 is { FIXED($sigma0_px, digits: 1) } px, above the { FIXED($most_px, digits: 0) } px that matching reaches with the right camera: distortion, a wrong camera or wrong matches.
 block-warning-no-heights = The GNSS positions have no heights: the flight is taken as level, heights count from it, and the block may be tilted.

@@ -92,6 +92,9 @@ fn tau_density(tau: f64, freedom: f64) -> f64 {
     libm::exp(ln + 0.5 * (freedom - 3.0) * libm::log1p(-tau * tau / freedom))
 }
 
+/// No limit that rejects a tenth of good observations leaves less of their variance.
+const LEAST_LEFT: f64 = 0.1;
+
 /// What rejection beyond a limit leaves of the variance that the kept residuals show: the estimated σ² is to be divided by it. Exactly 1 where
 /// nothing was rejected or one degree of freedom is left.
 ///
@@ -112,7 +115,7 @@ pub(crate) fn variance_left(kept: usize, freedom: usize, rejected: usize, both_s
     let limit = tau_limit(both_sides, before.round() as usize);
     let cut = 2.0 * limit * (1.0 - limit * limit / before).max(0.0) * tau_density(limit.min(before.sqrt()), before);
     // Each rejection by mistake takes more than its share of the squares.
-    (1.0 - by_mistake / both_sides * cut / freedom as f64).clamp(f64::MIN_POSITIVE, 1.0)
+    (1.0 - by_mistake / both_sides * cut / freedom as f64).clamp(LEAST_LEFT, 1.0)
 }
 
 /// The shift, in standard errors of a residual, with which its size exceeds the limit of a test of this significance with the probability

@@ -1,7 +1,7 @@
 //! What is known of a block before it is oriented: cameras, images, ground control points.
 
 use super::block::seen_twice;
-use super::{BlockModel, GroundControlPoint, ModelImage, ObservedPosition};
+use super::{BlockModel, ControlRole, GroundControlPoint, ModelImage, ObservedPosition};
 use crate::Error;
 use crate::camera::{Camera, FreeParameters};
 use crate::error::refuse;
@@ -41,7 +41,16 @@ impl BlockDescription {
             }
             image.position.iter().try_for_each(|position| position.check(|| image.name.clone()))?;
         }
-        self.control.iter().try_for_each(|control| self.check_control(control))
+        self.control.iter().try_for_each(|control| self.check_control(control))?;
+        let is_geographic = |point: &GroundControlPoint| matches!(point.position, ObservedPosition::Geographic { .. });
+        let placing = self.control.iter().find(|point| point.role == ControlRole::Control);
+        let differs = |point: &&GroundControlPoint| {
+            point.role == ControlRole::Check && placing.is_some_and(|placing| is_geographic(placing) != is_geographic(point))
+        };
+        let other = self.control.iter().find(differs);
+        other.map_or(Ok(()), |point| {
+            refuse("check point", format!("another kind of coordinates for {}", point.name), "those of the control points")
+        })
     }
 
     fn check_control(&self, point: &GroundControlPoint) -> Result<(), Error> {

@@ -81,13 +81,17 @@ impl ControlTables {
             }
         }
         let unknown: Vec<String> = unknown.into_iter().collect();
-        let places = |point: &&GroundControlPoint| point.role == ControlRole::Control && point.measurements.len() >= 2;
-        let seen = joined.iter().filter(places).count();
+        if joined.is_empty() && !self.points.is_empty() {
+            return Ok((joined, unknown));
+        }
+        let placing = || joined.iter().filter(|point| point.role == ControlRole::Control);
+        let seen = placing().filter(|point| point.measurements.len() >= 2).count();
         if seen < LEAST_CONTROL {
             let more = if unknown.len() > SHOWN { " …" } else { "" };
             let named = unknown.iter().take(SHOWN).map(String::as_str).collect::<Vec<_>>().join(", ");
             let strange = if unknown.is_empty() { String::new() } else { format!("; the block does not have the images {named}{more}") };
-            let got = format!("{seen} of {} measured in two images or more{strange}", joined.len());
+            let checks = if placing().count() < joined.len() { " (check points do not count)" } else { "" };
+            let got = format!("{seen} of {}{checks} measured in two images or more{strange}", placing().count());
             return Err(Error::InvalidInput {
                 what: "ground control points",
                 got,
@@ -107,11 +111,14 @@ fn control_point(point: &GroundControlRow, role: ControlRole, placing: &Georefer
 /// Standard errors in m below which those of an RTK solution are not believed: the exposure and the antenna's place have their own.
 const LEAST_RTK_M: f64 = 0.02;
 
+/// The flag of a receiver that has a position at all.
+const LEAST_RTK_FLAG: u8 = 16;
+
 /// A GNSS position as an observation. The standard deviations of an RTK solution go first. A receiver that states its error otherwise states that
 /// of the place: the height is less sure by the same factor as without it.
 pub(super) fn gnss_observation(position: &ExifPosition, rtk: Option<&RtkSolution>, placing: &GeoreferencingOptions) -> ObservedPosition {
     let ExifPosition { longitude_deg, latitude_deg, height_m, error_m } = *position;
-    if let Some(deviations_m) = rtk.and_then(|rtk| rtk.standard_deviations_m) {
+    if let Some(deviations_m) = rtk.filter(|rtk| rtk.flag >= LEAST_RTK_FLAG).and_then(|rtk| rtk.standard_deviations_m) {
         let sigma_m = deviations_m.map(|deviation| deviation.max(LEAST_RTK_M));
         return ObservedPosition::Geographic { longitude_deg, latitude_deg, height_m, sigma_m };
     }
@@ -167,6 +174,12 @@ mod tests {
         };
         assert!(refused("1.png,z,1,1\n").contains("the point z"));
         let few = refused("1.png,a,1,1\n9.png,a,1,1\n");
+        let rows = "name,x,y,z,use\na,0,0,0,control\nb,100,0,0,check\nc,0,100,0,off\n";
+        let checked = ControlTables::read(rows, "1.png,a,1,1\n1.png,c,2,2\n").unwrap();
+        let checked = checked.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap_err().to_string();
+        assert!(checked.contains("0 of 1 (check points do not count) measured in two images"), "{checked}");
+        let off = ControlTables::read(&rows.replace("control", "off").replace("check", "off"), "1.png,a,1,1\n").unwrap();
+        assert_eq!(off.join(&["1.png".to_string()], &GeoreferencingOptions::default()).unwrap(), (Vec::new(), Vec::new()));
         assert!(few.contains("0 of 3 measured in two images or more; the block does not have the images 9.png;"), "{few}");
     }
 
@@ -180,6 +193,8 @@ mod tests {
         let fixed = RtkSolution { flag: 50, standard_deviations_m: Some([0.011, 0.012, 0.035]) };
         let by_rtk = gnss_observation(&position, Some(&fixed), &placing);
         assert!(matches!(by_rtk, ObservedPosition::Geographic { sigma_m: [0.02, 0.02, 0.035], .. }), "{by_rtk:?}");
+        let none = RtkSolution { flag: 0, ..fixed };
+        assert_eq!(gnss_observation(&position, Some(&none), &placing), gnss_observation(&position, None, &placing));
         let unstated = RtkSolution { standard_deviations_m: None, ..fixed };
         assert_eq!(gnss_observation(&position, Some(&unstated), &placing), gnss_observation(&position, None, &placing));
     }

@@ -10,7 +10,7 @@ use super::review::{Placing, warnings};
 use super::surveyed::surveyed_points;
 use super::warning::UnorientedReason;
 use crate::adjustment::{AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, ControlPoint, Datum, adjust_block};
-use crate::{ControlRole, Error};
+use crate::{Cause, ControlRole, Error};
 
 /// Rays without which an image falls out of the finished block.
 const LEAST_RAYS: usize = 6;
@@ -182,8 +182,8 @@ impl Draft {
             Err(Error::NotConverged { cause, .. } | Error::Degenerate { cause, .. } | Error::UndeterminedImage { cause, .. })
                 if datum != Datum::Free =>
             {
-                let levelled = level().and_then(|level| {
-                    let adjusted = with(&level.block, datum).ok()?;
+                let levelled = level().filter(|_| !matches!(cause, Cause::NoPosition)).and_then(|level| {
+                    let adjusted = with(&level.block, datum).ok().filter(|adjusted| level.is_kept(adjusted))?;
                     Some((adjusted, Placing::Levelled { recorded: level.recorded, error_deg: None }))
                 });
                 levelled.map_or_else(|| with(&self.block, Datum::Free).map(|adjusted| (adjusted, Placing::Free { cause: Some(cause) })), Ok)
@@ -215,9 +215,9 @@ impl Draft {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Computation;
     use crate::reconstruction::options::ReconstructionOptions;
     use crate::reconstruction::rays::Rays;
-    use crate::{Cause, Computation};
 
     #[test]
     fn the_image_that_an_error_names_is_lost_and_not_the_weakest() {

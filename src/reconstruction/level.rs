@@ -13,6 +13,9 @@ const ALIKE_DEG: f64 = 25.0;
 /// What the positions lose, in their standard errors squared, beyond which they contradict the level: χ² of two angles at 0.0001.
 const CONTRADICTION: f64 = 18.4;
 
+/// The least share of positions that a levelled block accepts where it could not be adjusted without the level.
+const LEAST_ACCEPTED: f64 = 0.8;
+
 /// A block with the axes that would level it.
 pub(super) struct Level {
     pub block: Block,
@@ -42,6 +45,13 @@ impl Level {
     pub fn is_plausible(&self, plain: &AdjustmentResult, levelled: &AdjustmentResult) -> bool {
         let lost = self.square_of_positions(levelled, plain) - self.square_of_positions(plain, plain);
         lost + self.square_of_axis(levelled) < CONTRADICTION
+    }
+
+    /// Whether an adjustment that was not possible without the level has kept it, and nearly all positions.
+    pub fn is_kept(&self, levelled: &AdjustmentResult) -> bool {
+        let positions = || levelled.images.iter().filter_map(|image| image.gnss);
+        let accepted = positions().filter(|gnss| gnss.accepted).count();
+        self.square_of_axis(levelled) < CONTRADICTION && accepted as f64 >= LEAST_ACCEPTED * positions().count() as f64
     }
 
     /// Sum of the squares of what positions are off in an adjustment, in standard errors; those count that `plain` accepts.

@@ -4,7 +4,7 @@ use super::frame::Frame;
 use super::level::{LEVEL_DEG, UNCERTAIN_TURN_DEG, uncertainty_deg};
 use super::result::{PointSource, ReconstructedModel};
 use super::units::of_units;
-use super::warning::{BlockWarning, Observed, RejectedPosition};
+use super::warning::{BlockWarning, Observed, RejectedPosition, UNKNOWN_TURN_DEG};
 use crate::Cause;
 use crate::adjustment::ObservationVerdict;
 use crate::model::BlockDescription;
@@ -16,8 +16,6 @@ const FEW_RAYS: usize = 20;
 const MANY_TWO_RAYS: f64 = 0.8;
 /// A model is weak where this share of its rays was rejected.
 const MANY_REJECTED: f64 = 0.2;
-/// An angle that is not surer than this is not known.
-const UNKNOWN_TURN_DEG: f64 = 45.0;
 /// How a model came to lie where it does.
 pub(super) enum Placing {
     /// By what was observed.

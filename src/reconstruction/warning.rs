@@ -49,11 +49,16 @@ messages! {
     }
 }
 
+/// An angle that is not surer than this is not known.
+pub(super) const UNKNOWN_TURN_DEG: f64 = 45.0;
+
 impl BlockWarning {
     /// Whether it speaks against the model as a whole: others tell what is weak of it, or what was done about it.
     pub(crate) fn is_weakness(&self) -> bool {
         match self {
             Self::Free { cause } => cause.is_some(),
+            // Of a wall or a street that was taken for the ground nothing tells.
+            Self::Levelled { recorded, error_deg, .. } => !recorded && error_deg.is_none_or(|error| error > UNKNOWN_TURN_DEG),
             Self::UnknownRotation { .. }
             | Self::UncertainRotation { .. }
             | Self::Imprecise { .. }
@@ -61,8 +66,7 @@ impl BlockWarning {
             | Self::Degrees
             | Self::FocalUndetermined { .. }
             | Self::ManyRejected { .. } => true,
-            Self::Levelled { .. }
-            | Self::NoHeights
+            Self::NoHeights
             | Self::PositionsRejected { .. }
             | Self::PointRejected { .. }
             | Self::MeasurementsRejected { .. }

@@ -44,6 +44,8 @@ const NOMINAL_PIXEL_MM: f64 = 0.001;
 /// Focal lengths and pixels that a file tells in two ways, further apart than this, as a share, are not of one photo: more than rounding and the
 /// definitions of equivalents make, less than the next zoom or a photo of half the size does.
 const MOST_CONTRADICTION: f64 = 0.2;
+/// Pixels of the focal plane by those of the 35 mm equivalent: a square of a 3:2 frame has 0.78, and a photo of half the size 0.5.
+const CROPPED: std::ops::RangeInclusive<f64> = 0.65..=1.2;
 /// Formats that differ by less, as a share, are the same after rounding to whole px, or to whole blocks of 16 px.
 const SAME_FORMAT: f64 = 0.01;
 /// A calibration is of images as large as its designed principal point says, where that is no more than this off another known size.
@@ -72,7 +74,7 @@ impl ExifCamera {
         let listed = || Some((listed_pixel_mm(&named, size)?, CameraOrigin::SensorTable));
         let equivalent = || Some((equivalent_pixel_mm(exif?, focal_mm?, size)?, CameraOrigin::Exif35Mm));
         let mut cautions: Vec<CameraCaution> = caution.into_iter().collect();
-        let in_doubt = measured.zip(equivalent().or_else(listed)).filter(|((own, _), (other, _))| contradict(*own, *other));
+        let in_doubt = measured.and_then(|own| Some((own, focal_plane_doubt(own.0, listed(), equivalent())?)));
         cautions.extend(in_doubt.map(|((own, _), (other, _))| CameraCaution::FocalPlane { pixel_um: 1e3 * own, expected_um: 1e3 * other }));
         let measured = measured.filter(|_| in_doubt.is_none());
         let by_exif = if in_doubt.is_some() { None } else { measured.or_else(equivalent).or_else(listed) };
@@ -117,6 +119,20 @@ impl ExifCamera {
 /// Whether two values for the same are too far apart.
 fn contradict(own: f64, other: f64) -> bool {
     (own / other - 1.0).abs() > MOST_CONTRADICTION
+}
+
+/// What the pixel should be by the sensor, or without it by the 35 mm equivalent, where the focal plane is of a photo of another size. A photo that
+/// the camera crops may keep the equivalent of the whole frame.
+fn focal_plane_doubt(
+    own: f64,
+    listed: Option<(f64, CameraOrigin)>,
+    equivalent: Option<(f64, CameraOrigin)>,
+) -> Option<(f64, CameraOrigin)> {
+    match (listed, equivalent) {
+        (Some(listed), _) => Some(listed).filter(|(pixel, _)| contradict(own, *pixel)),
+        (None, Some(equivalent)) => Some(equivalent).filter(|(pixel, _)| !CROPPED.contains(&(own / pixel))),
+        (None, None) => None,
+    }
 }
 
 /// The size in px that the photo was taken with.

@@ -3,7 +3,7 @@
 /** A tab that is just leaving lets go of its lock within this time, in ms. */
 const LEAVING_MS = 1000;
 /** Other tabs answer within this time, in ms. */
-const ANSWER_MS = 400;
+const ANSWER_MS = 1500;
 
 type Message = { kind: 'ask' | 'here' | 'taken'; project: string; from: string };
 
@@ -66,12 +66,17 @@ export class Claims {
     const locks = (navigator as { locks?: LockManager }).locks;
     if (locks === undefined) return steal ? Promise.resolve(() => undefined) : this.asked(project);
     return new Promise((resolve) => {
+      let granted = false;
       const how: LockOptions = steal ? { steal } : { signal: AbortSignal.timeout(LEAVING_MS) };
       locks
-        .request(`tiepoint-project-${project}`, how, () => new Promise<void>((release) => resolve(release)))
+        .request(`tiepoint-project-${project}`, how, () => {
+          granted = true;
+          return new Promise<void>((release) => resolve(release));
+        })
         .catch(() => {
           resolve(null);
-          this.lose(project);
+          // A lock that was never had is not lost.
+          if (granted) this.lose(project);
         });
     });
   }

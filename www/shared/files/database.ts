@@ -82,7 +82,8 @@ export class Database {
       // A later version of the page in another tab goes first.
       blocking: (_, __, event) => (event.target as IDBDatabase).close(),
     });
-    const late = new Promise<never>((_, reject) => setTimeout(() => reject(new Error('the storage does not answer')), PATIENCE_MS));
+    // An answer that came while the page was busy is heard first.
+    const late = new Promise<never>((_, reject) => setTimeout(() => setTimeout(() => reject(new Error('the storage does not answer'))), PATIENCE_MS));
     return new Database(await Promise.race([opening, late]));
   }
 

@@ -79,16 +79,7 @@ export class Keeper {
       this.keeping.dispatch({ works: false, trouble: { kind: 'absent', reason: messageOf(error), project: null } });
     }
     ready();
-    try {
-      show();
-    } catch (error) {
-      // What was read well and still cannot be shown must not stop the page.
-      for (const keepable of this.keepables) keepable.clear();
-      const { project } = this.keeping.state;
-      this.keeping.dispatch({ trouble: { kind: 'unreadable', reason: messageOf(error), project: { id: project, title: 'The last project' } } });
-      this.claim?.release();
-      this.claim = null;
-    }
+    await this.shown(show);
     if (this.claim === null) await this.begin();
     this.writtenMode = this.mode.now();
     for (const keepable of this.keepables) keepable.watch(() => this.later());
@@ -119,8 +110,22 @@ export class Keeper {
     // What was changed while it was read.
     await this.flush();
     for (const keepable of this.keepables) keepable.clear();
-    show();
+    await this.shown(show);
     this.writtenMode = this.mode.now();
+  }
+
+  /** Shows what was read. What was read well and still cannot be shown must not stop the page, and stays in the storage as it is. */
+  private async shown(show: () => void): Promise<void> {
+    try {
+      show();
+    } catch (error) {
+      const { project } = this.keeping.state;
+      // Nothing is written while the page has no project.
+      this.keeping.dispatch({ project: '' });
+      for (const keepable of this.keepables) keepable.clear();
+      await this.begin();
+      this.keeping.dispatch({ trouble: { kind: 'unreadable', reason: messageOf(error), project: { id: project, title: 'The project' } } });
+    }
   }
 
   /** Puts the present project aside and begins a new one. */
@@ -221,10 +226,10 @@ export class Keeper {
     if (claim === null) return refuse('elsewhere', '');
     try {
       if (steal) await new Promise((resolve) => setTimeout(resolve, HANDOVER_MS));
-      const parts = await database.parts(id);
-      const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
       // From now on what another tab would still write is refused.
       await database.edit(id, { writer: this.tab });
+      const parts = await database.parts(id);
+      const shows = await Promise.all(this.keepables.map((keepable) => keepable.read(parts)));
       return () => {
         if (this.claim !== claim) this.claim?.release();
         this.claim = claim;
@@ -249,7 +254,8 @@ export class Keeper {
     this.isNew = true;
     this.written = new Map();
     this.keeping.dispatch({ project, name: null });
-    rememberProject(project);
+    // Without a storage a reload may find again what was remembered before.
+    if (this.database !== null) rememberProject(project);
   }
 
   private lost(id: string): void {

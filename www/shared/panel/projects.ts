@@ -18,7 +18,9 @@ export function mountProjects(keeper: Keeper): void {
   const press = byId('projects') as HTMLButtonElement;
   const list = new ProjectList(keeper);
   document.body.append(list.dialog);
-  anew.addEventListener('click', () => void keeper.anew());
+  anew.addEventListener('click', () => {
+    if (mayLeave(keeper)) void keeper.anew();
+  });
   press.addEventListener('click', () => void list.open());
   mountKeeping(byId('keeping'), keeper, {
     projects: () => void list.open(),
@@ -28,6 +30,13 @@ export function mountProjects(keeper: Keeper): void {
     anew.disabled = project === '';
     press.disabled = !works || project === '';
   });
+}
+
+/** Asks before what could not be kept is lost. */
+function mayLeave({ keeping }: Keeper): boolean {
+  const kind = keeping.state.trouble?.kind;
+  const isLost = kind === 'full' || kind === 'failed' || kind === 'taken';
+  return !isLost || window.confirm('The last changes on the page could not be kept in this browser. Leave them?');
 }
 
 async function saveFiles(keeper: Keeper, project: string, name: string): Promise<void> {
@@ -60,7 +69,7 @@ class ProjectList {
 
   /** Does something after which the list is no longer needed. */
   private async leave(action: () => Promise<void>): Promise<void> {
-    if (await this.attempt(action)) this.dialog.close();
+    if (mayLeave(this.keeper) && (await this.attempt(action))) this.dialog.close();
   }
 
   /** Does something, and says what went wrong. */
@@ -79,16 +88,19 @@ class ProjectList {
   private async change(action: () => Promise<void>, focus: () => string): Promise<void> {
     await this.attempt(async () => {
       await action();
-      await this.show();
+      await this.show(focus);
     });
-    const next = this.rows.querySelector<HTMLElement>(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector<HTMLElement>('button');
-    next?.focus();
   }
 
-  private async show(): Promise<void> {
+  /** `focus`: what has the keyboard among the new rows, at once: the next key is meant for it. */
+  private async show(focus?: () => string): Promise<void> {
     const projects = await this.keeper.projects();
     const none = h('li', { class: 'note' }, 'Nothing is kept yet.');
     fill(this.rows, ...(projects.length === 0 ? [none] : projects.map((row) => this.row(row))));
+    if (focus !== undefined) {
+      const next = this.rows.querySelector<HTMLElement>(`[data-testid="${focus()}"]`) ?? this.dialog.querySelector<HTMLElement>('button');
+      next?.focus();
+    }
     await this.showRoom(projects);
   }
 
@@ -166,6 +178,7 @@ class ProjectList {
       cancel();
     });
     fill(element, input, h('div', { class: 'buttons' }, button('Rename', 'project-name-take', take), button('Cancel', 'project-name-cancel', cancel)));
+    input.focus();
     input.select();
   }
 
