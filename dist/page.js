@@ -12551,7 +12551,7 @@ var Keeper = class {
 	async begin() {
 		const project = randomName();
 		this.claim?.release();
-		this.claim = await this.claims.take(project, false, () => this.lost(project));
+		this.claim = await this.claims.take(project, true, () => this.lost(project));
 		this.isNew = true;
 		this.written = /* @__PURE__ */ new Map();
 		this.keeping.dispatch({

@@ -250,7 +250,8 @@ export class Keeper {
   private async begin(): Promise<void> {
     const project = randomName();
     this.claim?.release();
-    this.claim = await this.claims.take(project, false, () => this.lost(project));
+    // No other tab can have it: nobody is asked.
+    this.claim = await this.claims.take(project, true, () => this.lost(project));
     this.isNew = true;
     this.written = new Map();
     this.keeping.dispatch({ project, name: null });
