@@ -214,6 +214,8 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
   assert.equal(await page.evaluate(() => window.isSecureContext), false);
   await part(page, 'mode-block').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await part(page, 'block-settings').click();
+  await part(page, 'block-wait').check();
   await photograph(page);
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 6 images/);

@@ -153,6 +153,7 @@ export interface PaneView {
   scale: number;
 }
 
+/** `matched`: accepted matches alone; `all`: the points that were rejected too, and those that nothing was decided about. */
 export type PointLayer = 'all' | 'matched' | 'none';
 export type LineLayer = 'all' | 'some' | 'none';
 
@@ -217,6 +218,6 @@ export const INITIAL: State = {
   selection: null,
   activeSide: 'left',
   views: { left: null, right: null },
-  display: { points: 'all', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
+  display: { points: 'matched', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
   notice: null,
 };

@@ -1,11 +1,11 @@
 /** Moves through the images and from point to point. */
+import { isCodeShown } from '../state/display';
 import { sameGround } from '../state/follow';
 import { otherSide } from '../state/state';
 import type { PaneView, Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { clamped, fitView, zoomed } from './geometry';
 import { contains, toCanvas } from '../../shared/view/transform';
-import { isShown } from './scene';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
@@ -51,7 +51,7 @@ export class Navigator {
     const count = pane.codes.length;
     const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
     for (let i = start + by; i >= 0 && i < count; i += by) {
-      if (isShown(state.display, pane.codes[i] ?? 0)) {
+      if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
         this.select({ side: pane.side, index: i });
         return;
       }
