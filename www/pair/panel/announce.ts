@@ -1,6 +1,6 @@
 /** Announces the selected point to screen readers. */
-import { message } from '../../shared/crate';
-import { CODES, UNDECIDED } from '../state/codes';
+import { UNDECIDED } from '../state/codes';
+import { textOfCode } from '../state/labels';
 import { leftCodes, rightCodes, shownPair } from '../state/select';
 import type { Store } from '../state/store';
 import { count, fixed } from '../../shared/text/format';
@@ -15,6 +15,6 @@ export function mountAnnouncements(host: HTMLElement, store: Store): void {
     const points = shown[selection.side];
     const codes = selection.side === 'left' ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
-    host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${message('verdict', CODES[codes[selection.index] ?? UNDECIDED] ?? 'undecided', 'label')}.`;
+    host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${textOfCode(codes[selection.index] ?? UNDECIDED, 'label')}.`;
   });
 }

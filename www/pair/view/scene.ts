@@ -2,7 +2,7 @@
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { residualVectors } from '../state/residuals';
-import { GROSS_ERROR, MATCHED } from '../state/codes';
+import { OF_MATCHES } from '../state/codes';
 import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
 import type { Places } from '../state/select';
 import { SIDES } from '../state/state';
@@ -82,7 +82,7 @@ export function sceneOf(state: State, width: number, height: number): Scene {
 /** Codes of points that the layer settings show. */
 export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, code: number): boolean {
   if (hidden.includes(code)) return false;
-  return points === 'all' || (points === 'matched' && (code === MATCHED || code === GROSS_ERROR));
+  return points === 'all' || (points === 'matched' && OF_MATCHES.includes(code));
 }
 
 /** The pane at a canvas position. */
