@@ -100,8 +100,8 @@ async function typeChecks(steps) {
   await steps.check('types', 'format and lints of JavaScript and TypeScript', program(['@biomejs', 'biome', 'bin', 'biome'], 'ci', '--error-on-warnings'));
   await steps.check('types', 'types of the page', tsc('tsconfig.json'));
   await steps.check('types', 'types of package, tools and tests', tsc('tsconfig.node.json'));
-  await steps.check('types', 'layers and texts of the page, judge of the bench', () =>
-    nodeTest(['layers', 'words', 'judge'].map((name) => join(ROOT, 'tests', `${name}.test.js`))),
+  await steps.check('types', 'layers, texts and edits of the page, judge of the bench', () =>
+    nodeTest(['layers', 'words', 'judge', 'edits'].map((name) => join(ROOT, 'tests', `${name}.test.js`))),
   );
 }
 

@@ -237,10 +237,12 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([
   ['tablet', 1024, 768, 'light'],
 ])) {
   test(`a ${name} screen shows the block without scrolling sideways`, { skip: SKIP }, async () => {
-    const { page, complaints, close } = await block({ options: { viewport: { width, height }, colorScheme } });
+    const { page, complaints, close } = await block({ fresh: true, options: { viewport: { width, height }, colorScheme } });
     await page.screenshot({ path: join(SHOTS, `block-${name}.png`) });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
+    await part(page, 'menu').click();
     for (const id of ['mode-pair', 'block-files', 'block-run', 'block-export-kind']) assert.ok(await part(page, id).isVisible(), id);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
     assert.deepEqual(complaints, []);
     await close();
   });

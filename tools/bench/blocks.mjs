@@ -124,9 +124,13 @@ async function pageOf() {
     await tab.waitForFunction(() => /Press Run/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''));
     const began = performance.now();
     await part('block-run').click();
-    await tab.waitForFunction(() => /^(Oriented|Weak orientation)|Kept:|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''), undefined, {
-      timeout: 600_000,
-    });
+    await tab.waitForFunction(
+      () => /^(Oriented|Weak orientation)|Kept:|not finished/.test(document.querySelector('[data-testid="block-status"]')?.textContent ?? ''),
+      undefined,
+      {
+        timeout: 600_000,
+      },
+    );
     const seconds = (performance.now() - began) / 1000;
     const text = async (/** @type {string} */ id) => (await part(id).textContent()) ?? '';
     /** @type {Record<string, number>} */

@@ -17,6 +17,7 @@ import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
 import { mountCounts } from './panel/counts';
+import { mountEditKeys, mountEdits, mountEditTools } from './panel/edits';
 import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
 import { mountHeader, pickerOf } from './panel/header';
@@ -28,6 +29,7 @@ import { mountSimulate } from './panel/simulate';
 import { mountStatistics } from './panel/statistics';
 import { mountStatus } from './panel/status';
 import { mountToolbar } from './panel/toolbar';
+import { Editing } from './state/editing';
 import { Store } from './state/store';
 import { mountInput } from './view/input';
 import { Navigator } from './view/navigate';
@@ -95,8 +97,10 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
     }
   };
 
-  mountInput(view, store, navigator);
+  const editing = new Editing(store);
+  mountInput(view, store, navigator, editing);
   mountToolbar(byId('toolbar'), store, navigator);
+  mountEditTools(byId('view-more'), store, editing);
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),
@@ -111,7 +115,9 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
   mountOrientation(results, store);
   mountHistograms(results, store);
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
-  mountStatistics(matches, store, (side, index) => navigator.select({ side, index }));
+  mountEdits(matches, store, editing);
+  mountEditKeys(matches, store, editing);
+  mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
   mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
   mountAnnouncements(byId('announce'), store, () => {
     showTab('tab-point');

@@ -52,7 +52,7 @@ function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   if (running.kind === 'yes') return line('busy', runText(running.steps));
   if (notice?.beside === true) {
     const answer = answerOf({ ...state, notice: null }, actions);
-    return { ...answer, more: notice.text };
+    return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
   }
   if (notice !== null) return line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
   if (state.refused !== null) return line('problem', refusedText(state.refused));

@@ -1,4 +1,5 @@
 /** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
+import { editedPair } from '../state/edited';
 import { wantedKeys } from '../state/keys';
 import type { StageDone } from '../state/actions';
 import type { GivenImage, Side, StageName, State } from '../state/state';
@@ -36,7 +37,7 @@ export class Engine implements Workers {
 
   constructor(private readonly store: Store) {
     store.watch(['settings', 'camera', 'photos', 'masks', 'offset', 'fiducialModel'], () => this.later());
-    store.watch(['images', 'selection', 'paused', 'failures'], () => this.update());
+    store.watch(['images', 'selection', 'history', 'paused', 'failures'], () => this.update());
   }
 
   client(name: WorkerName): PairClient {
@@ -130,7 +131,9 @@ export class Engine implements Workers {
     try {
       const value = await RUNS[stage](state, this);
       // The table of runs gives each stage its own type of value.
-      this.store.dispatch({ type: 'stageDone', stage, result: { key, value, milliseconds: performance.now() - started } } as StageDone);
+      const of = stage === 'orientation' ? editedPair(state) : null;
+      const result = { key, value, milliseconds: performance.now() - started, ...(of === null ? {} : { of }) };
+      this.store.dispatch({ type: 'stageDone', stage, result } as StageDone);
     } catch (error) {
       this.failed(stage, key, error);
     }

@@ -1,5 +1,6 @@
 /** What is looked up about the selected point: what was compared, the candidates, where it may be seen in the other image. */
 import { CELLS, DESCRIPTOR_BYTES } from '../state/descriptor';
+import { editedPair } from '../state/edited';
 import { knownInterior } from '../state/interior';
 import { comparesGradients, comparesGreyValues } from '../state/keys';
 import { readable } from '../../shared/text/names';
@@ -24,6 +25,11 @@ function comparedWindow(state: State): Partial<ReturnType<typeof settingsOf>['wi
   return comparesGreyValues(settings) ? { side: settings.matching.template, shape: 'square' } : settings.window;
 }
 
+/** The matches with what was done to them by hand. */
+function matchOf(state: State): StageValues['match'] {
+  return editedPair(state)?.match ?? needed(state, 'match');
+}
+
 function pointsOf(state: State, side: Side): StageValues['pointsLeft'] {
   return needed(state, side === 'left' ? 'pointsLeft' : 'pointsRight');
 }
@@ -31,7 +37,8 @@ function pointsOf(state: State, side: Side): StageValues['pointsLeft'] {
 /** A position of an image, as its points give it; null where there is no such point. */
 function pointAt(state: State, side: Side, index: number): Position | null {
   if (index < 0) return null;
-  const [x, y] = pointsOf(state, side).points.subarray(3 * index, 3 * index + 2);
+  const points = side === 'left' ? editedPair(state)?.left : undefined;
+  const [x, y] = (points ?? pointsOf(state, side).points).subarray(3 * index, 3 * index + 2);
   return x === undefined || y === undefined ? null : [x, y];
 }
 
@@ -53,6 +60,8 @@ async function featureAt(workers: Workers, state: State, side: Side, index: numb
   const at = pointAt(state, side, index);
   if (at === null) return null;
   const { frames, gradients } = pointsOf(state, side);
+  // What was measured by hand has no descriptor.
+  if (DESCRIPTOR_BYTES * index >= gradients.length) return null;
   const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
   const reach = CELLS * settingsOf(state).gradient.cell * scale;
   const worker = await workers.withImage(side, state);
@@ -83,7 +92,7 @@ async function lineOf(workers: Workers, state: State): Promise<SeenAt | null> {
 
 async function candidatesOf(workers: Workers, state: State, left: number): Promise<Float64Array> {
   const settings = settingsOf(state);
-  if (left < 0 || comparesGreyValues(settings)) return new Float64Array();
+  if (left < 0 || 3 * left >= pointsOf(state, 'left').points.length || comparesGreyValues(settings)) return new Float64Array();
   const worker = workers.client('pair');
   if (!comparesGradients(settings)) return worker.call('candidates', { ...matchInput(state), index: left, options: settings.matching });
   const [of, among] = [pointsOf(state, 'left').gradients, pointsOf(state, 'right').gradients];
@@ -92,7 +101,7 @@ async function candidatesOf(workers: Workers, state: State, left: number): Promi
 
 /** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers: Workers, state: State, left: number): Promise<Pick<Inspection, 'left' | 'right' | 'features'>> {
-  const { best, places } = needed(state, 'match');
+  const { best, places } = matchOf(state);
   const { selection } = state;
   const right = selection?.side === 'right' ? selection.index : (best[left] ?? -1);
   if (comparesGradients(settingsOf(state))) {
@@ -105,7 +114,7 @@ async function comparedOf(workers: Workers, state: State, left: number): Promise
 }
 
 export const inspection: Run<Inspection> = async (state, workers) => {
-  const { best, rules } = needed(state, 'match');
+  const { best, rules } = matchOf(state);
   const left = leftIndexOf(state, best, rules);
   const [compared, candidates, line] = await Promise.all([comparedOf(workers, state, left), candidatesOf(workers, state, left), lineOf(workers, state)]);
   return { ...compared, candidates, line };

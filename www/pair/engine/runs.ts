@@ -1,6 +1,8 @@
 /** How each stage is computed: which calls, on which worker, from which results. */
 import { message } from '../../shared/crate';
-import type { Side, StageName, StageValues } from '../state/state';
+import type { Side, StageName, StageValues, State } from '../state/state';
+import { editedPair } from '../state/edited';
+import type { Edited } from '../state/edited';
 import { interiorInUse, knownInterior } from '../state/interior';
 import { comparesGradients, comparesMoments, isCurrent, pairCameras } from '../state/keys';
 import { truthOf } from '../state/truth';
@@ -83,12 +85,19 @@ function interior(side: Side): Run<StageValues['interiorLeft']> {
   };
 }
 
+/** The matches with what was done to them by hand. */
+function edited(state: State): Edited {
+  const pair = editedPair(state);
+  if (pair === null) throw new Error('the matches are of other points');
+  return pair;
+}
+
 const orientation: Run<StageValues['orientation']> = async (state, workers) => {
-  const { matches, fits } = needed(state, 'match');
+  const { left, match: used } = edited(state);
+  const { matches, fits } = used;
   const ofPair = interiorInUse(state);
   if (ofPair === null) throw new Error('no interior orientation is known');
-  const count = (name: 'pointsLeft' | 'pointsRight') => needed(state, name).points.length / 3;
-  const points: [number, number] = [count('pointsLeft'), count('pointsRight')];
+  const points: [number, number] = [left.length / 3, needed(state, 'pointsRight').points.length / 3];
   return workers.client('pair').call('orient', { matches, fits, interior: ofPair, options: settingsOf(state).orientation, points });
 };
 
@@ -97,8 +106,8 @@ const score: Run<StageValues['score']> = async (state, workers) => {
   if (truth === null) throw new Error('these images have no truth');
   const { info } = needed(state, 'openRight');
   return workers.client('pair').call('score', {
-    matches: needed(state, 'match').matches,
-    leftPoints: needed(state, 'pointsLeft').points,
+    matches: edited(state).match.matches,
+    leftPoints: edited(state).left,
     rightPosition: truth.rightPosition,
     left: { width: truth.leftWidth, height: truth.leftHeight },
     right: { width: info.width, height: info.height },

@@ -1,6 +1,8 @@
 /** What can be taken away: matches as CSV, everything as JSON, the picture as PNG. */
 import { message } from '../../shared/crate';
 import type { Engine } from '../engine/engine';
+import { BY_HAND, CODES } from '../state/codes';
+import { editedPair, isManual, placeOfLeft } from '../state/edited';
 import { interiorInUse } from '../state/interior';
 import { isCurrent, pairCameras } from '../state/keys';
 import { NO_POINT, shownPair } from '../state/select';
@@ -36,9 +38,8 @@ function framesOf(state: State, side: Side) {
 function verdicts(state: State) {
   const { match } = shownPair(state);
   if (match === null) return null;
-  const names = state.catalogue?.rules ?? [];
   return Array.from(match.rules, (rule, i) => ({
-    rule: names[rule] ?? String(rule),
+    rule: CODES[rule] ?? String(rule),
     best: match.best[i] === -1 ? null : (match.best[i] ?? null),
     place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
     measure: finite(match.measures[2 * i]),
@@ -52,7 +53,7 @@ function finite(value: number | undefined): number | null {
 }
 
 function countsOf(state: State) {
-  const match = state.results.match?.value.counts;
+  const match = (editedPair(state)?.match ?? state.results.match?.value)?.counts;
   const { matches, ...rejected } = match ?? { matches: null };
   return {
     left: state.results.pointsLeft?.value.counts ?? null,
@@ -68,6 +69,16 @@ function verdictOf(state: State): object | null {
   return verdict === undefined ? null : { ...verdict, text: message('pair_verdict', verdict) };
 }
 
+/** What was done by hand; null where nothing was. */
+function editsOf(state: State): object | null {
+  const edited = editedPair(state);
+  if (edited === null || edited.match === edited.found) return null;
+  const { rules, matches } = edited.match;
+  const off = Array.from(rules, (_, left) => left).filter((left) => rules[left] === BY_HAND);
+  const manual = Array.from({ length: matches.length / 5 }, (_, row) => row).filter((row) => isManual(edited.match, row));
+  return { rejected_by_hand: off.map((left) => placeOfLeft(edited, left)), measured_by_hand: manual };
+}
+
 /** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
 export function everything(state: State): object {
   const { left, right, match, orientation } = shownPair(state);
@@ -79,11 +90,13 @@ export function everything(state: State): object {
       photo: 'mm, x to the right, y up, origin at the principal point',
       points: '[x, y, interest value]',
       frames: 'for points of many scales: [scale in px, direction in rad from x towards y]',
-      matches: '[x left, y left, x right, y right, measure]',
+      matches: '[x left, y left, x right, y right, measure]; the measure of one that was measured by hand is -1',
       match_indices: '[index of the left point, index of the right point], the right one null where the place found is no interest point',
       fits: 'least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations], null for one that it did not confirm',
       orientation_points:
         'a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]',
+      edits:
+        'rejected_by_hand: [x left, y left, x right, y right] of each match; measured_by_hand: indices of matches; left points measured by hand follow those that were found',
       verdicts: 'one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure',
     },
     verdict: verdictOf(state),
@@ -99,6 +112,7 @@ export function everything(state: State): object {
     frames: { left: framesOf(state, 'left'), right: framesOf(state, 'right') },
     matches: match === null ? null : rows(match.matches, 5),
     match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => (index === NO_POINT ? null : index))),
+    edits: editsOf(state),
     fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => (fit.every(Number.isNaN) ? null : fit.map(finite))),
     verdicts: verdicts(state),
     geometry: match?.geometry ?? null,

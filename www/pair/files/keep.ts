@@ -9,11 +9,12 @@ import { remember } from '../../shared/state/remember';
 import { titleOf } from '../../shared/text/project';
 import type { Engine } from '../engine/engine';
 import type { ImageSource } from '../state/data';
-import { besideOf, bothSides, isBlank, isWhole, resultsOf, typedOf } from '../state/kept';
+import { areSame, besideOf, bothSides, isBlank, isWhole, resultsOf, typedOf, unedited } from '../state/kept';
 import type { KeptFile, KeptPair, KeptResult, Typed } from '../state/kept';
 import { INITIAL, SIDES } from '../state/state';
 import type { FlightTruth, GivenImage, GivenMask, Side, State } from '../state/state';
 import type { Store } from '../state/store';
+import { Journal } from './journal';
 import { freshId, MASK_SIDE } from './open';
 import { standingFor } from '../state/project';
 import { projectText, readProject } from './project';
@@ -41,6 +42,7 @@ const WATCHED = [
   'flight',
   'display',
   'results',
+  'history',
   'running',
   'paused',
 ] as const satisfies readonly (keyof State)[];
@@ -54,6 +56,7 @@ interface Made {
 export class KeptPairs implements Keepable {
   private made: Made | null = null;
   private making = false;
+  private readonly journal = new Journal();
   private timer: number | undefined;
   private changed: () => void = () => undefined;
 
@@ -83,6 +86,7 @@ export class KeptPairs implements Keepable {
     const given = isBlank(state) ? null : givenOf(state);
     if (given === null) return parts;
     parts.set(GIVEN, { value: given, bytes: SMALL });
+    for (const [part, kept] of this.journal.parts(state.history)) parts.set(part, kept);
     for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) {
       if (given !== null) parts.set(FILE + nameOf(given.source), { value: given.source, bytes: bytesOf(given.source), alone: true });
     }
@@ -103,6 +107,7 @@ export class KeptPairs implements Keepable {
     const kept = givenFrom(value, this.catalogue);
     const { typed, display, flight, paused } = kept;
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
+    const history = this.journal.read(parts);
     const result = await this.result(parts, kept);
     const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
     const opened = { ...result?.standing };
@@ -114,8 +119,8 @@ export class KeptPairs implements Keepable {
     );
     const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
     return () => {
-      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, opened, result } });
-      if (result !== null) this.made = { kept: result.kept, results: resultsOf(this.store.state) };
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, opened, result } });
+      if (result !== null) this.made = { kept: result.kept, results: resultsOf(unedited(this.store.state)) };
       const names = this.images();
       if (names.length === 0) return;
       const text = `Restored from this browser: ${titleOf({ name: null, images: names })}.`;
@@ -136,10 +141,11 @@ export class KeptPairs implements Keepable {
     if (this.making || !isWhole(state)) return;
     const results = resultsOf(state);
     const typed = typedOf(state);
-    if (typed === null || this.made?.results.every((value, i) => value === results[i]) === true) return;
+    if (typed === null || (this.made !== null && areSame(this.made.results, results))) return;
     this.making = true;
     try {
-      const project = await projectText(state, this.engine);
+      // Edits have a journal of their own.
+      const project = await projectText(unedited(state), this.engine);
       if (project !== null) this.made = { results, kept: { project, typed, of: filesOf(state), ...besideOf(state) } };
     } catch {
       // The worker was ended. What is kept of the earlier results stays.

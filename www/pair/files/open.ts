@@ -5,6 +5,8 @@ import type { Flight } from '../../shared/crate';
 import { messageOf, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import { isWorthKeeping } from '../state/kept';
+import { editsOfFile } from '../state/project';
+import type { OpenedProject } from '../state/project';
 import { titleOf } from '../../shared/text/project';
 import { SIDES } from '../state/state';
 import type { GivenImage, Side } from '../state/state';
@@ -38,6 +40,14 @@ type Told = { kind: 'info' | 'problem'; text: string } | null;
 
 const problem = (text: string): Told => ({ kind: 'problem', text });
 const info = (text: string): Told => ({ kind: 'info', text });
+
+/** A file holds the matches as the edits left them, and not the edits. */
+function editsToldOf({ project }: OpenedProject): Told {
+  const { rejected, manual } = editsOfFile(project);
+  const of = (number: number, what: string) => (number === 0 ? [] : [`${String(number)} ${number === 1 ? 'match' : 'matches'} ${what} by hand`]);
+  const said = [...of(rejected, 'rejected'), ...of(manual, 'measured')];
+  return said.length === 0 ? null : info(`It holds ${said.join(' and ')}; the history of these edits is not in the file, so they cannot be undone.`);
+}
 
 export class Files {
   isReady = false;
@@ -99,7 +109,7 @@ export class Files {
       const opened = await readProject(this.engine, file, freshId);
       const aside = await this.leave();
       this.store.dispatch({ type: 'opened', opened });
-      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), aside]);
+      this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), editsToldOf(opened), aside]);
     } catch (error) {
       this.tell([this.failed(`${file.name} cannot be opened`, error)]);
     }

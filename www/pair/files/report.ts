@@ -2,6 +2,7 @@
 import { Cancelled } from '../../shared/engine/client';
 import type { ReportInput } from '../engine/calls';
 import type { Engine } from '../engine/engine';
+import { isEdited } from '../state/kept';
 import { truthOf } from '../state/truth';
 import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
@@ -40,7 +41,9 @@ export async function exportReport(store: Store, engine: Engine): Promise<void> 
     say(`Report, step ${String(steps.length + 1)} of ${String(steps.length + 1)}: writing …`);
     const page = await client.call('reportPage', null);
     save(new Blob([page], { type: 'text/html' }), `${baseName(store.state)}-report.html`);
-    store.dispatch({ type: 'notice', notice: null });
+    // It matches the images by each strategy anew.
+    const text = 'The report was saved. It matches by every strategy anew: edits by hand are not in it.';
+    store.dispatch({ type: 'notice', notice: isEdited(store.state) ? { kind: 'info', text } : null });
   } catch (error) {
     if (!(error instanceof Cancelled)) throw error;
     store.dispatch({ type: 'notice', notice: { kind: 'info', text: 'The report was cancelled.' } });

@@ -1,7 +1,7 @@
 /** Says beside the picture what became of the selected point, and why. */
 import { leftCodes, rightCodes, shownPair } from '../state/select';
-import { message } from '../../shared/crate';
-import { CODES, UNDECIDED } from '../state/codes';
+import { UNDECIDED } from '../state/codes';
+import { textOfCode } from '../state/labels';
 import type { Store } from '../state/store';
 import { button, byId, fill, h } from '../../shared/panel/dom';
 import { count, fixed } from '../../shared/text/format';
@@ -24,7 +24,7 @@ export function mountAnnouncements(host: HTMLElement, store: Store, details: () 
     const points = shown[selection.side];
     const codes = selection.side === 'left' ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
-    const label = message('verdict', CODES[codes[selection.index] ?? UNDECIDED] ?? 'undecided', 'label');
+    const label = textOfCode(codes[selection.index] ?? UNDECIDED, 'label');
     const why = shown.match === null ? '' : verdictOf(state, shown, shown.match).text;
     text.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${why === '' ? `${label}.` : why}`;
   });

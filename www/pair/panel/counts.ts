@@ -1,10 +1,12 @@
 /** The counts of each phase, as in the paper's Table 1, and what each rule refused. */
-import { message, resolved } from '../../shared/crate';
-import type { Paper, PointCounts } from '../../shared/crate';
+import { resolved } from '../../shared/crate';
+import type { MatchResult, Paper, PointCounts } from '../../shared/crate';
 import { comparesMoments, isCurrent, isStale } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
-import { CODES, GROSS_ERROR, MATCHED, REFUSALS, codeOf } from '../state/codes';
+import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, REFUSALS, codeOf } from '../state/codes';
+import { countsByHand, editedPair } from '../state/edited';
 import { isCodeShown, withCode } from '../state/display';
+import { textOfCode } from '../state/labels';
 import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
 import type { Store } from '../state/store';
@@ -40,7 +42,7 @@ export function mountCounts(host: HTMLElement, store: Store): void {
   const matches = section('Matches', 'matches-section', rules);
   host.append(points, matches);
   store.watch(
-    (s) => [s.results, s.settings, s.images, s.display, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
+    (s) => [s.results, s.history, s.settings, s.images, s.display, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
     () => {
       const { state } = store;
       points.classList.toggle('is-stale', pointsAreStale(state));
@@ -62,7 +64,7 @@ function cell(testid: string, text: string): HTMLTableCellElement {
 function phaseTable(state: State): HTMLElement {
   const left = state.results.pointsLeft?.value;
   const right = state.results.pointsRight?.value;
-  const matches = state.results.match?.value.counts.matches;
+  const matches = matchOf(state)?.counts.matches;
   const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : undefined;
   const paper = (text: (of: Paper) => string) => (printed === undefined ? [] : [h('td', { class: 'number paper' }, text(printed))]);
   const counted = (place: 0 | 1 | 2 | null) => paper(({ points }) => (place === null ? '–' : points[place].map(count).join(' / ')));
@@ -103,8 +105,13 @@ function phaseTable(state: State): HTMLElement {
   );
 }
 
+/** The matches with what was done to them by hand. */
+function matchOf(state: State): MatchResult | undefined {
+  return editedPair(state)?.match ?? state.results.match?.value;
+}
+
 function ruleTable(state: State, store: Store): HTMLElement {
-  const result = state.results.match?.value;
+  const result = matchOf(state);
   const total = result?.rules.length ?? 0;
   const share = (n: number | undefined) => (n === undefined || total === 0 ? '–' : percent(n / total));
   // A rule that the strategy does not have refuses nothing; its row would only lengthen the table.
@@ -135,10 +142,22 @@ function ruleTable(state: State, store: Store): HTMLElement {
         ruleRow(GROSS_ERROR, 'count-gross-errors', gross, share, state, store, 'of these, gross errors'),
         gross !== undefined && isStale(state, 'orientation') && !isStale(state, 'match'),
       ),
+      ...byHand(result).map(([code, testid, value, label]) => ruleRow(code, testid, value, share, state, store, label)),
       h('tr', { class: 'subhead' }, h('th', { scope: 'rowgroup', colspan: 4 }, 'Rejected by')),
       ...refused,
     ),
   );
+}
+
+/** What was done by hand, where anything was. */
+function byHand(result: MatchResult | undefined): [code: number, testid: string, value: number, label?: string][] {
+  if (result === undefined) return [];
+  const { rejected, manual } = countsByHand(result);
+  const rows: ReturnType<typeof byHand> = [
+    [MANUAL, 'count-manual', manual, 'of these, measured by hand'],
+    [BY_HAND, 'count-rejected-by-hand', rejected],
+  ];
+  return rows.filter(([, , value]) => value > 0);
 }
 
 function ruleRow(
@@ -150,15 +169,14 @@ function ruleRow(
   store: Store,
   label?: string,
 ): HTMLTableRowElement {
-  const verdict = CODES[code] ?? 'undecided';
-  const own = message('verdict', verdict, 'label');
+  const own = textOfCode(code, 'label');
   const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${own}` } });
   toggle.checked = isCodeShown(state.display, code);
   toggle.addEventListener('change', () => {
     store.dispatch({ type: 'display', display: withCode(store.state.display, code, toggle.checked) });
     document.querySelector<HTMLInputElement>(`[data-testid="show-${String(code)}"]`)?.focus();
   });
-  const name = h('span', { title: message('verdict', verdict) }, label ?? own);
+  const name = h('span', { title: textOfCode(code) }, label ?? own);
   return row(
     h('span', { class: 'legend' }, swatch(code), name),
     cell(testid, count(value)),

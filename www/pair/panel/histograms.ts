@@ -25,7 +25,7 @@ export function mountHistograms(host: HTMLElement, store: Store): void {
   const panel = section('Histograms', 'histograms-section', body);
   host.append(panel);
   let round = 0;
-  store.watch(['results', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
+  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
     panel.classList.toggle('is-stale', isStale(store.state, 'match'));
     round += 1;
     void update(body, store, () => round, round);

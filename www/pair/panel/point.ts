@@ -23,7 +23,7 @@ const MOST_ROWS = 50;
 export function mountPoint(host: HTMLElement, store: Store, select: (side: 'left' | 'right', index: number) => void): void {
   const body = h('div', { testid: 'point-panel' });
   host.append(body);
-  store.watch(['selection', 'results', 'images', 'settings', 'failures'], () => {
+  store.watch(['selection', 'results', 'history', 'images', 'settings', 'failures'], () => {
     const { state } = store;
     body.classList.toggle('is-stale', state.selection !== null && state.results.match !== undefined && !isCurrent(state, 'match'));
     const focused = body.contains(document.activeElement);
@@ -144,7 +144,7 @@ function matchStatistics(state: State, shown: ShownPair, match: MatchResult): HT
   const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
   if (index < 0) return [];
   const interior = interiorInUse(state)?.left;
-  const { columns } = statisticsOf(match, shown.orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
+  const { columns } = statisticsOf(shown.left, match, shown.orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
   const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
   const list: Fact[] = [
     {

@@ -1,12 +1,16 @@
 /** The table of matches: each with its statistics, sorted by any of them, linked both ways to the images. */
-import { fill, h } from '../../shared/panel/dom';
+import { button, fill, h } from '../../shared/panel/dom';
 import { Table } from '../../shared/panel/table';
 import type { Column } from '../../shared/state/rows';
 import { count } from '../../shared/text/format';
+import { chosenLefts } from '../state/choice';
+import { BY_HAND, GROSS_ERROR, MANUAL } from '../state/codes';
+import type { Editing } from '../state/editing';
 import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
 import { pixelMm } from '../state/residuals';
-import { matchOfLeft, shownPair } from '../state/select';
+import { shownPair } from '../state/select';
+import { leftIndexOf } from '../state/selected';
 import type { Side, State } from '../state/state';
 import { isKept, statisticsOf } from '../state/statistics';
 import type { Filter, Statistics } from '../state/statistics';
@@ -16,37 +20,51 @@ const FILTERS: readonly (readonly [Filter, string])[] = [
   ['all', 'all matches'],
   ['used', 'used'],
   ['rejected', 'gross errors'],
+  ['by-hand', 'by hand'],
   ['wrong', 'wrong by the truth'],
 ];
+/** What became of a match, in a word. */
+const STATES: Readonly<Record<number, string>> = { [GROSS_ERROR]: 'gross error', [BY_HAND]: 'rejected by hand', [MANUAL]: 'by hand' };
 const RIGHTNESS = ['wrong', 'at an edge', 'right'];
 
-export function mountStatistics(host: HTMLElement, store: Store, select: (side: Side, index: number) => void): void {
+export function mountStatistics(host: HTMLElement, store: Store, editing: Editing, select: (side: Side, index: number) => void): void {
   const filter = h('select', { testid: 'statistics-filter', aria: { label: 'Matches to show' } });
   const caption = h('p', { class: 'note', testid: 'statistics-caption' });
   // More columns than the panel is wide are found by scrolling, which a scrollbar that hides does not tell.
   const sideways = h('p', { class: 'note', hidden: true, testid: 'statistics-sideways' }, 'Scroll sideways for more columns →');
-  host.append(h('div', { class: 'statistics-head' }, filter, caption), sideways);
+  const all = button('Choose all', 'choose-listed', () => chooseListed(), 'Choose the matches that the list shows, to reject or restore them');
+  host.append(h('div', { class: 'statistics-head' }, filter, caption, all), sideways);
   const table = new Table(host, {
     testid: 'statistics',
     words: { table: 'Matches with their statistics', region: 'Table of matches' },
     choose: (match) => {
-      const left = shownPair(store.state).match?.indices[2 * match];
+      const left = statistics?.lefts[match];
+      editing.chooseNone();
       if (left !== undefined) select('left', left);
     },
+    chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
+    isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1),
     chooseLabel: (match) => `Select match ${String(match + 1)}`,
   });
   new ResizeObserver(() => {
     sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
   }).observe(table.head);
 
+  let chosen: ReadonlySet<number> = new Set();
   let statistics: Statistics | null = null;
   let columns: readonly Column[] = [];
+  const leftsOf = (rows: readonly number[]) => rows.flatMap((row) => statistics?.lefts[row] ?? []);
+  const chooseListed = () => {
+    editing.chooseNone();
+    editing.chooseLefts(leftsOf(table.listed));
+  };
   const show = () => {
     const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value as Filter, match));
+    all.disabled = shown === 0;
     fill(caption, statistics === null ? 'No matches yet.' : `${count(shown)} of ${count(statistics.count)} matches`);
   };
   filter.addEventListener('change', show);
-  store.watch(['results', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
+  store.watch(['results', 'history', 'images', 'settings', 'camera', 'photos', 'offset', 'fiducialModel', 'failures'], () => {
     const { state } = store;
     table.scroller.classList.toggle('is-stale', isStale(state, 'match') || (shownPair(state).orientation !== null && isStale(state, 'orientation')));
     const now = statisticsOfState(state);
@@ -58,10 +76,16 @@ export function mountStatistics(host: HTMLElement, store: Store, select: (side: 
     fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
     show();
   });
-  store.watch(['selection', 'results'], () => table.mark(selectedMatch(store.state)));
+  store.watch(['selection', 'results'], () => table.mark(selectedMatch(store.state, statistics)));
+  store.watch(['chosen', 'history', 'results'], () => {
+    const lefts = chosenLefts(store.state);
+    if (lefts.length === 0 && chosen.size === 0) return;
+    chosen = new Set(lefts);
+    table.redraw();
+  });
 }
 
-function columnsOf({ columns, rejected, rightness }: Statistics): Column[] {
+function columnsOf({ columns, codes, rightness }: Statistics): Column[] {
   const word = (key: string, help: string, text: (match: number) => string): Column => ({ key, label: key, unit: '', help, value: text, text });
   return [
     {
@@ -73,7 +97,7 @@ function columnsOf({ columns, rejected, rightness }: Statistics): Column[] {
       text: (match) => count(match + 1),
     },
     ...columns,
-    word('state', 'Whether the adjustment used the match.', (match) => (rejected[match] === 1 ? 'gross error' : 'used')),
+    word('state', 'Whether the adjustment used the match, and what was done to it by hand.', (match) => STATES[codes[match] ?? 0] ?? 'used'),
     ...(rightness === null
       ? []
       : [
@@ -87,17 +111,15 @@ function columnsOf({ columns, rejected, rightness }: Statistics): Column[] {
 }
 
 function statisticsOfState(state: State): Statistics | null {
-  const { match, orientation } = shownPair(state);
-  if (match === null || match.counts.matches === 0) return null;
+  const { left, match, orientation, edited } = shownPair(state);
+  if (match === null || edited?.found.counts.matches === 0) return null;
   const interior = interiorInUse(state)?.left;
-  return statisticsOf(match, orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
+  return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === undefined ? null : pixelMm(interior));
 }
 
 /** The match of the selected point; -1 where it has none. */
-function selectedMatch(state: State): number {
+function selectedMatch(state: State, statistics: Statistics | null): number {
   const { match } = shownPair(state);
-  const { selection } = state;
-  if (match === null || selection === null) return -1;
-  if (selection.side === 'left') return matchOfLeft(match)[selection.index] ?? -1;
-  return match.indices.findIndex((index, i) => i % 2 === 1 && index === selection.index) >> 1;
+  if (match === null || statistics === null || state.selection === null) return -1;
+  return statistics.lefts.indexOf(leftIndexOf(state, match.best, match.rules));
 }

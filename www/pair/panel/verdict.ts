@@ -1,9 +1,10 @@
 /** Why a point was matched or refused, with the numbers that its rule compared. */
-import { message, resolved } from '../../shared/crate';
+import { resolved } from '../../shared/crate';
 import type { MatchResult, Settings } from '../../shared/crate';
 import { CODES, MATCHED, UNDECIDED } from '../state/codes';
 import type { CodeName } from '../state/codes';
 import { comparesGradients, comparesGreyValues } from '../state/keys';
+import { textOfCode } from '../state/labels';
 import { leftCodes, rightCodes } from '../state/select';
 import { leftIndexOf } from '../state/selected';
 import type { ShownPair } from '../state/select';
@@ -27,7 +28,7 @@ export function verdictOf(state: State, shown: ShownPair, match: MatchResult): {
   const prefix = selection.side === 'right' && own === UNDECIDED ? `${page('candidate_of', { point: leftIndex + 1 })} ` : '';
   return {
     code,
-    text: `${prefix}${message('verdict', CODES[code] ?? 'undecided')} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd(),
+    text: `${prefix}${textOfCode(code)} ${numbers(CODES[code] ?? 'undecided', leftIndex, match, settings)}`.trimEnd(),
   };
 }
 
@@ -42,6 +43,8 @@ function numbers(code: CodeName, index: number, match: MatchResult, settings: Se
   switch (code) {
     case 'matched':
     case 'gross_error':
+      // Nothing was compared where it was measured by hand.
+      if (!Number.isFinite(best)) return '';
       if (gradients) return page(agreeing(best, second, largest), compared);
       return byGrey ? page('correlation', compared) : page('good_measure', { ...compared, most: matching.max_measure });
     case 'threshold':

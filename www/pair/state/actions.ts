@@ -3,7 +3,8 @@ import type { CameraMm, Catalogue, FiducialModel, Flight, Settings, SamplePair }
 import type { Notice } from '../../shared/state/notice';
 import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
-import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, TypedPart } from './state';
+import type { Edit } from './edits';
+import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, Tool, TypedPart } from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
 
@@ -35,6 +36,13 @@ export type Action =
   | { type: 'cancelled' }
   | { type: 'resume' }
   | { type: 'select'; selection: Selection | null }
+  /** Something is done to matches by hand. */
+  | { type: 'edit'; edit: Edit }
+  /** The first `done` of the edits hold from now on. */
+  | { type: 'goto'; done: number }
+  /** Matches are chosen together, by the keys of their targets. */
+  | { type: 'choose'; chosen: readonly string[] }
+  | { type: 'tool'; tool: Tool }
   | { type: 'activeSide'; side: Side }
   | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
   | { type: 'display'; display: Partial<Display> }

@@ -16,8 +16,11 @@ const RULES = [
   'frame',
 ] as const satisfies readonly Rule[];
 
-/** After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses. */
-export const CODES = [...RULES, 'gross_error', 'undecided'] as const;
+/**
+ * After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses; what the
+ * user rejected and measured.
+ */
+export const CODES = [...RULES, 'gross_error', 'undecided', 'rejected_by_hand', 'manual'] as const;
 
 export type CodeName = (typeof CODES)[number];
 
@@ -28,6 +31,11 @@ export function codeOf(name: CodeName): number {
 export const MATCHED = codeOf('matched');
 export const GROSS_ERROR = codeOf('gross_error');
 export const UNDECIDED = codeOf('undecided');
+export const BY_HAND = codeOf('rejected_by_hand');
+export const MANUAL = codeOf('manual');
+
+/** Codes of matches: whatever became of them, a user looks for them among the matches. */
+export const OF_MATCHES: readonly number[] = [MATCHED, GROSS_ERROR, BY_HAND, MANUAL];
 
 /** The rules that refuse, in the order in which the panel lists them. */
 export const REFUSALS = RULES.filter((rule) => rule !== 'matched');

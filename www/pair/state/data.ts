@@ -18,6 +18,12 @@ export interface PairMatches extends MatchResult {
   estimated: PairInterior | null;
 }
 
+/** Matches as they are used, with the edits by hand, beside those that were found. */
+export interface MatchesInUse {
+  match: PairMatches;
+  found: PairMatches;
+}
+
 /** A grey image of the size of another: where it is 0, no points are wanted. */
 export interface MaskImage {
   width: number;

@@ -1,22 +1,25 @@
 /** Which points the picture shows. */
-import { GROSS_ERROR, MATCHED, REFUSALS, UNDECIDED, codeOf } from './codes';
+import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, REFUSALS, UNDECIDED, codeOf } from './codes';
 import type { Display } from './state';
 
 type Shown = Pick<Display, 'points' | 'hidden'>;
 
-/** Whether points of a code are shown: accepted matches, and the others only where they are asked for. */
+/** Shown at first: accepted matches, and those that the user rejected, who may want them back. */
+const MATCHES: readonly number[] = [MATCHED, MANUAL, BY_HAND];
+
+/** Whether points of a code are shown: the others than these only where they are asked for. */
 export function isCodeShown({ points, hidden }: Shown, code: number): boolean {
   if (hidden.includes(code)) return false;
-  return points === 'all' || (points === 'matched' && code === MATCHED);
+  return points === 'all' || (points === 'matched' && MATCHES.includes(code));
 }
 
-/** Codes of points that are no accepted matches. */
+/** Codes of all other points. */
 const REJECTED: readonly number[] = [...REFUSALS.map(codeOf), GROSS_ERROR, UNDECIDED];
 
 /** Shows or hides the points of one code. Where only matches were shown, those of other codes stay hidden. */
 export function withCode(display: Shown, code: number, on: boolean): Shown {
   const { points } = display;
-  const before = points === 'all' ? display.hidden : [...(points === 'none' ? [MATCHED] : display.hidden), ...REJECTED];
+  const before = points === 'all' ? display.hidden : [...(points === 'none' ? MATCHES : display.hidden), ...REJECTED];
   const others = before.filter((other) => other !== code);
   return { points: on ? 'all' : points, hidden: on ? others : [...display.hidden.filter((other) => other !== code), code] };
 }

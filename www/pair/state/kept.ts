@@ -1,5 +1,7 @@
 /** What of the pair is kept in the browser's storage: of the state, and back. */
 import type { CameraMm, Flight, PairInterior, PairProject, Settings } from '../../shared/crate';
+import { isNothing, NO_HISTORY, standingOf } from './edits';
+import type { History } from './edits';
 import { isCurrent, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
@@ -57,6 +59,7 @@ export interface RestoredPair {
   images: State['images'];
   masks: State['masks'];
   truth: FlightTruth | null;
+  history: History;
   /** The images as they are opened again. */
   opened: Pick<Beside, 'openLeft' | 'openRight'>;
   result: { project: PairProject; estimated: PairInterior | null; typed: Typed; beside: Beside; times: Times } | null;
@@ -108,19 +111,39 @@ export function besideOf(state: State): Pick<KeptResult, 'beside' | 'times'> {
   return { beside, times: Object.fromEntries(times) as Times };
 }
 
+/** The pair as it would be without what was done to it by hand. */
+export function unedited(state: State): State {
+  return { ...state, history: NO_HISTORY };
+}
+
+export function isEdited({ history }: State): boolean {
+  return !isNothing(standingOf(history.edits, history.done));
+}
+
+/** In place of the results that edits change: what is kept of them are those without edits. */
+const OF_EDITS = 'edits';
+
 /** The results by which what is kept of them is known to be the latest. */
 export function resultsOf(state: State): readonly unknown[] {
   const keys = wantedKeys(state);
+  const changes = isEdited(state) ? new Set<StageName>(['orientation', 'score']) : new Set<StageName>();
   const stages: readonly StageName[] = ['pointsLeft', 'pointsRight', 'offset', 'match', 'orientation', 'score', ...BESIDE];
-  return [...stages.map((stage) => (keys[stage] === null ? null : state.results[stage]?.value)), state.images, state.masks];
+  const value = (stage: StageName) => (changes.has(stage) ? OF_EDITS : state.results[stage]?.value);
+  return [...stages.map((stage) => (keys[stage] === null ? null : value(stage))), state.images, state.masks];
+}
+
+/** Whether what is kept of these results is still what they are. Edits leave it as it is. */
+export function areSame(kept: readonly unknown[], now: readonly unknown[]): boolean {
+  return now.every((value, i) => value === OF_EDITS || value === kept[i]);
 }
 
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, opened, result }: RestoredPair): State {
+export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, opened, result }: RestoredPair): State {
   const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth };
-  if (result === null) return fresh;
+  if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result, { ...result.beside, ...opened }, result.times);
-  return { ...made, ...typed };
+  // What the edits do is compared with what was before all of them.
+  return { ...made, ...typed, history, before: history.done === 0 ? null : (made.results.orientation?.value ?? null) };
 }
 
 /** The same of both sides. */

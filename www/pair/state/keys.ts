@@ -5,6 +5,8 @@
 import { camera_of_exif, resolved } from '../../shared/crate';
 import type { CameraMm, NoOrientation, Settings } from '../../shared/crate';
 import { remember } from '../../shared/state/remember';
+import { isNothing, standingOf } from './edits';
+import type { Standing } from './edits';
 import { truthOf } from './truth';
 import { SIDES } from './state';
 import type { Side, StageName, State } from './state';
@@ -23,6 +25,18 @@ function shortName(parts: readonly unknown[]): string {
     numbers.set(text, name);
   }
   return name;
+}
+
+const standings = new WeakMap<Standing, number>();
+let lastStanding = 0;
+
+/** What is made of the matches depends on the edits by hand too; without any it is what it would be without editing. */
+function withEdits({ history }: State, match: string | null): string | null {
+  const standing = standingOf(history.edits, history.done);
+  if (isNothing(standing)) return match;
+  const number = standings.get(standing) ?? ++lastStanding;
+  standings.set(standing, number);
+  return keyOf('edited', [match], number);
 }
 
 /** The key of a stage from its inputs; null where one of them is missing. */
@@ -132,6 +146,9 @@ function compute(state: State): WantedKeys {
   const interiors = 'missing' in cameras ? [unknown] : [interiorLeft, interiorRight];
   const orientable = fromOnePlace(state, match) ? null : '';
   const truth = truthOf(state);
+  const edited = withEdits(state, match);
+  // What was found of a point stays what it is whatever is rejected.
+  const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
   return {
     openLeft,
     openRight,
@@ -143,9 +160,9 @@ function compute(state: State): WantedKeys {
     match,
     interiorLeft,
     interiorRight,
-    orientation: keyOf('orientation', [match, orientable, ...interiors], settings?.orientation),
-    score: keyOf('score', [match, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
-    inspection: keyOf('inspection', [match, state.selection === null ? null : ''], [state.selection, settings?.window]),
+    orientation: keyOf('orientation', [edited, orientable, ...interiors], settings?.orientation),
+    score: keyOf('score', [edited, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
+    inspection: keyOf('inspection', [placed ? edited : match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };
 }
 

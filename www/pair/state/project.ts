@@ -1,10 +1,12 @@
 /** A pair as a project file holds it: of the state, and back. */
-import type { NoOrientation, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import type { MatchResult, NoOrientation, PairInterior, PairProject, PairTruth } from '../../shared/crate';
+import { BY_HAND, codeOf, UNDECIDED } from './codes';
+import { countsByHand, editedPair } from './edited';
 import { interiorInUse } from './interior';
 import { isCurrent, pairCameras, wantedKeys } from './keys';
-import { SIDES } from './state';
+import { SIDES, UNEDITED } from './state';
 import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
-import type { Overview } from './data';
+import type { MatchesInUse, Overview } from './data';
 import { truthOf } from './truth';
 
 /** A project, and what of it the page makes for itself. */
@@ -24,7 +26,8 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
   const { openLeft, openRight, pointsLeft, pointsRight, match, orientation } = results;
   const whole = (['pointsLeft', 'pointsRight', 'match'] as const).every((stage) => isCurrent(state, stage));
   if (!whole || settings === null || openLeft === undefined || openRight === undefined) return null;
-  if (pointsLeft === undefined || pointsRight === undefined || match === undefined) return null;
+  const edited = editedPair(state);
+  if (pointsLeft === undefined || pointsRight === undefined || match === undefined || edited === null) return null;
   const opened = { left: openLeft, right: openRight };
   const photo = (side: Side) => {
     const { width, height, format, bits_per_sample, camera: named } = opened[side].value.info;
@@ -42,10 +45,10 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
     input: { camera, offset, left: given('left'), right: given('right') },
     settings,
     output: {
-      left: points(pointsLeft.value),
+      left: points({ ...pointsLeft.value, ...appendedTo(pointsLeft.value, edited.left) }),
       right: points(pointsRight.value),
       offset: isCurrent(state, 'offset') ? (results.offset?.value ?? null) : null,
-      match: match.value,
+      match: filed(edited.match),
       interior,
       pixel_mm: null,
       orientation: oriented,
@@ -55,6 +58,41 @@ export function projectOf(state: State, contents: Record<Side, string | null>): 
     },
     truth: truthFor(state),
   };
+}
+
+/** Points with those measured by hand, at the one scale of points that have none. */
+function appendedTo({ points, frames }: StageValues['pointsLeft'], left: Float64Array): Pick<StageValues['pointsLeft'], 'points' | 'frames'> {
+  const more = (left.length - points.length) / 3;
+  if (more === 0) return { points, frames };
+  const own = Array.from({ length: frames.length === 0 ? 0 : more }, () => [1, 0]).flat();
+  return { points: left, frames: Float64Array.from([...frames, ...own]) };
+}
+
+const NO_CANDIDATE = codeOf('no_candidate');
+
+/**
+ * Matches as a file holds them, which knows the rules of the crate alone. What was rejected by hand has no candidate there, but keeps its place:
+ * a point without a candidate has none.
+ */
+function filed<M extends MatchResult>(match: M): M {
+  const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
+  if (own === 0) return match;
+  const rules = match.rules.map((rule) => (rule === BY_HAND || rule === UNDECIDED ? NO_CANDIDATE : rule));
+  return { ...match, rules, counts: { ...match.counts, no_candidate: match.counts.no_candidate + own } };
+}
+
+/** The opposite of `filed`. */
+function unfiled<M extends MatchResult>(match: M): M {
+  const byHand = (rule: number, left: number) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
+  const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
+  if (own === 0) return match;
+  const rules = match.rules.map((rule, left) => (byHand(rule, left) ? BY_HAND : rule));
+  return { ...match, rules, counts: { ...match.counts, no_candidate: match.counts.no_candidate - own } };
+}
+
+/** How many matches of a file were rejected and measured by hand. */
+export function editsOfFile({ output }: PairProject): { rejected: number; manual: number } {
+  return countsByHand(unfiled(output.match));
 }
 
 /** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
@@ -107,6 +145,7 @@ export function withProject(state: State, { project, images, overviews, masks, e
     failures: {},
     paused: false,
     selection: null,
+    ...UNEDITED,
     views: { left: null, right: null },
   };
   return withResults(given, { project, estimated }, standingFor({ project, overviews }), {});
@@ -136,9 +175,10 @@ export type Times = Partial<Record<StageName, number>>;
 export function withResults(state: State, { project, estimated }: Pick<OpenedProject, 'project' | 'estimated'>, beside: Beside, times: Times): State {
   const { output, truth } = project;
   let next: State = { ...state, results: {} };
-  const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined) => {
+  const put = <S extends StageName>(stage: S, value: StageValues[S] | null | undefined, of?: MatchesInUse) => {
     const key = wantedKeys(next)[stage];
-    if (value != null && key !== null) next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: times[stage] ?? 0 } } };
+    if (value != null && key !== null)
+      next = { ...next, results: { ...next.results, [stage]: { key, value, milliseconds: times[stage] ?? 0, ...(of === undefined ? {} : { of }) } } };
   };
   const { descriptorsLeft = nothing(), descriptorsRight = nothing() } = beside;
   put('openLeft', beside.openLeft);
@@ -150,8 +190,9 @@ export function withResults(state: State, { project, estimated }: Pick<OpenedPro
   put('offset', output.offset);
   put('interiorLeft', beside.interiorLeft);
   put('interiorRight', beside.interiorRight);
-  put('match', { ...output.match, estimated });
-  put('orientation', output.orientation);
+  const match = { ...unfiled(output.match), estimated };
+  put('match', match);
+  put('orientation', output.orientation, { match, found: match });
   put('score', truth?.score);
   return next;
 }

@@ -1,9 +1,13 @@
 /** How the state changes. Pure: the same state and action give the same state. */
 import type { Action } from './actions';
+import { editedPair, keptText } from './edited';
+import { exchanged, recorded, wentTo } from './edits';
+import type { History } from './edits';
+import { isCurrent } from './keys';
 import { withKept } from './kept';
 import { withFiles, withProject } from './project';
-import { INITIAL, TYPED_PARTS } from './state';
-import type { Display, PhotoData, Results, Side, State, TypedPart } from './state';
+import { INITIAL, TYPED_PARTS, UNEDITED } from './state';
+import type { Display, PhotoData, Results, Side, StageName, State, TypedPart } from './state';
 
 const NO_DATA: PhotoData = { fiducials: [], origin: null };
 
@@ -25,6 +29,8 @@ const DEEDS: ReadonlySet<Action['type']> = new Set([
   'offset',
   'display',
   'resume',
+  'edit',
+  'goto',
 ]);
 
 export function reduce(state: State, action: Action): State {
@@ -76,6 +82,14 @@ function changed(state: State, action: Action): State {
       return { ...state, offset: action.offset, paused: false };
     case 'select':
       return { ...state, selection: action.selection, activeSide: action.selection?.side ?? state.activeSide };
+    case 'edit':
+      return withHistory(state, recorded(state.history, action.edit));
+    case 'goto':
+      return withHistory(state, wentTo(state.history, action.done));
+    case 'choose':
+      return { ...state, chosen: action.chosen };
+    case 'tool':
+      return { ...state, tool: action.tool };
     case 'activeSide':
       return { ...state, activeSide: action.side };
     case 'views':
@@ -97,14 +111,14 @@ function withRun(state: State, action: RunAction): State {
     case 'stageStarted':
       return { ...state, running: { ...state.running, [action.stage]: action.key } };
     case 'stageDone':
-      return {
+      return withKeptEdits(action.stage, {
         ...state,
         running: without(state.running, action.stage),
         failures: without(state.failures, action.stage),
         results: { ...state.results, [action.stage]: action.result },
         // An index into points that are no more.
         selection: action.stage === (state.selection?.side === 'left' ? 'pointsLeft' : 'pointsRight') ? null : state.selection,
-      };
+      });
     case 'stageFailed':
       return {
         ...state,
@@ -128,6 +142,21 @@ function without<T extends object, K extends keyof T>(object: T, key: K): T {
   return copy;
 }
 
+/** After a new run of the matching the user is told what of the edits by hand it has. */
+function withKeptEdits(stage: StageName, state: State): State {
+  const edited = stage === 'match' ? editedPair(state) : null;
+  const text = edited === null ? null : keptText(edited);
+  return text === null || state.notice?.kind === 'problem' ? state : { ...state, notice: { kind: 'info', text } };
+}
+
+/** The state with other edits. What they do to the orientation is compared with the one before them. */
+function withHistory(state: State, history: History): State {
+  if (history.done === state.history.done && history.edits === state.history.edits) return state;
+  const before = isCurrent(state, 'orientation') ? (state.results.orientation?.value ?? null) : state.before;
+  // The run goes on with the edited matches.
+  return { ...state, history, before, paused: false };
+}
+
 /** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
 function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>): State {
   const before = state.truth === null ? state : withoutTruth(state);
@@ -140,6 +169,7 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
     paused: false,
     failures: {},
     views: { left: null, right: null },
+    ...UNEDITED,
   };
 }
 
@@ -196,6 +226,8 @@ function swapped(state: State): State {
     masks: { left: state.masks.right, right: state.masks.left },
     offset: state.offset === null ? null : [-state.offset[0], -state.offset[1]],
     views: { left: state.views.right, right: state.views.left },
+    ...UNEDITED,
+    history: exchanged(state.history),
     selection: null,
     failures: {},
     paused: false,

@@ -1,13 +1,15 @@
 /** What the panels and views read from the state. Pure; the costly ones are remembered for the last input. */
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
+import type { MatchesInUse } from './data';
 import type { Side, StageName, State } from './state';
 import { STAGES } from './stages';
-import { GROSS_ERROR, MATCHED, UNDECIDED } from './codes';
+import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, UNDECIDED } from './codes';
+import { editedPair, isManual, NO_POINT } from './edited';
+import type { Edited } from './edited';
 import { isStale, wantedKeys } from './keys';
 import { remember } from '../../shared/state/remember';
 
-/** Stands for the right point of a match whose place is none. */
-export const NO_POINT = 0xffffffff;
+export { NO_POINT };
 
 /** The results that are shown together: a match only with the points it was made from. */
 export interface ShownPair {
@@ -15,6 +17,8 @@ export interface ShownPair {
   right: Float64Array | null;
   match: MatchResult | null;
   orientation: RelativeOrientation | null;
+  /** The matches with what was done to them by hand. */
+  edited: Edited | null;
 }
 
 /**
@@ -23,15 +27,40 @@ export interface ShownPair {
  * none will come.
  */
 export function shownPair(state: State): ShownPair {
-  const left = pointsOfShownImage(state, 'left');
+  const found = pointsOfShownImage(state, 'left');
   const right = pointsOfShownImage(state, 'right');
-  const match = state.results.match?.value ?? null;
-  const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(match, left, right);
+  const made = state.results.match?.value ?? null;
+  const fits = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right);
+  const edited = fits ? editedPair(state) : null;
   const comes = wantedKeys(state).orientation !== null && !isBarred(state, 'orientation');
-  const orientation = comes ? (state.results.orientation?.value ?? null) : null;
-  const oriented = fits && orientation !== null && orientation.residuals_mm.length * 5 === match.matches.length;
-  return { left, right, match: fits ? match : null, orientation: oriented ? orientation : null };
+  const result = comes ? state.results.orientation : undefined;
+  const orientation = edited === null || result === undefined ? null : orientationOf(result.value, result.of ?? null, edited);
+  return { left: edited?.left ?? found, right, match: edited?.match ?? null, orientation, edited };
 }
+
+/** The orientation of the matches as they are now. One that was made before the latest edit is shown of the matches that it knows. */
+const orientationOf = remember((orientation: RelativeOrientation, of: MatchesInUse | null, { match, found }: Edited): RelativeOrientation | null => {
+  if (of === null || of.match === match) return orientation.residuals_mm.length * 5 === match.matches.length ? orientation : null;
+  if (of.found !== found) return null;
+  const rowThen = new Map(Array.from({ length: of.match.indices.length / 2 }, (_, row) => [of.match.indices[2 * row] ?? NO_POINT, row]));
+  const unknown = -1;
+  const thenOf = Array.from({ length: match.indices.length / 2 }, (_, row) => {
+    const then = rowThen.get(match.indices[2 * row] ?? NO_POINT) ?? unknown;
+    const same = [0, 1, 2, 3].every((k) => of.match.matches[5 * then + k] === match.matches[5 * row + k]);
+    return same ? then : unknown;
+  });
+  const rejected = new Set(orientation.rejected);
+  const points = new Float64Array(9 * thenOf.length).fill(NaN);
+  thenOf.forEach((then, row) => {
+    if (then !== unknown) points.set(orientation.points.subarray(9 * then, 9 * then + 9), 9 * row);
+  });
+  return {
+    ...orientation,
+    points,
+    residuals_mm: thenOf.map((then) => orientation.residuals_mm[then] ?? [NaN, NaN, NaN, NaN]),
+    rejected: thenOf.flatMap((then, row) => (rejected.has(then) ? [row] : [])),
+  };
+});
 
 function pointsOfShownImage(state: State, side: Side): Float64Array | null {
   const opened = side === 'left' ? 'openLeft' : 'openRight';
@@ -55,41 +84,53 @@ export const leftCodes = remember((left: Float64Array | null, match: MatchResult
   const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
   if (match === null) return codes;
   codes.set(match.rules);
+  for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? NO_POINT] = MANUAL;
   for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
   return codes;
 });
 
-/** The code of each right point: matched, rejected by the adjustment, or unused. */
+/** The code of each right point: matched, rejected by hand or by the adjustment, or unused. */
 export const rightCodes = remember((right: Float64Array | null, match: MatchResult | null, orientation: RelativeOrientation | null) => {
   const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
   if (match === null) return codes;
+  match.rules.forEach((rule, left) => {
+    if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
+  });
   // A place that is no point has an index beyond the array, which takes no value.
   for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? NO_POINT] = MATCHED;
   for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? NO_POINT] = GROSS_ERROR;
   return codes;
 });
 
-/** The code of each match: `MATCHED`, or `GROSS_ERROR`. */
+/** The code of each match: `MATCHED`, `MANUAL` or `GROSS_ERROR`. */
 export const matchCodes = remember((match: MatchResult | null, orientation: RelativeOrientation | null) => {
-  const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+  const codes = Uint8Array.from({ length: (match?.matches.length ?? 0) / 5 }, (_, row) => (match !== null && isManual(match, row) ? MANUAL : MATCHED));
   for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
   return codes;
 });
 
-/** Matched places of the right image that are no interest points: stride 3 (x, y, measure), with the match and the code of each. */
+/** Matched places of the right image that are no interest points: stride 3 (x, y, measure), with the left point and the code of each. */
 export interface Places {
   points: Float64Array;
   codes: Uint8Array;
-  matches: Uint32Array;
+  lefts: Uint32Array;
 }
 
 export const loosePlaces = remember((match: MatchResult | null, codes: Uint8Array): Places => {
-  const matches = match === null ? new Uint32Array() : Uint32Array.from(codes, (_, i) => i).filter((i) => match.indices[2 * i + 1] === NO_POINT);
-  const points = new Float64Array(3 * matches.length);
-  matches.forEach((at, i) => {
-    points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i);
+  const [points, ofPlaces, lefts]: [number[], number[], number[]] = [[], [], []];
+  const put = (left: number, code: number, place: Iterable<number>) => {
+    points.push(...place);
+    ofPlaces.push(code);
+    lefts.push(left);
+  };
+  match?.rules.forEach((rule, left) => {
+    const at = match.places.subarray(2 * left, 2 * left + 2);
+    if (rule === BY_HAND && (match.best[left] ?? -1) < 0 && !Number.isNaN(at[0])) put(left, BY_HAND, [...at, 0]);
   });
-  return { points, codes: Uint8Array.from(matches, (at) => codes[at] ?? MATCHED), matches };
+  codes.forEach((code, row) => {
+    if (match?.indices[2 * row + 1] === NO_POINT) put(match.indices[2 * row] ?? 0, code, match.matches.subarray(5 * row + 2, 5 * row + 5));
+  });
+  return { points: Float64Array.from(points), codes: Uint8Array.from(ofPlaces), lefts: Uint32Array.from(lefts) };
 });
 
 /** The match of each left point; -1 where it has none. */

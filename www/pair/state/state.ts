@@ -1,5 +1,5 @@
 /** The one state object of the page. Results keep the key of the settings that made them: stale is a comparison, never a flag. */
-import type { ImageSource, InteriorOutput, MaskImage, Overview, PairMatches } from './data';
+import type { ImageSource, InteriorOutput, MaskImage, MatchesInUse, Overview, PairMatches } from './data';
 import type {
   CameraMm,
   Catalogue,
@@ -16,6 +16,8 @@ import type {
   OrientedPair,
   WindowReport,
 } from '../../shared/crate';
+import { NO_HISTORY } from './edits';
+import type { History } from './edits';
 import type { Notice } from '../../shared/state/notice';
 
 export type Side = 'left' | 'right';
@@ -127,6 +129,8 @@ export interface StageResult<S extends StageName> {
   key: string;
   value: StageValues[S];
   milliseconds: number;
+  /** Of an orientation the matches that it was made from. */
+  of?: MatchesInUse;
 }
 
 export type Results = { [S in StageName]?: StageResult<S> };
@@ -168,6 +172,9 @@ export interface Display {
   hidden: readonly number[];
 }
 
+/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches. */
+export type Tool = 'look' | 'choose';
+
 /** Parts of the state that are typed in fields. */
 export const TYPED_PARTS = ['settings', 'camera', 'photos', 'offset'] as const;
 export type TypedPart = (typeof TYPED_PARTS)[number];
@@ -193,11 +200,22 @@ export interface State {
   /** Nothing runs until the user asks or changes something. */
   paused: boolean;
   selection: Selection | null;
+  /** What was done to the matches by hand. */
+  history: History;
+  /** Keys of the matches that are chosen together, beside the selection. */
+  chosen: readonly string[];
+  /** The orientation before the latest edit. */
+  before: OrientedPair | null;
+  /** What a press or a drag on the pictures does. */
+  tool: Tool;
   activeSide: Side;
   views: Record<Side, PaneView | null>;
   display: Display;
   notice: Notice | null;
 }
+
+/** What belongs to the edits of a pair goes with its images. */
+export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before'> = { history: NO_HISTORY, chosen: [], before: null };
 
 export const INITIAL: State = {
   catalogue: null,
@@ -216,6 +234,8 @@ export const INITIAL: State = {
   failures: {},
   paused: false,
   selection: null,
+  ...UNEDITED,
+  tool: 'look',
   activeSide: 'left',
   views: { left: null, right: null },
   display: { points: 'matched', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },

@@ -1,13 +1,19 @@
 /** Pointer, wheel, touch and keys on the images. */
+import { isCodeShown } from '../state/display';
 import { listen } from '../../shared/view/gestures';
+import { toPosition } from '../../shared/view/transform';
+import type { Rect } from '../../shared/view/transform';
+import { keysWithin } from '../state/choice';
+import { editedPair } from '../state/edited';
+import type { Editing } from '../state/editing';
 import { otherSide } from '../state/state';
-import type { Side } from '../state/state';
+import type { Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { Navigator } from './navigate';
 import { paneAt } from './scene';
 import type { View } from './view';
 
-export function mountInput(view: View, store: Store, navigator: Navigator): void {
+export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing): void {
   const { host } = view;
   const activate = (side: Side) => {
     if (store.state.activeSide !== side) store.dispatch({ type: 'activeSide', side });
@@ -25,17 +31,55 @@ export function mountInput(view: View, store: Store, navigator: Navigator): void
       zoomMiddle: (factor) => navigator.zoomMiddle(factor),
       fit: () => navigator.fit(),
       grabbed: activate,
-      pressed: (x, y) => navigator.select(view.hit(x, y)),
+      pressed: (x, y, more) => press(view.hit(x, y), more, editing, navigator),
+      encloses: (shift) => shift || store.state.tool === 'choose',
+      enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
       pointed: (at) => view.point(at),
-      command: (key) => command(key, store, navigator),
+      command: (key) => command(key, store, navigator, editing),
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
   );
 }
 
+/** Selects a point; with `more` its match is chosen beside the others, or no longer. */
+function press(hit: Selection | null, more: boolean, editing: Editing, navigator: Navigator): void {
+  if (more) {
+    editing.choose(hit);
+    return;
+  }
+  editing.chooseNone();
+  navigator.select(hit);
+}
+
+/** Chooses the matches in a rectangle of the canvas. */
+function enclose(view: View, store: Store, side: Side, from: [number, number], to: [number, number] | null, ended: boolean): void {
+  const rect = to === null ? null : between(from, to);
+  view.enclose(ended ? null : rect);
+  const edited = editedPair(store.state);
+  if (!ended || rect === null || edited === null) return;
+  const { transform, codes } = view.scene().panes[side];
+  const [left, top] = toPosition(transform, rect.left, rect.top);
+  const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
+  const { display } = store.state;
+  const ofLefts = side === 'left' ? codes : view.scene().panes.left.codes;
+  store.dispatch({ type: 'choose', chosen: keysWithin(edited, side, [left, top, right, bottom], (index) => isCodeShown(display, ofLefts[index] ?? 0)) });
+}
+
+function between([x, y]: [number, number], [u, v]: [number, number]): Rect {
+  return { left: Math.min(x, u), top: Math.min(y, v), width: Math.abs(u - x), height: Math.abs(v - y) };
+}
+
+/** Ends what was begun last: the tool, the choice, the selection. */
+function leave(store: Store, navigator: Navigator): void {
+  const { tool, chosen } = store.state;
+  if (tool !== 'look') store.dispatch({ type: 'tool', tool: 'look' });
+  else if (chosen.length > 0) store.dispatch({ type: 'choose', chosen: [] });
+  else navigator.select(null);
+}
+
 /** Runs the command of a key; false where it has none. */
-function command(key: string, store: Store, navigator: Navigator): boolean {
+function command(key: string, store: Store, navigator: Navigator, editing: Editing): boolean {
   const { activeSide, display } = store.state;
   switch (key) {
     case '1':
@@ -61,8 +105,24 @@ function command(key: string, store: Store, navigator: Navigator): boolean {
     case 'M':
       store.dispatch({ type: 'display', display: { magnifier: !display.magnifier } });
       return true;
+    case 'Delete':
+    case 'Backspace':
+      editing.edit('reject');
+      return true;
+    case 'r':
+    case 'R':
+      editing.edit('restore');
+      return true;
+    case 'x':
+    case 'X':
+      editing.choose(store.state.selection);
+      return true;
+    case 's':
+    case 'S':
+      store.dispatch({ type: 'tool', tool: store.state.tool === 'choose' ? 'look' : 'choose' });
+      return true;
     case 'Escape':
-      navigator.select(null);
+      leave(store, navigator);
       return true;
     default:
       return false;

@@ -1,7 +1,7 @@
 /** Points, match lines and residual vectors, drawn by the crate. */
 import { isCodeShown } from '../state/display';
 import { draw_match_lines, draw_points, draw_vectors } from '../../shared/crate';
-import { GROSS_ERROR, MATCHED } from '../state/codes';
+import { GROSS_ERROR, OF_MATCHES } from '../state/codes';
 import { remember } from '../../shared/state/remember';
 import { within } from '../../shared/view/layers';
 import { SIDES } from '../state/state';
@@ -31,7 +31,7 @@ interface Styles {
 function stylesAt(scale: number): Styles {
   const half = halfSize(scale);
   const rows = DRAWN.map((code) => {
-    const matched = code === MATCHED || code === GROSS_ERROR;
+    const matched = OF_MATCHES.includes(code);
     return [STYLES[code]?.shape ?? 0, matched ? half : 0.75 * half, matched ? 1.6 : 1.2];
   });
   return { styles: Float64Array.from(rows.flat()), colours: DRAWN.map((code) => STYLES[code]?.colour ?? '#ffffff') };

@@ -1,5 +1,5 @@
 /** Colours and shapes of points. Okabe and Ito's colours, told apart with any colour vision; shapes differ as well. */
-import { CODES, GROSS_ERROR, MATCHED, REFUSALS, UNDECIDED, codeOf } from '../state/codes';
+import { BY_HAND, CODES, GROSS_ERROR, MANUAL, MATCHED, REFUSALS, UNDECIDED, codeOf } from '../state/codes';
 import type { CodeName } from '../state/codes';
 
 /** Shape codes of the crate's `draw_points`. */
@@ -25,6 +25,8 @@ const STYLE_OF: Readonly<Record<CodeName, PointStyle>> = {
   frame: { colour: '#b0b0b0', shape: SHAPES.square },
   gross_error: { colour: '#d55e00', shape: SHAPES.diamond },
   undecided: { colour: '#56b4e9', shape: SHAPES.plus },
+  rejected_by_hand: { colour: '#ff3b30', shape: SHAPES.cross },
+  manual: { colour: '#9cff57', shape: SHAPES.square },
 };
 
 /** By code. */
@@ -37,7 +39,7 @@ export function styleOf(code: number): PointStyle {
 }
 
 /** The codes in drawing order: the common ones below, matches on top. */
-export const DRAWN: readonly number[] = [UNDECIDED, ...REFUSALS.map(codeOf), GROSS_ERROR, MATCHED];
+export const DRAWN: readonly number[] = [UNDECIDED, ...REFUSALS.map(codeOf), BY_HAND, GROSS_ERROR, MATCHED, MANUAL];
 
 export const SELECTED = '#ffd400';
 export const CANDIDATE = '#56b4e9';

@@ -8,6 +8,8 @@ import type { Side, State } from '../state/state';
 import type { Store } from '../state/store';
 import { Layers } from '../../shared/view/layers';
 import { toCanvas, toPosition } from '../../shared/view/transform';
+import type { Rect } from '../../shared/view/transform';
+import { drawChosen, drawRectangle } from './chosen';
 import { PointGrid } from './grid';
 import { drawMarks } from './marks';
 import { drawLens, drawSelection } from './overlay';
@@ -33,6 +35,7 @@ export class View {
   private readonly layers: Layers<LayerName>;
   private readonly tiles: TileCache;
   private pointer: [number, number] | null = null;
+  private rectangle: Rect | null = null;
 
   constructor(
     readonly host: HTMLElement,
@@ -53,11 +56,11 @@ export class View {
       () => this.layers.redraw(),
     );
     store.watch(
-      (s) => [s.results.pointsLeft, s.results.pointsRight, s.results.match, s.results.orientation, s.display, s.catalogue] as const,
+      (s) => [s.results.pointsLeft, s.results.pointsRight, s.results.match, s.results.orientation, s.history, s.display, s.catalogue] as const,
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(
-      (s) => [s.selection, s.results.inspection, s.settings, s.results.offset] as const,
+      (s) => [s.selection, s.chosen, s.results.inspection, s.settings, s.results.offset] as const,
       () => this.layers.redraw('overlay'),
     );
   }
@@ -71,6 +74,12 @@ export class View {
   point(at: [number, number] | null): void {
     this.pointer = at;
     if (this.store.state.display.magnifier) this.layers.redraw('overlay');
+  }
+
+  /** Shows a rectangle that is being drawn; null: none. */
+  enclose(rectangle: Rect | null): void {
+    this.rectangle = rectangle;
+    this.layers.redraw('overlay');
   }
 
   /** The shown point nearest to a canvas position. */
@@ -88,7 +97,7 @@ export class View {
     // A matched place that is no point stands for the left point it was found from.
     const { places } = scene;
     const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
-    return place < 0 ? index : { side: 'left', index: scene.match.indices[2 * (places.matches[place] ?? 0)] ?? 0 };
+    return place < 0 ? index : { side: 'left', index: places.lefts[place] ?? 0 };
   }
 
   /** The picture as it is on the screen, all layers together. */
@@ -107,7 +116,9 @@ export class View {
         if (state.catalogue !== null) drawMarks(context, state, scene);
         break;
       case 'overlay':
+        drawChosen(context, state, scene);
         drawSelection(context, state, scene);
+        if (this.rectangle !== null) drawRectangle(context, this.rectangle);
         this.drawMagnifier(context, state, scene);
     }
   }

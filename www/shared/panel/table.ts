@@ -10,6 +10,10 @@ export interface TableOptions {
   words: { table: string; region: string };
   /** Called with the row that is pressed; without it rows cannot be pressed. */
   choose?: (row: number) => void;
+  /** Called with rows that are chosen together: those up to the one pressed with Shift, or the one pressed with Ctrl or Cmd. */
+  chooseMore?: (rows: readonly number[]) => void;
+  /** Whether a row is one of those chosen together. */
+  isChosen?: (row: number) => boolean;
   /** What the button of a row is called, where its text says too little. */
   chooseLabel?: (row: number) => string;
 }
@@ -25,6 +29,8 @@ export class Table {
   private shown: readonly number[] = [];
   private order: Order = { key: '', descending: false };
   private marked = -1;
+  /** The row that was pressed last. */
+  private anchor = -1;
 
   constructor(
     host: HTMLElement,
@@ -67,6 +73,25 @@ export class Table {
     });
   }
 
+  private press(row: number, event: MouseEvent, choose: (row: number) => void): void {
+    const { chooseMore } = this.options;
+    const [from, to] = [this.shown.indexOf(this.anchor), this.shown.indexOf(row)];
+    if (chooseMore !== undefined && event.shiftKey && from >= 0) chooseMore(this.shown.slice(Math.min(from, to), Math.max(from, to) + 1));
+    else if (chooseMore !== undefined && (event.ctrlKey || event.metaKey)) chooseMore([row]);
+    else choose(row);
+    if (!event.shiftKey || from < 0) this.anchor = row;
+  }
+
+  /** Draws the rows anew, as others are chosen. */
+  redraw(): void {
+    this.table.show(this.shown.length);
+  }
+
+  /** The rows that are shown, in their order. */
+  get listed(): readonly number[] {
+    return this.shown;
+  }
+
   private sort(): number {
     this.shown = ordered(this.count, this.columns, this.order, this.keep);
     this.table.markOrder(this.order.key, this.order.descending);
@@ -77,9 +102,10 @@ export class Table {
   private row(row: number): HTMLElement {
     const { testid, choose, chooseLabel } = this.options;
     const chosen = row === this.marked;
+    const together = this.options.isChosen?.(row) === true;
     const line = h(
       'tr',
-      { class: chosen ? 'best' : '', testid: chosen ? `${testid}-selected` : `${testid}-row` },
+      { class: `${chosen ? 'best' : ''} ${together ? 'chosen' : ''}`.trim(), testid: chosen ? `${testid}-selected` : `${testid}-row` },
       ...this.columns.map(({ value, text }, i) => {
         const number = typeof value(row) === 'number';
         if (i > 0 || choose === undefined) return h('td', { class: number ? 'number' : '' }, text(row));
@@ -91,7 +117,7 @@ export class Table {
         return h('td', {}, press);
       }),
     );
-    if (choose !== undefined) line.addEventListener('click', () => choose(row));
+    if (choose !== undefined) line.addEventListener('click', (event) => this.press(row, event, choose));
     else line.classList.add('plain');
     return line;
   }

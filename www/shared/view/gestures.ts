@@ -15,8 +15,12 @@ export interface Movable<T> {
   fit: () => void;
   /** A press begins on a target. */
   grabbed?: (target: T) => void;
-  /** A press ended where it began. */
-  pressed: (x: number, y: number) => void;
+  /** A press ended where it began; `more`: with Ctrl or Cmd. */
+  pressed: (x: number, y: number, more: boolean) => void;
+  /** Whether a drag that begins now draws a rectangle in place of moving; Shift asks for it too. */
+  encloses?: (shift: boolean) => boolean;
+  /** A rectangle is drawn from one place to another; `ended`: it stands. Null where it was given up. */
+  enclosed?: (target: T, from: [number, number], to: [number, number] | null, ended: boolean) => void;
   /** The pointer is at a place, or has left. */
   pointed: (at: [number, number] | null, dragging: boolean) => void;
   /** Runs a command of the picture's own; false where the key has none. */
@@ -51,6 +55,7 @@ class Gestures<T> {
   private readonly presses = new Map<number, Press>();
   private target: T | null = null;
   private clicked = false;
+  private encloses = false;
 
   constructor(
     private readonly host: HTMLElement,
@@ -60,7 +65,7 @@ class Gestures<T> {
     host.addEventListener('pointerdown', (event) => this.down(event));
     host.addEventListener('pointermove', (event) => this.move(event));
     host.addEventListener('pointerup', (event) => this.up(event));
-    host.addEventListener('pointercancel', (event) => this.presses.delete(event.pointerId));
+    host.addEventListener('pointercancel', (event) => this.leave(event));
     host.addEventListener('pointerleave', () => movable.pointed(null, false));
     host.addEventListener('wheel', (event) => this.wheel(event), { passive: false });
     keyHost.addEventListener('keydown', (event) => this.key(event));
@@ -78,6 +83,9 @@ class Gestures<T> {
     if (target === null) return;
     this.host.setPointerCapture(event.pointerId);
     this.clicked = this.presses.size === 0;
+    // A second finger moves and zooms again.
+    if (!this.clicked) this.giveUp();
+    this.encloses = this.clicked && this.movable.encloses?.(event.shiftKey) === true;
     this.target = target;
     this.presses.set(event.pointerId, { x, y, startX: x, startY: y });
     this.movable.grabbed?.(target);
@@ -90,6 +98,10 @@ class Gestures<T> {
     if (press === undefined || this.target === null) return;
     if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
     this.clicked = false;
+    if (this.encloses) {
+      this.movable.enclosed?.(this.target, [press.startX, press.startY], [x, y], false);
+      return;
+    }
     const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
     if (still === undefined) this.movable.pan(this.target, x - press.x, y - press.y);
     else this.pinch(this.target, press, still, x, y);
@@ -106,7 +118,22 @@ class Gestures<T> {
   }
 
   private up(event: PointerEvent): void {
-    if (this.presses.delete(event.pointerId) && this.clicked) this.movable.pressed(...this.place(event));
+    const press = this.presses.get(event.pointerId);
+    if (press === undefined) return;
+    this.presses.delete(event.pointerId);
+    if (this.clicked) this.movable.pressed(...this.place(event), event.ctrlKey || event.metaKey);
+    else if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [press.startX, press.startY], this.place(event), true);
+    this.encloses = false;
+  }
+
+  private leave(event: PointerEvent): void {
+    this.presses.delete(event.pointerId);
+    this.giveUp();
+  }
+
+  private giveUp(): void {
+    if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [0, 0], null, false);
+    this.encloses = false;
   }
 
   private wheel(event: WheelEvent): void {

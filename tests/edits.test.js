@@ -1,0 +1,266 @@
+/** Edits of the matches of a pair by hand, as the page's own code applies them: without a browser. */
+
+import assert from 'node:assert/strict';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { after, before, test } from 'node:test';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { build } from 'vite';
+import { defaults, match_pair, open_pair_project, orient_matches, Photo, simulate, version, write_pair_project } from '../pkg/node.js';
+
+const ROOT = fileURLToPath(new URL('..', import.meta.url));
+const WASM = pathToFileURL(join(ROOT, 'pkg', 'wasm', 'tiepoint.js')).href;
+const MODULES = ['choice', 'codes', 'edited', 'edits', 'kept', 'project', 'reducer', 'select', 'state'];
+
+/** The modules of the page's state.  @type {Record<string, any>} */
+const page = {};
+const folder = mkdtempSync(join(tmpdir(), 'tiepoint-edits-'));
+
+/** Rules as the page has them. */
+const MATCHED = 0;
+
+before(async () => {
+  const entry = join(folder, 'entry.ts');
+  writeFileSync(entry, MODULES.map((name) => `export * as ${name} from '${join(ROOT, 'www', 'pair', 'state', name)}';`).join('\n'));
+  const result = await build({
+    configFile: false,
+    root: folder,
+    logLevel: 'warn',
+    build: {
+      write: false,
+      minify: false,
+      lib: { entry, formats: ['es'] },
+      // The module that Node has loaded already.
+      rollupOptions: { external: (id) => id.includes('pkg/wasm/tiepoint.js') },
+    },
+  });
+  const [built] = Array.isArray(result) ? result : [result];
+  const chunk = built && 'output' in built ? built.output[0] : undefined;
+  const file = join(folder, 'state.mjs');
+  writeFileSync(file, chunk?.type === 'chunk' ? chunk.code.replaceAll(/from "[^"]*tiepoint\.js"/gu, `from '${WASM}'`) : '');
+  Object.assign(page, await import(pathToFileURL(file).href));
+});
+
+after(() => rmSync(folder, { recursive: true }));
+
+/** The sample pair as the page opens it of its project file. */
+function sampleProject() {
+  const pair = simulate({});
+  const [left, right] = [pair.left, pair.right].map(({ width, height, grey }) => Photo.from_grey(width, height, grey));
+  if (left === undefined || right === undefined) throw new Error('a pair has two photos');
+  const settings = defaults();
+  const input = {
+    camera: pair.camera,
+    left: { fiducials: pair.left_fiducials, origin: pair.left_origin },
+    right: { fiducials: pair.right_fiducials, origin: pair.right_origin },
+  };
+  const output = match_pair(left, right, input, settings);
+  const photo = (/** @type {string} */ name, /** @type {{ width: number, height: number }} */ { width, height }) => ({
+    name,
+    content: null,
+    width_px: width,
+    height_px: height,
+    format: 'PNG',
+    bits_per_sample: 8,
+    mask: null,
+    camera: null,
+  });
+  return write_pair_project({ images: [photo('left', left), photo('right', right)], input, settings, output, truth: null });
+}
+
+const TEXT = sampleProject();
+
+/** The state of the page that shows the sample pair. */
+function opened() {
+  const project = open_pair_project(new TextEncoder().encode(TEXT));
+  const image = (/** @type {number} */ id) => ({ id, name: id === 1 ? 'left' : 'right', source: { kind: 'project', content: null } });
+  const catalogue = { version: version(), defaults: defaults(), flights: [], rules: [] };
+  const ready = page.reducer.reduce(page.state.INITIAL, { type: 'ready', catalogue });
+  return page.reducer.reduce(ready, {
+    type: 'opened',
+    opened: {
+      project,
+      estimated: null,
+      images: { left: image(1), right: image(2) },
+      overviews: { left: null, right: null },
+      masks: { left: null, right: null },
+    },
+  });
+}
+
+/** The project file of a state.  @param {any} state */
+const written = (state) => write_pair_project(page.project.projectOf(state, { left: null, right: null }));
+
+/** Random numbers by a seed.  @param {number} seed */
+function dice(seed) {
+  let x = seed;
+  return (/** @type {number} */ below) => {
+    x = (Math.imul(x, 1664525) + 1013904223) >>> 0;
+    return Math.floor((x / 2 ** 32) * below);
+  };
+}
+
+/** An edit of some matches of a state.  @param {any} state @param {(below: number) => number} roll */
+function randomEdit(state, roll) {
+  const edited = page.edited.editedPair(state);
+  const anyLeft = () => roll(edited.match.rules.length);
+  const target = (/** @type {number} */ wanted) => {
+    for (let i = 0; i < 40; i++) {
+      const left = anyLeft();
+      if (edited.match.rules[left] === wanted) return page.edited.targetOfLeft(edited, left);
+    }
+    return null;
+  };
+  const targets = (/** @type {number} */ rule) => Array.from({ length: 1 + roll(20) }, () => target(rule)).filter((one) => one !== null);
+  const place = () => [roll(44000) / 100, roll(69000) / 100, roll(44000) / 100, roll(69000) / 100];
+  switch (roll(5)) {
+    case 0:
+    case 1:
+      return { kind: 'reject', of: targets(MATCHED) };
+    case 2:
+      return { kind: 'restore', of: targets(page.codes.BY_HAND) };
+    case 3:
+      return { kind: 'add', id: page.edits.freshNumber(state.history), at: place() };
+    default: {
+      const of = target(MATCHED);
+      if (of === null) return null;
+      const own = typeof of === 'number' ? place() : of;
+      return { kind: 'move', of, to: roll(2) === 0 ? [own[0], own[1], own[2] + 0.1, own[3]] : place() };
+    }
+  }
+}
+
+/** What must hold of any state.  @param {any} state */
+function check(state) {
+  const { match, left, found } = page.edited.editedPair(state);
+  const counted = match.rules.reduce((/** @type {number} */ sum, /** @type {number} */ rule) => sum + Number(rule === MATCHED), 0);
+  assert.equal(match.matches.length, 5 * counted);
+  assert.equal(match.counts.matches, counted);
+  assert.equal(left.length, 3 * match.rules.length);
+  const seen = new Set();
+  for (let row = 0; row < counted; row++) {
+    const index = match.indices[2 * row];
+    assert.equal(match.rules[index], MATCHED);
+    assert.equal(left[3 * index], match.matches[5 * row]);
+    assert.equal(left[3 * index + 1], match.matches[5 * row + 1]);
+    assert.ok(!seen.has(index));
+    seen.add(index);
+  }
+  assert.equal(found, state.results.match.value);
+  // The file can be written and read, and has as many matches.
+  const back = open_pair_project(new TextEncoder().encode(written(state)));
+  assert.equal(back.output.match.counts.matches, counted);
+  assert.deepEqual(page.project.editsOfFile(back), page.edited.countsByHand(match));
+}
+
+test('after thousands of random edits, undone, the pair is what it was: the same objects, and the same bytes of its project file', () => {
+  const roll = dice(15);
+  const start = opened();
+  const text = written(start);
+  assert.ok(open_pair_project(new TextEncoder().encode(text)).output.orientation);
+  let state = start;
+  let edits = 0;
+  for (let i = 0; i < 3000; i++) {
+    const what = roll(10);
+    const { done } = state.history;
+    const edit = what < 7 ? randomEdit(state, roll) : null;
+    const action = edit === null ? { type: 'goto', done: what === 9 ? done + 1 : done - 1 } : { type: 'edit', edit };
+    state = page.reducer.reduce(state, action);
+    edits += Number(edit !== null);
+    if (i % 400 === 399) check(state);
+  }
+  assert.ok(edits > 1500, `only ${edits} edits`);
+  assert.ok(page.edited.editedPair(state).match !== start.results.match.value);
+  const end = state.history.done;
+  const last = written(state);
+  while (state.history.done > 0) state = page.reducer.reduce(state, { type: 'goto', done: state.history.done - 1 });
+  assert.equal(page.edited.editedPair(state).match, start.results.match.value);
+  assert.equal(page.edited.editedPair(state).left, start.results.pointsLeft.value.points);
+  assert.ok(written(state) === text, 'the project file has other bytes');
+  // All is done again in one go, and any state is reached.
+  state = page.reducer.reduce(state, { type: 'goto', done: end });
+  assert.ok(written(state) === last, 'the project file of the edits has other bytes');
+});
+
+test('a new edit gives up what was undone, and names say what is done', () => {
+  let state = opened();
+  const edited = page.edited.editedPair(state);
+  const targets = [...edited.match.indices.filter((/** @type {number} */ _, /** @type {number} */ i) => i % 2 === 0)]
+    .slice(0, 14)
+    .map((left) => page.edited.targetOfLeft(edited, left));
+  state = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: targets } });
+  assert.equal(page.edits.nameOfEdit(state.history.edits[0]), 'reject 14 matches');
+  state = page.reducer.reduce(state, { type: 'goto', done: 0 });
+  state = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: targets.slice(0, 1) } });
+  assert.deepEqual(state.history.edits.map(page.edits.nameOfEdit), ['reject 1 match']);
+  assert.deepEqual(page.edited.countsByHand(page.edited.editedPair(state).match), { rejected: 1, manual: 0 });
+});
+
+test('rejections and measured matches hold for a new run of the matching where it finds the same place', () => {
+  const state = opened();
+  const edited = page.edited.editedPair(state);
+  const { match } = edited;
+  const target = (/** @type {number} */ row) => page.edited.targetOfLeft(edited, match.indices[2 * row]);
+  const edits = [
+    { kind: 'reject', of: [target(10), target(500)] },
+    { kind: 'add', id: 1, at: [33.25, 44.5, 60.5, 47.75] },
+    { kind: 'move', of: target(700), to: [target(700)[0], target(700)[1], target(700)[2] + 3, target(700)[3]] },
+  ];
+  const standing = page.edits.standingOf(edits, edits.length);
+  // The left points of the new run lie somewhat elsewhere; one match is not found any more.
+  const shift = (/** @type {Float64Array} */ values, /** @type {number} */ stride, /** @type {number} */ by) =>
+    values.map((value, i) => (i % stride === 0 ? value + by : value));
+  const gone = match.indices[1000];
+  const near = page.edited.applied(shift(edited.left, 3, 0.3), { ...match, matches: shift(match.matches, 5, 0.3) }, standing);
+  assert.deepEqual(page.edited.countsByHand(near.match), { rejected: 2, manual: 2 });
+  assert.equal(near.lost, 0);
+  assert.match(page.edited.keptText(near), /^Kept: 2 matches rejected by hand, 2 matches measured by hand\.$/);
+  assert.equal(near.match.counts.matches, match.counts.matches - 2 + 1);
+  const far = page.edited.applied(shift(edited.left, 3, 40), { ...match, matches: shift(match.matches, 5, 40) }, standing);
+  assert.equal(page.edited.countsByHand(far.match).manual, 2);
+  assert.ok(gone !== undefined && far.lost > 0);
+  assert.match(page.edited.keptText(far), /there is no match at the same place/);
+});
+
+test('the orientation of the matches that are left is that of these matches alone', () => {
+  const project = open_pair_project(new TextEncoder().encode(TEXT));
+  let state = opened();
+  const edited = page.edited.editedPair(state);
+  const keys = page.choice.keysWithin(edited, 'left', [0, 0, 200, 200], () => true);
+  assert.ok(keys.length > 100);
+  state = page.reducer.reduce(state, { type: 'choose', chosen: keys });
+  const edit = page.choice.editOfChoice(state, 'reject');
+  assert.equal(edit.of.length, keys.length);
+  assert.equal(page.choice.editOfChoice(state, 'restore'), null);
+  state = page.reducer.reduce(state, { type: 'edit', edit });
+  const { match } = page.edited.editedPair(state);
+  // What is shown until the new orientation is there has a row for each match that is left.
+  const shown = page.select.shownPair(state);
+  assert.equal(shown.orientation.residuals_mm.length, match.counts.matches);
+  const { interior } = project.output;
+  assert.ok(interior);
+  const orientation = orient_matches(match.matches, match.fits, interior, project.settings.orientation ?? {}, [1, 1]);
+  assert.equal(orientation.residuals_mm.length, match.counts.matches);
+  const back = page.reducer.reduce(state, { type: 'edit', edit: page.choice.editOfChoice(state, 'restore') });
+  assert.equal(page.edited.editedPair(back).match, state.results.match.value);
+});
+
+test('exchanged images exchange the edits', () => {
+  const history = {
+    edits: [
+      { kind: 'reject', of: [[1, 2, 3, 4], 7] },
+      { kind: 'add', id: 7, at: [5, 6, 7, 8] },
+    ],
+    done: 1,
+  };
+  const other = page.edits.exchanged(history);
+  assert.deepEqual(other, {
+    edits: [
+      { kind: 'reject', of: [[3, 4, 1, 2], 7] },
+      { kind: 'add', id: 7, at: [7, 8, 5, 6] },
+    ],
+    done: 1,
+  });
+  assert.deepEqual(page.edits.exchanged(other), history);
+});

@@ -1,0 +1,219 @@
+/** Edits of the matches by hand, by mouse and by keyboard: what is rejected, undone and kept. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { open_pair_project } from '../../pkg/node.js';
+import { again, done, hosted, number, open, part, sample, saved, SKIP, upload } from './page.js';
+
+hosted();
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Waits until a part says something.  @param {Page} page @param {string} id @param {RegExp} pattern */
+async function says(page, id, pattern) {
+  await page.waitForFunction(
+    ([at = '', source = '']) => new RegExp(source).test(document.querySelector(`[data-testid="${at}"]`)?.textContent ?? ''),
+    [id, pattern.source],
+    { timeout: 60_000 },
+  );
+  return (await part(page, id).textContent()) ?? '';
+}
+
+/** Draws a rectangle in the left image; with Shift, or by the tool.  @param {Page} page */
+async function enclose(page, shift = true) {
+  const box = await part(page, 'pane-left').boundingBox();
+  assert.ok(box);
+  const at = (/** @type {number} */ share) => /** @type {[number, number]} */ ([box.x + box.width * share, box.y + box.height * share]);
+  if (shift) await page.keyboard.down('Shift');
+  await page.mouse.move(...at(0.4));
+  await page.mouse.down();
+  await page.mouse.move(...at(0.5));
+  await page.mouse.move(...at(0.6));
+  await page.mouse.up();
+  if (shift) await page.keyboard.up('Shift');
+}
+
+/** The orientation of the latest edit is there.  @param {Page} page */
+const oriented = (page) => says(page, 'compared-points-now', /\d/);
+
+/** The edits that the browser keeps.  @param {Page} page @returns {Promise<{ done: number, edits: any[] }>} */
+const journal = (page) =>
+  page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const opening = indexedDB.open('tiepoint');
+        opening.onsuccess = () => {
+          const reading = opening.result.transaction('parts').objectStore('parts').getAll();
+          reading.onsuccess = () => {
+            opening.result.close();
+            const value = (/** @type {string} */ name) => reading.result.find(({ part }) => part === name)?.value;
+            const head = value('pair/edits') ?? { done: 0, pieces: 0 };
+            const edits = Array.from({ length: head.pieces }, (_, i) => value(`pair/edits/${i}`)).flat();
+            resolve({ done: head.done, edits });
+          };
+        };
+      }),
+  );
+
+/** Waits until so many edits are kept.  @param {Page} page @param {number} edits @param {number} held */
+async function keptEdits(page, edits, held) {
+  for (let i = 0; i < 100; i++) {
+    const kept = await journal(page);
+    if (kept.edits.length === edits && kept.done === held) return kept;
+    await page.waitForTimeout(100);
+  }
+  assert.fail(`${edits} edits were not kept`);
+}
+
+/** Matches as the button saves them.  @param {Page} page */
+const csv = async (page) => (await saved(page, 'export-csv')).toString();
+const rows = (/** @type {string} */ text) => text.trim().split('\n').length - 1;
+
+test('matches in a rectangle are rejected, the orientation follows, and after a reload all of it is undone to the byte', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const before = { csv: await csv(page), project: await saved(page, 'export-project'), line: (await part(page, 'status').textContent())?.split('.')[0] };
+  await part(page, 'tab-matches').click();
+  assert.ok(await part(page, 'reject').isDisabled());
+  assert.ok(await part(page, 'undo').isHidden());
+  await enclose(page);
+  const text = await says(page, 'reject', /^Reject \d+$/);
+  const count = Number(text.replace(/\D/g, ''));
+  await page.keyboard.press('Delete');
+  await oriented(page);
+  assert.equal(await part(page, 'undo').textContent(), `Undo: reject ${count} matches`);
+  assert.equal(await part(page, 'restore').textContent(), `Restore ${count}`);
+  assert.ok((await number(page, 'compared-points-now')) < (await number(page, 'compared-points-before')));
+  assert.equal(rows(await csv(page)), rows(before.csv) - count);
+  const everything = JSON.parse((await saved(page, 'export-json')).toString());
+  assert.equal(everything.edits.rejected_by_hand.length, count);
+  assert.equal(everything.matches.length, rows(before.csv) - count);
+  await part(page, 'tab-results').click();
+  assert.equal(await number(page, 'count-rejected-by-hand'), count);
+  // Listed apart from what the adjustment rejected.
+  await part(page, 'tab-matches').click();
+  await part(page, 'statistics-filter').selectOption('by-hand');
+  await says(page, 'statistics-caption', new RegExp(`^${count} of `));
+  assert.match((await part(page, 'statistics').textContent()) ?? '', /rejected by hand/);
+  // Another one, by the list: then the tab is loaded anew.
+  await part(page, 'statistics-filter').selectOption('used');
+  await part(page, 'statistics-row').first().click();
+  await page.keyboard.press('Delete');
+  await says(page, 'undo', /^Undo: reject 1 match$/);
+  await keptEdits(page, 2, 2);
+  await page.reload();
+  await says(page, 'status', /Restored from this browser/);
+  await part(page, 'tab-matches').click();
+  await says(page, 'undo', /^Undo: reject 1 match$/);
+  assert.equal(rows(await csv(page)), rows(before.csv) - count - 1);
+  await page.keyboard.press('Control+z');
+  await says(page, 'undo', new RegExp(`^Undo: reject ${count} matches$`));
+  await page.keyboard.press('Control+z');
+  await says(page, 'redo', new RegExp(`^Redo: reject ${count} matches$`));
+  assert.ok(await part(page, 'undo').isDisabled());
+  await done(page);
+  assert.equal(await csv(page), before.csv);
+  await page.waitForFunction(() => /\d/.test(document.querySelector('[data-testid="compared-points-now"]')?.textContent ?? ''));
+  assert.equal((await saved(page, 'export-project')).toString(), before.project.toString());
+  assert.equal((await part(page, 'status').textContent())?.split('.')[0], before.line);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('matches are chosen, rejected, restored, undone and done again by the keyboard alone', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await page.waitForFunction(() => document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled') === false);
+  await part(page, 'sample').focus();
+  await page.keyboard.press('Enter');
+  await done(page);
+  await part(page, 'view').focus();
+  const all = await number(page, 'count-matches');
+  const isRejecting = () => part(page, 'reject').isEnabled();
+  /** The next point that was matched. */
+  const next = async () => {
+    await part(page, 'view').focus();
+    for (let i = 0; i < 50; i++) {
+      await page.keyboard.press('n');
+      if (await isRejecting()) return;
+    }
+    assert.fail('there is no match');
+  };
+  await next();
+  await page.keyboard.press('x');
+  await next();
+  await page.keyboard.press('x');
+  assert.equal(await part(page, 'reject').textContent(), 'Reject 2');
+  await page.keyboard.press('Delete');
+  await says(page, 'count-matches', new RegExp(`^${String(all - 2).replace(/\B(?=\d{3}$)/, '\u202f')}$`));
+  await page.keyboard.press('r');
+  await says(page, 'count-matches', new RegExp(`^${String(all).replace(/\B(?=\d{3}$)/, '\u202f')}$`));
+  assert.equal(await part(page, 'tool-undo').getAttribute('aria-label'), 'Undo: restore 2 matches');
+  await page.keyboard.press('Control+z');
+  assert.equal(await part(page, 'tool-undo').getAttribute('aria-label'), 'Undo: reject 2 matches');
+  await page.keyboard.press('Control+Shift+z');
+  assert.equal(await part(page, 'tool-undo').getAttribute('aria-label'), 'Undo: restore 2 matches');
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+y');
+  assert.equal(await part(page, 'tool-undo').getAttribute('aria-label'), 'Undo: restore 2 matches');
+  // The history is a list: any state is gone to.
+  await part(page, 'tab-matches').focus();
+  await page.keyboard.press('Enter');
+  await part(page, 'history-section').locator('summary').focus();
+  await page.keyboard.press('Enter');
+  await part(page, 'history-1').focus();
+  await page.keyboard.press('Enter');
+  await says(page, 'redo', /^Redo: restore 2 matches$/);
+  assert.equal(await part(page, 'history-1').getAttribute('aria-current'), 'step');
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('data-testid')), 'history-1');
+  // In a field Ctrl+Z belongs to the field.
+  await part(page, 'tab-settings').click();
+  await page.locator('input[type="number"]:visible').first().focus();
+  await page.keyboard.press('Control+z');
+  assert.match((await part(page, 'undo').textContent()) ?? '', /reject 2 matches/);
+  // A tool draws the rectangle without Shift, and Escape ends it.
+  await part(page, 'view').focus();
+  await page.keyboard.press('s');
+  assert.equal(await part(page, 'tool-choose').getAttribute('aria-pressed'), 'true');
+  await enclose(page, false);
+  await says(page, 'reject', /^Reject \d+$/);
+  await page.keyboard.press('Escape');
+  assert.equal(await part(page, 'tool-choose').getAttribute('aria-pressed'), 'false');
+  await page.keyboard.press('Escape');
+  await says(page, 'reject', /^Reject$/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a file holds the edited matches and says that it has no history; a new run keeps the rejections', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  await enclose(page);
+  await says(page, 'reject', /^Reject \d+$/);
+  await page.keyboard.press('Delete');
+  const left = await number(page, 'count-matches');
+  const rejected = await number(page, 'count-rejected-by-hand');
+  await done(page);
+  await page.waitForFunction(() => /\d/.test(document.querySelector('[data-testid="compared-points-now"]')?.textContent ?? ''));
+  const project = await saved(page, 'export-project');
+  const { output } = open_pair_project(project);
+  assert.equal(output.match.matches.length, 5 * left);
+  assert.equal(output.orientation?.residuals_mm.length, left);
+  const fresh = await open();
+  await fresh.page.waitForFunction(() => document.querySelector('[data-testid="sample"]')?.hasAttribute('disabled') === false);
+  await part(fresh.page, 'file-input').setInputFiles([upload('pair.tiepoint', project)]);
+  const told = await says(fresh.page, 'status', /was opened/);
+  assert.match(told, new RegExp(`It holds ${rejected} matches rejected by hand; the history of these edits is not in the file`));
+  assert.equal(await number(fresh.page, 'count-matches'), left);
+  assert.equal(await number(fresh.page, 'count-rejected-by-hand'), rejected);
+  assert.equal((await saved(fresh.page, 'export-project')).toString(), project.toString());
+  assert.deepEqual(fresh.complaints, []);
+  await fresh.close();
+  // Another rule, other matches: what was rejected stays so where it is found again.
+  await part(page, 'tab-settings').click();
+  await page.locator('select[data-key="matching.refine"]').selectOption('none');
+  await again(page);
+  const line = await says(page, 'status', /Kept: \d+ match(es)? rejected by hand/);
+  assert.ok(Number(/Kept: (\d+)/.exec(line)?.[1]) > rejected / 2, line);
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -1,0 +1,80 @@
+/** The matches that an edit would change: those chosen together, else that of the selected point. */
+import { remember } from '../../shared/state/remember';
+import { BY_HAND, MATCHED } from './codes';
+import { editedPair, leftsByTarget, placeOfLeft, targetOfLeft } from './edited';
+import type { Edited } from './edited';
+import { keyOfTarget } from './edits';
+import type { Sorting } from './edits';
+import { leftIndexOf } from './selected';
+import type { Side, State } from './state';
+
+const NONE: readonly number[] = [];
+
+const leftsOf = remember((edited: Edited, chosen: readonly string[]): readonly number[] => {
+  const lefts = leftsByTarget(edited);
+  return chosen.flatMap((key) => lefts.get(key) ?? []);
+});
+
+/** The left points of the matches that are chosen together. */
+export function chosenLefts(state: State): readonly number[] {
+  const edited = editedPair(state);
+  return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
+}
+
+/** The left points whose matches an edit would change. */
+function concerned(state: State, edited: Edited): readonly number[] {
+  const chosen = chosenLefts(state);
+  if (chosen.length > 0) return chosen;
+  const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+  return left < 0 ? NONE : [left];
+}
+
+/** What rejects or restores the chosen matches; null where none of them is there for it. */
+export function editOfChoice(state: State, kind: 'reject' | 'restore'): Sorting | null {
+  const edited = editedPair(state);
+  if (edited === null) return null;
+  const rule = kind === 'reject' ? MATCHED : BY_HAND;
+  // A place is a list itself, which must stay one.
+  const of = concerned(state, edited).flatMap((left) => {
+    const target = edited.match.rules[left] === rule ? targetOfLeft(edited, left) : null;
+    return target === null ? [] : [target];
+  });
+  return of.length === 0 ? null : { kind, of };
+}
+
+/** The keys of the matches of left points; points without one have none. */
+export function keysOfLefts(edited: Edited, lefts: Iterable<number>): string[] {
+  return [...lefts].flatMap((left) => {
+    const target = targetOfLeft(edited, left);
+    return target === null ? [] : [keyOfTarget(target)];
+  });
+}
+
+/** The keys of matches whose point of a side lies in a rectangle of its image. */
+export function keysWithin(
+  edited: Edited,
+  side: Side,
+  [left, top, right, bottom]: readonly [number, number, number, number],
+  isShown: (left: number) => boolean,
+): string[] {
+  const inside: number[] = [];
+  const first = side === 'left' ? 0 : 2;
+  edited.match.rules.forEach((rule, index) => {
+    if ((rule !== MATCHED && rule !== BY_HAND) || !isShown(index)) return;
+    const place = placeOfLeft(edited, index);
+    const [x, y] = [place[first] ?? NaN, place[first + 1] ?? NaN];
+    if (x >= left && x <= right && y >= top && y <= bottom) inside.push(index);
+  });
+  return keysOfLefts(edited, inside);
+}
+
+/** The choice with matches added, or taken out where all of them were in it. */
+export function toggled(chosen: readonly string[], keys: readonly string[]): string[] {
+  const own = new Set(chosen);
+  const all = keys.every((key) => own.has(key));
+  for (const key of keys) {
+    if (all) own.delete(key);
+    else own.add(key);
+  }
+  return [...own];
+}

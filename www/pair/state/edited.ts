@@ -1,0 +1,275 @@
+/** The pair with the edits by hand: a pure function of what the matching found and of what stands after the edits. */
+import { remember } from '../../shared/state/remember';
+import { BY_HAND, MATCHED, UNDECIDED } from './codes';
+import type { MatchesInUse, PairMatches } from './data';
+import { isNothing, keyOfTarget, standingOf } from './edits';
+import type { Place, Standing, Target } from './edits';
+import type { State } from './state';
+
+/** Stands for the right point of a match whose place is none. */
+export const NO_POINT = 0xffffffff;
+
+/** The measure of a match whose place was measured by hand: nothing was compared. Others are 0 or more. */
+export const MANUAL_MEASURE = -1;
+
+/** A new run finds the place of an edit again where a left point lies this near, px. */
+const SAME_PLACE_PX = 0.5;
+
+/** Matches with the left points that they refer to. */
+export interface Edited extends MatchesInUse {
+  /** Left points, stride 3: those that were found, then those that were measured by hand. */
+  left: Float64Array;
+  /** The targets of the left points beyond the found ones. */
+  appended: readonly Target[];
+  /** Rejections whose match is not there any more. */
+  lost: number;
+}
+
+/** Whether the place of a match was measured by hand. */
+export function isManual({ matches }: Pick<PairMatches, 'matches'>, row: number): boolean {
+  return matches[5 * row + 4] === MANUAL_MEASURE;
+}
+
+/** Rows of matches by the whole px that holds their left position. */
+const rowsByPixel = remember((matches: Float64Array): ReadonlyMap<number, readonly number[]> => {
+  const cells = new Map<number, number[]>();
+  for (let row = 0; 5 * row < matches.length; row++) {
+    const cell = pixelOf(matches[5 * row] ?? NaN, matches[5 * row + 1] ?? NaN);
+    const rows = cells.get(cell);
+    if (rows === undefined) cells.set(cell, [row]);
+    else rows.push(row);
+  }
+  return cells;
+});
+
+/** More columns than any image has. */
+const COLUMNS = 2 ** 24;
+
+function pixelOf(x: number, y: number): number {
+  return Math.floor(y) * COLUMNS + Math.floor(x);
+}
+
+const HERE = [[0, 0]] as const;
+const AROUND = [-1, 0, 1].flatMap((dy) => [-1, 0, 1].map((dx) => [dx, dy] as const));
+
+/** Squares of the distances of a match from a place, in the left and in the right image. */
+function distances(matches: Float64Array, row: number, [xl, yl, xr, yr]: Place): [number, number] {
+  const [ul = NaN, vl = NaN, ur = NaN, vr = NaN] = matches.subarray(5 * row, 5 * row + 4);
+  return [(ul - xl) ** 2 + (vl - yl) ** 2, (ur - xr) ** 2 + (vr - yr) ** 2];
+}
+
+/** The row of each target that has one: the very match where it is there, else the nearest one at the same place of the left image. */
+function rowsOf(matches: Float64Array, targets: ReadonlyMap<string, Place>): Map<string, number> {
+  const cells = rowsByPixel(matches);
+  const taken = new Set<number>();
+  const rows = new Map<string, number>();
+  const claim = (key: string, place: Place, around: readonly (readonly [number, number])[], accepts: (left: number, right: number) => boolean) => {
+    let best: [row: number, left: number, right: number] | null = null;
+    for (const [dx, dy] of around) {
+      for (const row of cells.get(pixelOf(place[0] + dx, place[1] + dy)) ?? []) {
+        const [left, right] = distances(matches, row, place);
+        if (taken.has(row) || !accepts(left, right)) continue;
+        if (best === null || left < best[1] || (left === best[1] && right < best[2])) best = [row, left, right];
+      }
+    }
+    if (best === null) return;
+    taken.add(best[0]);
+    rows.set(key, best[0]);
+  };
+  for (const [key, place] of targets) claim(key, place, HERE, (left, right) => left === 0 && right === 0);
+  for (const [key, place] of targets) if (!rows.has(key)) claim(key, place, AROUND, (left) => left <= SAME_PLACE_PX ** 2);
+  return rows;
+}
+
+/** Rows of matches that are gathered. */
+class Rows {
+  private readonly matches: Float64Array;
+  private readonly fits: Float64Array;
+  private readonly indices: Uint32Array;
+  private count = 0;
+
+  constructor(
+    private readonly found: PairMatches,
+    most: number,
+  ) {
+    this.matches = new Float64Array(5 * most);
+    this.fits = new Float64Array(5 * most);
+    this.indices = new Uint32Array(2 * most);
+  }
+
+  keep(row: number): void {
+    for (let k = 0; k < 5; k++) {
+      this.matches[5 * this.count + k] = this.found.matches[5 * row + k] ?? NaN;
+      this.fits[5 * this.count + k] = this.found.fits[5 * row + k] ?? NaN;
+    }
+    this.indices[2 * this.count] = this.found.indices[2 * row] ?? 0;
+    this.indices[2 * this.count + 1] = this.found.indices[2 * row + 1] ?? NO_POINT;
+    this.count += 1;
+  }
+
+  place(left: number, at: Place): void {
+    this.matches.set([...at, MANUAL_MEASURE], 5 * this.count);
+    this.fits.fill(NaN, 5 * this.count, 5 * this.count + 5);
+    this.indices.set([left, NO_POINT], 2 * this.count);
+    this.count += 1;
+  }
+
+  get all(): Pick<PairMatches, 'matches' | 'fits' | 'indices'> {
+    const { matches, fits, indices, count } = this;
+    return { matches: matches.slice(0, 5 * count), fits: fits.slice(0, 5 * count), indices: indices.slice(0, 2 * count) };
+  }
+}
+
+/** An array with room for more at its end. */
+function longer<A extends Uint8Array | Int32Array | Float64Array>(values: A, more: number): A {
+  const copy = new (values.constructor as new (length: number) => A)(values.length + more);
+  copy.set(values);
+  return copy;
+}
+
+/** What each edit did to the matches that were found. The same objects where nothing stands. */
+export function applied(left: Float64Array, found: PairMatches, standing: Standing): Edited {
+  if (isNothing(standing)) return { left, match: found, found, appended: [], lost: 0 };
+  const { rejected, placed } = standing;
+  const places = new Map<string, Place>();
+  for (const [key, { target }] of placed) if (typeof target !== 'number') places.set(key, target);
+  for (const [key, target] of rejected) if (typeof target !== 'number') places.set(key, target);
+  // A match measured by hand stands in place of one that was found of the same point.
+  for (const [key, { target, at }] of placed) if (typeof target === 'number' && !rejected.has(key)) places.set(key, at);
+  const rowOf = rowsOf(found.matches, places);
+  const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
+  const count = left.length / 3;
+  // As many places of their own in the left image as there can be.
+  const most = placed.size;
+  const rows = new Rows(found, found.matches.length / 5 + most);
+  const [points, rules, best] = [longer(left, 3 * most), longer(found.rules, most), longer(found.best, most)];
+  const [around, measures] = [longer(found.places, 2 * most), longer(found.measures, 2 * most)];
+  const appended: Target[] = [];
+  const handled = new Set<string>();
+  /** Of a left point of which nothing was compared, where it lies in the right image. */
+  const decide = (index: number, x: number, y: number) => {
+    best[index] = -1;
+    around.set([x, y], 2 * index);
+    measures.fill(Infinity, 2 * index, 2 * index + 2);
+  };
+  /** A place of its own in the left image, with the verdict on it. */
+  const append = (key: string, target: Target, at: Place) => {
+    const index = count + appended.length;
+    appended.push(target);
+    points.set([at[0], at[1], 0], 3 * index);
+    rules[index] = rejected.has(key) ? BY_HAND : MATCHED;
+    decide(index, at[2], at[3]);
+    if (!rejected.has(key)) rows.place(index, at);
+  };
+  for (let row = 0; 5 * row < found.matches.length; row++) {
+    const key = keyOfRow.get(row);
+    const at = key === undefined ? undefined : placed.get(key)?.at;
+    if (key === undefined) {
+      rows.keep(row);
+      continue;
+    }
+    const own = found.indices[2 * row] ?? 0;
+    const stays = at === undefined || (typeof placed.get(key)?.target !== 'number' && at[0] === found.matches[5 * row] && at[1] === found.matches[5 * row + 1]);
+    // Its place is another one in the left image: what was found here is no match any more, and the place follows below.
+    if (!stays) {
+      rules[own] = UNDECIDED;
+      decide(own, NaN, NaN);
+      continue;
+    }
+    handled.add(key);
+    if (at !== undefined) {
+      decide(own, at[2], at[3]);
+    }
+    if (rejected.has(key)) rules[own] = BY_HAND;
+    else if (at === undefined) rows.keep(row);
+    else rows.place(own, at);
+  }
+  for (const [key, { target, at }] of placed) if (!handled.has(key)) append(key, target, at);
+  const lost = [...rejected.keys()].filter((key) => !rowOf.has(key) && !placed.has(key)).length;
+  const all = count + appended.length;
+  const used = rows.all;
+  return {
+    left: appended.length === 0 ? left : points.slice(0, 3 * all),
+    match: {
+      ...found,
+      ...used,
+      counts: { ...found.counts, matches: used.matches.length / 5 },
+      rules: rules.slice(0, all),
+      best: best.slice(0, all),
+      places: around.slice(0, 2 * all),
+      measures: measures.slice(0, 2 * all),
+    },
+    found,
+    appended,
+    lost,
+  };
+}
+
+/** How many matches were rejected and measured by hand. */
+export function countsByHand(match: Pick<PairMatches, 'matches' | 'rules'>): { rejected: number; manual: number } {
+  let manual = 0;
+  for (let row = 0; 5 * row < match.matches.length; row++) manual += Number(isManual(match, row));
+  return { rejected: match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND), 0), manual };
+}
+
+/** What a run of the matching has of the edits by hand; null where there are none. */
+export function keptText({ match, found, lost }: Edited): string | null {
+  if (match === found && lost === 0) return null;
+  const { rejected, manual } = countsByHand(match);
+  const of = (number: number, one: string, more: string) => (number === 0 ? [] : [`${String(number)} ${number === 1 ? one : more}`]);
+  const kept = [...of(rejected, 'match rejected by hand', 'matches rejected by hand'), ...of(manual, 'match measured by hand', 'matches measured by hand')];
+  const none = lost === 0 ? '' : ` Of ${String(lost)} more ${lost === 1 ? 'rejection' : 'rejections'} there is no match at the same place.`;
+  return `${kept.length === 0 ? 'No edits by hand apply to this result.' : `Kept: ${kept.join(', ')}.`}${none}`;
+}
+
+const remembered = remember(applied);
+
+/** The pair with its edits; null while there are no matches of the points that are there. */
+export function editedPair({ results, history }: Pick<State, 'results' | 'history'>): Edited | null {
+  const left = results.pointsLeft?.value.points;
+  const match = results.match?.value;
+  if (left === undefined || match === undefined || match.rules.length * 3 !== left.length) return null;
+  return remembered(left, match, standingOf(history.edits, history.done));
+}
+
+/** What an edit of the match at a left point is about; null where there is no match. */
+export function targetOfLeft({ found, match, appended }: Edited, left: number): Target | null {
+  const rule = match.rules[left];
+  if (rule !== MATCHED && rule !== BY_HAND) return null;
+  const count = found.rules.length;
+  if (left >= count) return appended[left - count] ?? null;
+  const row = rowOfLeft(found)[left] ?? -1;
+  if (row < 0) return null;
+  const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = found.matches.subarray(5 * row, 5 * row + 4);
+  return [xl, yl, xr, yr];
+}
+
+/** The row of the match of each left point; -1 where it has none. */
+function rowsOfLefts(match: Pick<PairMatches, 'rules' | 'indices'>): Int32Array {
+  const rows = new Int32Array(match.rules.length).fill(-1);
+  for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? NO_POINT] = i / 2;
+  return rows;
+}
+
+const rowOfLeft = remember(rowsOfLefts);
+
+/** The left points that have a match, or had one that was rejected by hand, by the keys of its target. */
+export const leftsByTarget = remember((edited: Edited): ReadonlyMap<string, number> => {
+  const lefts = new Map<string, number>();
+  edited.match.rules.forEach((rule, left) => {
+    if (rule !== MATCHED && rule !== BY_HAND) return;
+    const target = targetOfLeft(edited, left);
+    if (target !== null) lefts.set(keyOfTarget(target), left);
+  });
+  return lefts;
+});
+
+/** Where the match of a left point lies, or lay until it was rejected by hand. */
+export function placeOfLeft({ left, match }: Edited, index: number): Place {
+  const [x = NaN, y = NaN] = left.subarray(3 * index, 3 * index + 2);
+  const row = rowOfEdited(match)[index] ?? -1;
+  const [xr = NaN, yr = NaN] = row >= 0 ? match.matches.subarray(5 * row + 2, 5 * row + 4) : match.places.subarray(2 * index, 2 * index + 2);
+  return [x, y, xr, yr];
+}
+
+const rowOfEdited = remember(rowsOfLefts);

@@ -1,0 +1,117 @@
+/** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
+import { remember } from '../../shared/state/remember';
+
+/** Where a match lies: x and y in the left, x and y in the right image, px. */
+export type Place = readonly [xLeft: number, yLeft: number, xRight: number, yRight: number];
+
+/** A match that an edit is about: by the place where the matching found it, or by the number that it got when it was measured by hand. */
+export type Target = Place | number;
+
+/** Matches are taken out of the orientation, or used again. */
+export interface Sorting {
+  kind: 'reject' | 'restore';
+  of: readonly Target[];
+}
+
+export type Edit = Sorting | { kind: 'add'; id: number; at: Place } | { kind: 'move'; of: Target; to: Place };
+
+/** All edits; the first `done` of them hold, the others were undone and can be done again. */
+export interface History {
+  edits: readonly Edit[];
+  done: number;
+}
+
+export const NO_HISTORY: History = { edits: [], done: 0 };
+
+/** What stands after the edits: by the keys of their targets. */
+export interface Standing {
+  rejected: ReadonlyMap<string, Target>;
+  /** Matches whose place was measured by hand. */
+  placed: ReadonlyMap<string, { target: Target; at: Place }>;
+}
+
+const NOTHING: Standing = { rejected: new Map(), placed: new Map() };
+
+/** Keys that were made: an edit of many matches is looked at again and again. */
+const keys = new WeakMap<Place, string>();
+
+export function keyOfTarget(target: Target): string {
+  if (typeof target === 'number') return `#${String(target)}`;
+  const key = keys.get(target) ?? target.join(' ');
+  keys.set(target, key);
+  return key;
+}
+
+/** What stands after the edits that hold; the same object where none does. */
+export const standingOf = remember((edits: readonly Edit[], done: number): Standing => {
+  if (done === 0) return NOTHING;
+  const rejected = new Map<string, Target>();
+  const placed = new Map<string, { target: Target; at: Place }>();
+  for (const edit of edits.slice(0, done)) {
+    switch (edit.kind) {
+      case 'reject':
+        for (const target of edit.of) rejected.set(keyOfTarget(target), target);
+        break;
+      case 'restore':
+        for (const target of edit.of) rejected.delete(keyOfTarget(target));
+        break;
+      case 'add':
+        placed.set(keyOfTarget(edit.id), { target: edit.id, at: edit.at });
+        break;
+      case 'move':
+        placed.set(keyOfTarget(edit.of), { target: edit.of, at: edit.to });
+    }
+  }
+  return rejected.size === 0 && placed.size === 0 ? NOTHING : { rejected, placed };
+});
+
+export function isNothing({ rejected, placed }: Standing): boolean {
+  return rejected.size === 0 && placed.size === 0;
+}
+
+/** The history after one more edit: what was undone before is given up. */
+export function recorded({ edits, done }: History, edit: Edit): History {
+  return { edits: [...edits.slice(0, done), edit], done: done + 1 };
+}
+
+/** The history with the first `done` edits. */
+export function wentTo({ edits }: History, done: number): History {
+  return { edits, done: Math.min(edits.length, Math.max(0, done)) };
+}
+
+/** A number that no match measured by hand has yet. */
+export function freshNumber({ edits }: History): number {
+  return edits.reduce((most, edit) => (edit.kind === 'add' ? Math.max(most, edit.id) : most), 0) + 1;
+}
+
+/** What an edit did, as in "Undo: reject 14 matches". */
+export function nameOfEdit(edit: Edit): string {
+  switch (edit.kind) {
+    case 'reject':
+    case 'restore':
+      return `${edit.kind} ${edit.of.length === 1 ? '1 match' : `${String(edit.of.length)} matches`}`;
+    case 'add':
+      return 'add 1 match';
+    case 'move':
+      return 'move 1 match';
+  }
+}
+
+/** The edits of exchanged images. */
+export function exchanged({ edits, done }: History): History {
+  if (edits.length === 0) return NO_HISTORY;
+  const place = ([xl, yl, xr, yr]: Place): Place => [xr, yr, xl, yl];
+  const target = (of: Target): Target => (typeof of === 'number' ? of : place(of));
+  const other = (edit: Edit): Edit => {
+    switch (edit.kind) {
+      case 'reject':
+      case 'restore':
+        return { kind: edit.kind, of: edit.of.map(target) };
+      case 'add':
+        return { ...edit, at: place(edit.at) };
+      case 'move':
+        return { kind: 'move', of: target(edit.of), to: place(edit.to) };
+    }
+  };
+  return { edits: edits.map(other), done };
+}
