@@ -91,7 +91,10 @@ function resting(state: State, wanted: number, done: number): Line {
     return { text: `One image is open. Open the ${state.images.left === null ? 'left' : 'right'} one.`, kind: 'idle' };
   }
   if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
-  const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
+  const milliseconds = Object.entries(state.results).reduce(
+    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' ? 0 : result.milliseconds),
+    0,
+  );
   // A pair that was opened took none.
   const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);
