@@ -11,7 +11,7 @@ import { defaults, match_pair, open_pair_project, orient_matches, Photo, simulat
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const WASM = pathToFileURL(join(ROOT, 'pkg', 'wasm', 'tiepoint.js')).href;
-const MODULES = ['choice', 'codes', 'edited', 'edits', 'kept', 'project', 'reducer', 'select', 'state'];
+const MODULES = ['choice', 'codes', 'draft', 'edited', 'edits', 'kept', 'project', 'reducer', 'select', 'state'];
 
 /** The modules of the page's state.  @type {Record<string, any>} */
 const page = {};
@@ -263,4 +263,29 @@ test('exchanged images exchange the edits', () => {
     done: 1,
   });
   assert.deepEqual(page.edits.exchanged(other), history);
+});
+
+test('a point is expected where the matches around it lie, on its epipolar line', () => {
+  const state = opened();
+  const edited = page.edited.editedPair(state);
+  const { matches } = edited.match;
+  // The median of what the neighbours of known matches say of them.
+  const errors = Array.from({ length: 200 }, (_, i) => {
+    const [x, y, u, v] = matches.subarray(5 * 10 * i, 5 * 10 * i + 4);
+    const [px, py] = page.draft.byNeighbours(edited, 'left', [x, y]);
+    return Math.hypot(px - u, py - v);
+  }).sort((a, b) => a - b);
+  assert.ok((errors[100] ?? NaN) < 1, `median ${errors[100]} px`);
+  const line = { side: 'right', positions: Float64Array.of(0, 10, 100, 10, 200, 110) };
+  assert.deepEqual(page.draft.onLine(line, [40, 30]), [40, 10]);
+  assert.deepEqual(page.draft.onLine(line, [150, 60]), [150, 60]);
+  assert.deepEqual(page.draft.onLine(line, [-5, 0]), [0, 10]);
+  // A new match waits for its second point, a moved one keeps what was not moved.
+  let measuring = page.reducer.reduce(state, { type: 'draft', draft: page.draft.begun(state, 'left', [100.123, 200]) });
+  const edit = page.draft.editOfDraft(measuring);
+  assert.deepEqual([edit.kind, edit.id, edit.at.slice(0, 2)], ['add', 1, [100.12, 200]]);
+  const left = edited.match.indices[20];
+  measuring = page.reducer.reduce(state, { type: 'select', selection: { side: 'left', index: left } });
+  measuring = page.reducer.reduce(measuring, { type: 'draft', draft: page.draft.moving(measuring) });
+  assert.deepEqual(page.draft.editOfDraft(measuring).to, [...matches.subarray(50, 54)]);
 });

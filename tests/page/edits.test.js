@@ -217,3 +217,111 @@ test('a file holds the edited matches and says that it has no history; a new run
   assert.deepEqual(complaints, []);
   await close();
 });
+
+/** Where the points of the draft lie, as the bar says.  @param {Page} page */
+async function drafted(page) {
+  const text = await says(page, 'draft-text', /right −?\d/);
+  const [, x, y, u, v] = /left ([\d.]+), ([\d.]+) · right ([\d.]+), ([\d.]+)/.exec(text) ?? [];
+  return /** @type {[number, number, number, number]} */ ([x, y, u, v].map(Number));
+}
+
+/** The last match of the exported JSON, and what it says of edits.  @param {Page} page @returns {Promise<{ match: [number, number, number, number, number], edits: any, count: number }>} */
+async function lastMatch(page) {
+  const { matches, edits } = JSON.parse((await saved(page, 'export-json')).toString());
+  return { match: matches.at(-1), edits, count: matches.length };
+}
+
+test('a match is measured by mouse: the second point is expected on the epipolar line, fitted, accepted, and moved', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const all = await number(page, 'count-matches');
+  await part(page, 'tool-measure').click();
+  const box = await part(page, 'pane-left').boundingBox();
+  assert.ok(box);
+  await page.mouse.click(box.x + 0.6 * box.width, box.y + 0.55 * box.height);
+  const [x, y, u, v] = await drafted(page);
+  // The simulated photos are nearly alike.
+  assert.ok(Math.hypot(u - x, v - y) < 10, `${u}, ${v}`);
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('Shift+ArrowUp');
+  const moved = await drafted(page);
+  assert.ok(Math.abs(moved[2] - u - 0.1) < 0.011 && Math.abs(moved[3] - v + 1) < 0.011, String(moved));
+  assert.deepEqual(moved.slice(0, 2), [x, y]);
+  await part(page, 'draft-accept').click();
+  await says(page, 'undo', /^Undo: add 1 match$/);
+  const added = await lastMatch(page);
+  assert.deepEqual(added.match, [...moved, -1]);
+  assert.deepEqual([added.count, added.edits.measured_by_hand], [all + 1, [all]]);
+  assert.match((await csv(page)).trim().split('\n').at(-1) ?? '', /,-1(\.0)?$/);
+  await part(page, 'tab-results').click();
+  assert.equal(await number(page, 'count-manual'), 1);
+  // What was measured is selected: its right point is moved, and Escape gives that up.
+  await part(page, 'tab-point').click();
+  await says(page, 'point-verdict', /Measured by hand|rejected from the relative orientation/);
+  await part(page, 'view').focus();
+  await page.keyboard.press('Escape');
+  await page.keyboard.press('e');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Escape');
+  assert.ok(await part(page, 'draft').isHidden());
+  assert.deepEqual((await lastMatch(page)).match, added.match);
+  await part(page, 'view').focus();
+  await page.keyboard.press('e');
+  await page.keyboard.press('ArrowLeft');
+  await page.keyboard.press('Enter');
+  await says(page, 'undo', /^Undo: move 1 match$/);
+  const { match } = await lastMatch(page);
+  assert.ok(Math.abs(match[2] - added.match[2] + 0.1) < 0.011, `${match} ${added.match}`);
+  await page.keyboard.press('Control+z');
+  await page.keyboard.press('Control+z');
+  await done(page);
+  assert.equal(await number(page, 'count-matches'), all);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a match is measured by the keyboard alone, survives a crash of the tab, and is rejected like any other', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open();
+  await sample(page);
+  const all = await number(page, 'count-matches');
+  await part(page, 'view').focus();
+  for (const key of ['+', '+', '+', '+', 'a', 'Enter']) await page.keyboard.press(key);
+  await drafted(page);
+  // Least squares matching refines the place; then the left point, and back.
+  await page.keyboard.press('f');
+  await page.keyboard.press('o');
+  await says(page, 'draft-text', /Place the left point/);
+  await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('o');
+  await says(page, 'draft-text', /Place the right point/);
+  const places = await drafted(page);
+  await page.keyboard.press('Enter');
+  await says(page, 'undo', /^Undo: add 1 match$/);
+  await keptEdits(page, 1, 1);
+  assert.deepEqual(complaints, []);
+  const context = page.context();
+  const url = page.url();
+  const session = await context.newCDPSession(page);
+  await Promise.race([session.send('Page.crash').catch(() => undefined), page.waitForEvent('crash')]);
+  const again = await context.newPage();
+  await again.goto(url);
+  // What was not kept of the results yet is computed again, and what was measured holds for it.
+  await says(again, 'status', /Restored from this browser|Kept: 1 match measured by hand/);
+  await done(again);
+  assert.deepEqual((await lastMatch(again)).match.slice(0, 4), places);
+  // It is the last one that has a point of its own.
+  await part(again, 'tab-matches').click();
+  await part(again, 'statistics-filter').selectOption('by-hand');
+  await part(again, 'statistics-row').first().click();
+  await again.keyboard.press('Delete');
+  await says(again, 'undo', /^Undo: reject 1 match$/);
+  await part(again, 'tab-results').click();
+  await done(again);
+  assert.equal(await number(again, 'count-matches'), all);
+  assert.equal(await number(again, 'count-rejected-by-hand'), 1);
+  await again.keyboard.press('Control+z');
+  await again.keyboard.press('Control+z');
+  await done(again);
+  assert.equal((await lastMatch(again)).edits, null);
+  await close();
+});

@@ -9,6 +9,7 @@ import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
+import { fitted } from './engine/fit';
 import { KeptPairs } from './files/keep';
 import { Files, takerOf } from './files/open';
 import { exportProject } from './files/project';
@@ -17,6 +18,7 @@ import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
 import { mountCounts } from './panel/counts';
+import { mountDraft } from './panel/draft';
 import { mountEditKeys, mountEdits, mountEditTools } from './panel/edits';
 import { mountFiducials } from './panel/fiducials';
 import { mountGeometry } from './panel/geometry';
@@ -97,10 +99,11 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
     }
   };
 
-  const editing = new Editing(store);
+  const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   mountInput(view, store, navigator, editing);
   mountToolbar(byId('toolbar'), store, navigator);
   mountEditTools(byId('view-more'), store, editing);
+  mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   const pick = pickerOf(files);
   mountPanes(view, store, {
     open: (side) => pick(side),
@@ -115,7 +118,7 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
   mountOrientation(results, store);
   mountHistograms(results, store);
   mountPoint(point, store, (side, index) => navigator.select({ side, index }));
-  mountEdits(matches, store, editing);
+  mountEdits(matches, store, editing, () => navigator.followDraft());
   mountEditKeys(matches, store, editing);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
   mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));

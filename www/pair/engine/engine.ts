@@ -37,7 +37,7 @@ export class Engine implements Workers {
 
   constructor(private readonly store: Store) {
     store.watch(['settings', 'camera', 'photos', 'masks', 'offset', 'fiducialModel'], () => this.later());
-    store.watch(['images', 'selection', 'history', 'paused', 'failures'], () => this.update());
+    store.watch(['images', 'selection', 'history', 'draft', 'paused', 'failures'], () => this.update());
   }
 
   client(name: WorkerName): PairClient {

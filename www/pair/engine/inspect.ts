@@ -72,14 +72,19 @@ async function featureAt(workers: Workers, state: State, side: Side, index: numb
 
 /** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
 async function lineOf(workers: Workers, state: State): Promise<SeenAt | null> {
-  const { geometry } = needed(state, 'match');
   const { selection } = state;
   const at = selection === null ? null : pointAt(state, selection.side, selection.index);
-  if (geometry === null || selection === null || at === null) return null;
-  const side = otherSide(selection.side);
+  return selection === null || at === null ? null : seenFrom(workers, state, selection.side, at);
+}
+
+/** Where a place of one image may be seen in the other one; null where no geometry of the two views is known. */
+async function seenFrom(workers: Workers, state: State, from: Side, at: Position): Promise<SeenAt | null> {
+  const { geometry } = needed(state, 'match');
+  if (geometry === null) return null;
+  const side = otherSide(from);
   const { width, height } = needed(state, side === 'left' ? 'openLeft' : 'openRight').info;
   const positions = await workers.client('pair').call('epipolarLine', {
-    from: selection.side,
+    from,
     x: at[0],
     y: at[1],
     model: geometry.model,
@@ -118,4 +123,12 @@ export const inspection: Run<Inspection> = async (state, workers) => {
   const left = leftIndexOf(state, best, rules);
   const [compared, candidates, line] = await Promise.all([comparedOf(workers, state, left), candidatesOf(workers, state, left), lineOf(workers, state)]);
   return { ...compared, candidates, line };
+};
+
+/** Where the point that is measured may lie. */
+export const line: Run<SeenAt | null> = async (state, workers) => {
+  const { draft } = state;
+  const from = draft === null ? null : otherSide(draft.side);
+  const at = from === null ? null : draft?.places[from];
+  return from === null || at == null ? null : seenFrom(workers, state, from, [at[0], at[1]]);
 };

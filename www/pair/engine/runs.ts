@@ -8,7 +8,7 @@ import { comparesGradients, comparesMoments, isCurrent, pairCameras } from '../s
 import { truthOf } from '../state/truth';
 import { matchInput, needed, settingsOf } from './inputs';
 import type { Run } from './inputs';
-import { inspection } from './inspect';
+import { inspection, line } from './inspect';
 
 /** Longest side of the copies from which the offset is estimated, in px. */
 const OFFSET_SIDE = 1024;
@@ -128,4 +128,5 @@ export const RUNS: { readonly [S in StageName]: Run<StageValues[S]> } = {
   orientation,
   score,
   inspection,
+  line,
 };

@@ -41,7 +41,10 @@ export function resting(state: State, waiting: boolean, actions: AnswerActions):
 }
 
 function answered(state: State, actions: AnswerActions): Answer {
-  const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === 'inspection' ? 0 : result.milliseconds), 0);
+  const milliseconds = Object.entries(state.results).reduce(
+    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' ? 0 : result.milliseconds),
+    0,
+  );
   // A pair that was opened took none.
   const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
   const reason = whyNotOriented(state);

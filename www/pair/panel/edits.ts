@@ -3,6 +3,7 @@ import { button, byId, fill, h, row } from '../../shared/panel/dom';
 import { count, fixed } from '../../shared/text/format';
 import type { OrientedPair } from '../../shared/crate';
 import { chosenLefts, editOfChoice } from '../state/choice';
+import { moving } from '../state/draft';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
@@ -26,9 +27,18 @@ function set(made: HTMLButtonElement, text: string, disabled: boolean): void {
 }
 
 /** In the panel of the matches. */
-export function mountEdits(host: HTMLElement, store: Store, editing: Editing): void {
+export function mountEdits(host: HTMLElement, store: Store, editing: Editing, follow: () => void): void {
   const reject = button('Reject', 'reject', () => editing.edit('reject'), 'Take the chosen matches out of the orientation (Delete)');
   const restore = button('Restore', 'restore', () => editing.edit('restore'), 'Use the chosen matches again (R)');
+  const move = button(
+    'Move',
+    'move',
+    () => {
+      editing.move();
+      follow();
+    },
+    'Measure the selected match anew, in either image (E)',
+  );
   const undo = button('Undo', 'undo', () => editing.step(-1), 'Take back the last edit (Ctrl+Z)');
   const redo = button('Redo', 'redo', () => editing.step(1), 'Make the edit again that was undone (Ctrl+Shift+Z or Ctrl+Y)');
   const hint = h(
@@ -41,7 +51,7 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing): v
   const unfold = h('summary', {}, '');
   const details = h('details', { testid: 'history-section' }, unfold, history);
   const panel = h('section', { class: 'edits', testid: 'edits', aria: { label: 'Edits by hand' } });
-  panel.append(h('div', { class: 'buttons' }, reject, restore, undo, redo), hint, compared, details);
+  panel.append(h('div', { class: 'buttons' }, reject, restore, move, undo, redo), hint, compared, details);
   host.append(panel);
   store.watch(
     (s) => [s.results, s.history, s.chosen, s.selection, s.before, s.images] as const,
@@ -52,6 +62,7 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing): v
       const several = (edit: typeof off) => (edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '');
       set(reject, `Reject${several(off)}`, off === null);
       set(restore, `Restore${several(on)}`, on === null);
+      move.disabled = moving(state) === null;
       const { edits } = state.history;
       const names = steps(state);
       set(undo, names.undo === null ? 'Undo' : `Undo: ${names.undo}`, names.undo === null);
@@ -109,7 +120,7 @@ function comparison(state: State): HTMLElement[] {
 
 /** In the bar above the pictures: the tool that chooses, undo and redo. */
 export function mountEditTools(host: HTMLElement, store: Store, editing: Editing): void {
-  const choose = button('Choose', 'tool-choose', () => store.dispatch({ type: 'tool', tool: store.state.tool === 'choose' ? 'look' : 'choose' }));
+  const choose = button('Choose', 'tool-choose', () => editing.toggle('choose'));
   choose.title = 'Choose matches by a rectangle, to reject or restore them (S; or Shift with a drag)';
   const undo = button('↶', 'tool-undo', () => editing.step(-1));
   const redo = button('↷', 'tool-redo', () => editing.step(1));
@@ -154,7 +165,8 @@ export function mountEditKeys(list: HTMLElement, store: Store, editing: Editing)
     if (key === 'Delete' || key === 'Backspace') editing.edit('reject');
     else if (key === 'r' || key === 'R') editing.edit('restore');
     else if (key === 'x' || key === 'X') editing.choose(store.state.selection);
-    else if (key === 'Escape') editing.chooseNone();
+    else if (key === 'e' || key === 'E') editing.move();
+    else if (key === 'Escape') editing.leave();
     else return;
     event.preventDefault();
   });

@@ -4,7 +4,21 @@ import type { Notice } from '../../shared/state/notice';
 import type { RestoredPair } from './kept';
 import type { OpenedProject } from './project';
 import type { Edit } from './edits';
-import type { Display, GivenImage, GivenMask, PaneView, PhotoData, Selection, Side, StageFailure, StageName, StageResult, Tool, TypedPart } from './state';
+import type {
+  Display,
+  Draft,
+  GivenImage,
+  GivenMask,
+  PaneView,
+  PhotoData,
+  Selection,
+  Side,
+  StageFailure,
+  StageName,
+  StageResult,
+  Tool,
+  TypedPart,
+} from './state';
 
 export type StageDone = { [S in StageName]: { type: 'stageDone'; stage: S; result: StageResult<S> } }[StageName];
 
@@ -43,6 +57,8 @@ export type Action =
   /** Matches are chosen together, by the keys of their targets. */
   | { type: 'choose'; chosen: readonly string[] }
   | { type: 'tool'; tool: Tool }
+  /** A match is measured by hand; null: no longer. */
+  | { type: 'draft'; draft: Draft | null }
   | { type: 'activeSide'; side: Side }
   | { type: 'views'; views: Partial<Record<Side, PaneView | null>> }
   | { type: 'display'; display: Partial<Display> }

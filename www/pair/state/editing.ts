@@ -1,12 +1,22 @@
 /** What a user does to matches, whatever was pressed for it. */
 import { editOfChoice, keysOfLefts, toggled } from './choice';
-import { editedPair } from './edited';
+import { begun, editOfDraft, moving, placed, placeOfDraft } from './draft';
+import { editedPair, leftsByTarget } from './edited';
+import { keyOfTarget } from './edits';
 import { leftIndexOf } from './selected';
-import type { Selection } from './state';
+import type { Position } from './selected';
+import { otherSide } from './state';
+import type { Selection, Side, Tool } from './state';
 import type { Store } from './store';
 
+/** Finds the place in the right image near a given one by least squares; null where there is none. */
+export type Fitter = (left: Position, right: Position) => Promise<Position | null>;
+
 export class Editing {
-  constructor(private readonly store: Store) {}
+  constructor(
+    private readonly store: Store,
+    private readonly fitter: Fitter,
+  ) {}
 
   /** Rejects or restores what is chosen; nothing where there is nothing of it. */
   edit(kind: 'reject' | 'restore'): void {
@@ -36,6 +46,80 @@ export class Editing {
 
   chooseNone(): void {
     if (this.store.state.chosen.length > 0) this.store.dispatch({ type: 'choose', chosen: [] });
+  }
+
+  /** Takes up a tool, or puts it away where it is in use. Without matches there is nothing to be done with any. */
+  toggle(tool: Tool): void {
+    const { state } = this.store;
+    const next = state.tool === tool || editedPair(state) === null ? 'look' : tool;
+    if (next !== state.tool) this.store.dispatch({ type: 'tool', tool: next });
+  }
+
+  /** Measures the match of the selected point anew. */
+  move(): void {
+    const draft = moving(this.store.state);
+    if (draft === null) return;
+    this.store.dispatch({ type: 'tool', tool: 'measure' });
+    this.store.dispatch({ type: 'draft', draft });
+  }
+
+  /** Places a point of the match that is measured; the first one begins it. */
+  place(side: Side, at: Position): void {
+    const { state } = this.store;
+    const { draft } = state;
+    this.store.dispatch({ type: 'draft', draft: draft === null ? begun(state, side, at) : placed(state, draft, side, at) });
+  }
+
+  /** Moves the point that is placed now. */
+  nudge(dx: number, dy: number): void {
+    const { draft } = this.store.state;
+    const at = draft === null ? null : placeOfDraft(this.store.state, draft.side);
+    if (draft !== null && at !== null) this.place(draft.side, [at[0] + dx, at[1] + dy]);
+  }
+
+  /** Goes on in the other image. */
+  exchange(): void {
+    const { state } = this.store;
+    const { draft } = state;
+    if (draft === null) return;
+    const at = placeOfDraft(state, draft.side);
+    const settled = at === null ? draft : placed(state, draft, draft.side, at);
+    this.store.dispatch({ type: 'draft', draft: { ...settled, side: otherSide(draft.side) } });
+  }
+
+  /** Finds the right place by least squares, near where it is. */
+  async fit(): Promise<void> {
+    const { state } = this.store;
+    const { draft } = state;
+    const [left, right] = [placeOfDraft(state, 'left'), placeOfDraft(state, 'right')];
+    if (draft === null || left === null || right === null) return;
+    const found = await this.fitter(left, right);
+    // Meanwhile something else may be measured.
+    if (this.store.state.draft !== draft) return;
+    if (found !== null) this.store.dispatch({ type: 'draft', draft: placed(state, placed(state, draft, 'left', left), 'right', found) });
+    const text = 'Least squares matching confirms no place near this one: the windows differ too much, or are turned to each other.';
+    this.store.dispatch({ type: 'notice', notice: found === null ? { kind: 'info', text } : null });
+  }
+
+  /** The match is measured: it becomes an edit, and is selected. */
+  accept(): void {
+    const edit = editOfDraft(this.store.state);
+    if (edit === null || (edit.kind !== 'add' && edit.kind !== 'move')) return;
+    this.store.dispatch({ type: 'edit', edit });
+    this.store.dispatch(edit.kind === 'add' ? { type: 'draft', draft: null } : { type: 'tool', tool: 'look' });
+    const edited = editedPair(this.store.state);
+    const left = edited === null ? undefined : leftsByTarget(edited).get(keyOfTarget(edit.kind === 'add' ? edit.id : edit.of));
+    if (left !== undefined) this.store.dispatch({ type: 'select', selection: { side: 'left', index: left } });
+  }
+
+  /** Ends what was begun last: the match that is measured, the tool, the choice; false where nothing was. */
+  leave(): boolean {
+    const { tool, chosen, draft } = this.store.state;
+    if (draft !== null && draft.of === null) this.store.dispatch({ type: 'draft', draft: null });
+    else if (tool !== 'look') this.store.dispatch({ type: 'tool', tool: 'look' });
+    else if (chosen.length > 0) this.chooseNone();
+    else return false;
+    return true;
   }
 
   private chooseAll(keys: readonly string[]): void {

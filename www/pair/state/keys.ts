@@ -8,7 +8,7 @@ import { remember } from '../../shared/state/remember';
 import { isNothing, standingOf } from './edits';
 import type { Standing } from './edits';
 import { truthOf } from './truth';
-import { SIDES } from './state';
+import { otherSide, SIDES } from './state';
 import type { Side, StageName, State } from './state';
 
 /** The wanted key of each stage; null where an input is missing. */
@@ -119,6 +119,11 @@ function ofCameras(settings: Settings | null, interiors: readonly (string | null
   return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
 }
 
+/** The point whose place in the other image is looked for. */
+function knownOfDraft({ draft }: State): unknown {
+  return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
+}
+
 function compute(state: State): WantedKeys {
   const { settings } = state;
   const openLeft = openKey(state, 'left');
@@ -162,6 +167,7 @@ function compute(state: State): WantedKeys {
     interiorRight,
     orientation: keyOf('orientation', [edited, orientable, ...interiors], settings?.orientation),
     score: keyOf('score', [edited, truth === null ? null : ''], [truth?.leftId, truth?.rightId]),
+    line: keyOf('line', [match, state.draft === null ? null : ''], knownOfDraft(state)),
     inspection: keyOf('inspection', [placed ? edited : match, state.selection === null ? null : ''], [state.selection, settings?.window]),
   };
 }

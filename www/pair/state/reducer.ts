@@ -89,7 +89,9 @@ function changed(state: State, action: Action): State {
     case 'choose':
       return { ...state, chosen: action.chosen };
     case 'tool':
-      return { ...state, tool: action.tool };
+      return { ...state, tool: action.tool, draft: null };
+    case 'draft':
+      return { ...state, draft: action.draft };
     case 'activeSide':
       return { ...state, activeSide: action.side };
     case 'views':

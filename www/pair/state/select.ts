@@ -176,7 +176,7 @@ export function progress(state: State): { wanted: number; done: number; running:
 /** The first failure that stands for what is wanted now. */
 export function currentFailure(state: State): { stage: StageName; message: string; ended: boolean } | null {
   const keys = wantedKeys(state);
-  for (const stage of [...RUN_STAGES, 'inspection'] as const) {
+  for (const stage of [...RUN_STAGES, 'inspection', 'line'] as const) {
     const failure = state.failures[stage];
     if (failure !== undefined && failure.key === keys[stage]) return { stage, message: failure.message, ended: failure.ended };
   }

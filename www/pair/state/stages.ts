@@ -26,6 +26,7 @@ export const STAGES: Readonly<Record<StageName, StageInfo>> = {
   interiorRight: { label: 'interior orientation, right', worker: 'pair', needs: ['openRight'] },
   orientation: { label: 'relative orientation', worker: 'pair', needs: ['match', 'interiorLeft', 'interiorRight'] },
   score: { label: 'comparing with the truth', worker: 'pair', needs: ['match'] },
+  line: { label: 'looking where the point may lie', worker: 'pair', needs: ['match'] },
   inspection: { label: 'loading the selected point', worker: 'pair', needs: ['match'] },
 };
 

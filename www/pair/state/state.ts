@@ -17,7 +17,7 @@ import type {
   WindowReport,
 } from '../../shared/crate';
 import { NO_HISTORY } from './edits';
-import type { History } from './edits';
+import type { History, Target } from './edits';
 import type { Notice } from '../../shared/state/notice';
 
 export type Side = 'left' | 'right';
@@ -121,6 +121,8 @@ export interface StageValues {
   orientation: OrientedPair;
   score: MatchScore;
   inspection: Inspection;
+  /** Where the point that is measured may lie; null where no geometry of the two views is known. */
+  line: SeenAt | null;
 }
 
 export type StageName = keyof StageValues;
@@ -172,8 +174,18 @@ export interface Display {
   hidden: readonly number[];
 }
 
-/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches. */
-export type Tool = 'look' | 'choose';
+/** `look`: a drag moves the pictures; `choose`: it draws a rectangle around matches; `measure`: a press places a point. */
+export type Tool = 'look' | 'choose' | 'measure';
+
+/** A match that is being measured: a point in one image, then its place in the other. */
+export interface Draft {
+  /** The match that is moved; null for a new one. */
+  of: Target | null;
+  /** Where its points were placed. */
+  places: Record<Side, readonly [x: number, y: number] | null>;
+  /** The image in which it is placed now. */
+  side: Side;
+}
 
 /** Parts of the state that are typed in fields. */
 export const TYPED_PARTS = ['settings', 'camera', 'photos', 'offset'] as const;
@@ -208,6 +220,7 @@ export interface State {
   before: OrientedPair | null;
   /** What a press or a drag on the pictures does. */
   tool: Tool;
+  draft: Draft | null;
   activeSide: Side;
   views: Record<Side, PaneView | null>;
   display: Display;
@@ -215,7 +228,7 @@ export interface State {
 }
 
 /** What belongs to the edits of a pair goes with its images. */
-export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before'> = { history: NO_HISTORY, chosen: [], before: null };
+export const UNEDITED: Pick<State, 'history' | 'chosen' | 'before' | 'draft'> = { history: NO_HISTORY, chosen: [], before: null, draft: null };
 
 export const INITIAL: State = {
   catalogue: null,

@@ -31,11 +31,14 @@ export function mountInput(view: View, store: Store, navigator: Navigator, editi
       zoomMiddle: (factor) => navigator.zoomMiddle(factor),
       fit: () => navigator.fit(),
       grabbed: activate,
-      pressed: (x, y, more) => press(view.hit(x, y), more, editing, navigator),
+      pressed: (x, y, more) => {
+        if (store.state.tool === 'measure') measure(view, x, y, editing, navigator);
+        else press(view.hit(x, y), more, editing, navigator);
+      },
       encloses: (shift) => shift || store.state.tool === 'choose',
       enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
       pointed: (at) => view.point(at),
-      command: (key) => command(key, store, navigator, editing),
+      command: (key, shift) => (store.state.tool === 'measure' && measuring(key, shift, store, navigator, editing)) || command(key, store, navigator, editing),
       // The bar of the view belongs to it: after a press there the keys go on.
     },
     host.closest<HTMLElement>('.stage') ?? host,
@@ -70,12 +73,52 @@ function between([x, y]: [number, number], [u, v]: [number, number]): Rect {
   return { left: Math.min(x, u), top: Math.min(y, v), width: Math.abs(u - x), height: Math.abs(v - y) };
 }
 
-/** Ends what was begun last: the tool, the choice, the selection. */
-function leave(store: Store, navigator: Navigator): void {
-  const { tool, chosen } = store.state;
-  if (tool !== 'look') store.dispatch({ type: 'tool', tool: 'look' });
-  else if (chosen.length > 0) store.dispatch({ type: 'choose', chosen: [] });
-  else navigator.select(null);
+/** Places a point of the match that is measured. */
+function measure(view: View, x: number, y: number, editing: Editing, navigator: Navigator): void {
+  const pane = paneAt(view.scene(), x, y);
+  if (pane?.picture == null) return;
+  editing.place(pane.side, toPosition(pane.transform, x, y));
+  navigator.followDraft();
+}
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+/** How far an arrow moves a point, px; with Shift. */
+const FINE = 0.1;
+const COARSE = 1;
+
+/** Runs the command of a key while a match is measured; false where it has none then. */
+function measuring(key: string, shift: boolean, store: Store, navigator: Navigator, editing: Editing): boolean {
+  const { draft } = store.state;
+  if (draft === null) {
+    const middle = key === 'Enter' ? navigator.middle() : null;
+    if (middle === null) return false;
+    editing.place(...middle);
+    navigator.followDraft();
+    return true;
+  }
+  const arrow = ARROWS[key];
+  if (arrow !== undefined) {
+    const step = shift ? COARSE : FINE;
+    editing.nudge(step * arrow[0], step * arrow[1]);
+    navigator.followDraft();
+    return true;
+  }
+  switch (key) {
+    case 'Enter':
+      editing.accept();
+      return true;
+    case 'o':
+    case 'O':
+      editing.exchange();
+      navigator.followDraft();
+      return true;
+    case 'f':
+    case 'F':
+      void editing.fit();
+      return true;
+    default:
+      return false;
+  }
 }
 
 /** Runs the command of a key; false where it has none. */
@@ -119,10 +162,19 @@ function command(key: string, store: Store, navigator: Navigator, editing: Editi
       return true;
     case 's':
     case 'S':
-      store.dispatch({ type: 'tool', tool: store.state.tool === 'choose' ? 'look' : 'choose' });
+      editing.toggle('choose');
+      return true;
+    case 'a':
+    case 'A':
+      editing.toggle('measure');
+      return true;
+    case 'e':
+    case 'E':
+      editing.move();
+      navigator.followDraft();
       return true;
     case 'Escape':
-      leave(store, navigator);
+      if (!editing.leave()) navigator.select(null);
       return true;
     default:
       return false;

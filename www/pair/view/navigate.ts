@@ -1,11 +1,14 @@
 /** Moves through the images and from point to point. */
 import { isCodeShown } from '../state/display';
 import { sameGround } from '../state/follow';
-import { otherSide } from '../state/state';
+import { otherSide, SIDES } from '../state/state';
 import type { PaneView, Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
 import { clamped, fitView, zoomed } from './geometry';
-import { contains, toCanvas } from '../../shared/view/transform';
+import { contains, toCanvas, toPosition } from '../../shared/view/transform';
+import type { Rect } from '../../shared/view/transform';
+import { placeOfDraft } from '../state/draft';
+import type { Position } from '../state/selected';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
@@ -68,6 +71,26 @@ export class Navigator {
     if (partner !== null) this.bringIntoView(scene, partner);
   }
 
+  /** Shows the points of the match that is measured, the second one as large as the first. */
+  followDraft(): void {
+    const { state } = this.store;
+    const scene = this.view.scene();
+    const scale = Math.max(...SIDES.map((side) => scene.panes[side].transform.scale));
+    const views = SIDES.flatMap((side) => {
+      const { rect, transform } = scene.panes[side];
+      const at = placeOfDraft(state, side);
+      if (at === null || (contains(inner(rect), ...toCanvas(transform, ...at)) && transform.scale === scale)) return [];
+      return [[side, { x: at[0], y: at[1], scale }] as const];
+    });
+    if (views.length > 0) this.store.dispatch({ type: 'views', views: Object.fromEntries(views) });
+  }
+
+  /** The position in the middle of the active pane; null where it shows no image. */
+  middle(): [Side, Position] | null {
+    const { rect, transform, side, picture } = this.activePane();
+    return picture === null ? null : [side, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2)];
+  }
+
   private activePane(): Pane {
     return this.view.scene().panes[this.store.state.activeSide];
   }
@@ -109,6 +132,11 @@ export class Navigator {
     const ground = leader === undefined ? null : sameGround(this.store.state, side, [leader.x, leader.y]);
     return ground === null ? [other, view] : [other, { x: ground[0], y: ground[1], scale: view.scale }];
   }
+}
+
+/** A place at the very edge of a pane is hardly seen. */
+function inner({ left, top, width, height }: Rect): Rect {
+  return { left: left + width / 8, top: top + height / 8, width: 0.75 * width, height: 0.75 * height };
 }
 
 /** The best right point of a left one, or the left point that a right one is matched to. */

@@ -61,7 +61,8 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
     ring(context, own, at, 9, SELECTED, 2.5);
   });
   if (scene.match === null) return;
-  drawLine(context, state, scene);
+  const line = isCurrent(state, 'inspection') ? state.results.inspection?.value.line : undefined;
+  if (line != null) drawLine(context, scene.panes[line.side], line.positions);
   const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
   const leftAt = pointOf(scene.panes.left, leftIndex);
   if (leftAt === null) return;
@@ -69,14 +70,9 @@ export function drawSelection(context: CanvasRenderingContext2D, state: State, s
   drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
 }
 
-/** The epipolar line of the selected point in the other image, or a cross at the one place that a map gives. */
-function drawLine(context: CanvasRenderingContext2D, state: State, scene: Scene): void {
-  const line = isCurrent(state, 'inspection') ? state.results.inspection?.value.line : undefined;
-  if (line == null) return;
-  const pane = scene.panes[line.side];
-  const places = Array.from({ length: line.positions.length / 2 }, (_, i) =>
-    toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0),
-  );
+/** An epipolar line, or a cross at the one place that a map gives. */
+export function drawLine(context: CanvasRenderingContext2D, pane: Pane, positions: Float64Array): void {
+  const places = Array.from({ length: positions.length / 2 }, (_, i) => toCanvas(pane.transform, positions[2 * i] ?? 0, positions[2 * i + 1] ?? 0));
   const path = new Path2D();
   for (const [i, [x, y]] of places.entries()) {
     if (places.length > 1) {
@@ -140,11 +136,25 @@ export function drawLens(
 ): void {
   const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
   if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
-  const [x, y] = toPosition(pane.transform, at[0], at[1]);
-  const rect = lensRect(at, bounds);
   const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
+  paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
+}
+
+/** A rectangle of the canvas that shows what lies around a place of an image, enlarged, with its points. */
+export function paintLens(
+  context: CanvasRenderingContext2D,
+  state: State,
+  scene: Scene,
+  pane: Pane,
+  [x, y]: [number, number],
+  rect: Rect,
+  scale: number,
+  ratio: number,
+  tiles: TileCache,
+): void {
+  const { picture } = pane;
+  if (picture === null) return;
   const transform: Transform = { scale, x: rect.left + rect.width / 2 - scale * x, y: rect.top + rect.height / 2 - scale * y };
-  const picture = pane.picture;
   within(context, rect, () => {
     context.fillStyle = '#000000';
     context.fillRect(rect.left, rect.top, rect.width, rect.height);

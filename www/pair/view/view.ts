@@ -10,6 +10,7 @@ import { Layers } from '../../shared/view/layers';
 import { toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { drawChosen, drawRectangle } from './chosen';
+import { drawDraft, drawDraftLenses } from './draft';
 import { PointGrid } from './grid';
 import { drawMarks } from './marks';
 import { drawLens, drawSelection } from './overlay';
@@ -60,7 +61,7 @@ export class View {
       () => this.layers.redraw('marks', 'overlay'),
     );
     store.watch(
-      (s) => [s.selection, s.chosen, s.results.inspection, s.settings, s.results.offset] as const,
+      (s) => [s.selection, s.chosen, s.draft, s.results.line, s.results.inspection, s.settings, s.results.offset] as const,
       () => this.layers.redraw('overlay'),
     );
   }
@@ -118,8 +119,10 @@ export class View {
       case 'overlay':
         drawChosen(context, state, scene);
         drawSelection(context, state, scene);
+        drawDraft(context, state, scene);
         if (this.rectangle !== null) drawRectangle(context, this.rectangle);
-        this.drawMagnifier(context, state, scene);
+        drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
+        if (state.draft === null) this.drawMagnifier(context, state, scene);
     }
   }
 

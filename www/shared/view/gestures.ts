@@ -24,7 +24,7 @@ export interface Movable<T> {
   /** The pointer is at a place, or has left. */
   pointed: (at: [number, number] | null, dragging: boolean) => void;
   /** Runs a command of the picture's own; false where the key has none. */
-  command: (key: string) => boolean;
+  command: (key: string, shift: boolean) => boolean;
 }
 
 /** Movement below which a press is a click, CSS px. */
@@ -147,7 +147,9 @@ class Gestures<T> {
 
   private key(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey || event.altKey || (event.target as Element).closest('input, select, .welcome') !== null) return;
-    if (this.movable.command(event.key) || this.moved(event)) event.preventDefault();
+    // They press the button that has the keyboard.
+    if ((event.key === 'Enter' || event.key === ' ') && (event.target as Element).closest('button') !== null) return;
+    if (this.movable.command(event.key, event.shiftKey) || this.moved(event)) event.preventDefault();
   }
 
   /** The keys that move a picture; with Shift they pan farther. */
