@@ -11,7 +11,18 @@ import { defaults, match_pair, open_pair_project, orient_matches, Photo, simulat
 
 const ROOT = fileURLToPath(new URL('..', import.meta.url));
 const WASM = pathToFileURL(join(ROOT, 'pkg', 'wasm', 'tiepoint.js')).href;
-const MODULES = ['choice', 'codes', 'draft', 'edited', 'edits', 'kept', 'project', 'reducer', 'select', 'state'];
+const MODULES = [
+  'state/choice',
+  'state/codes',
+  'state/draft',
+  'state/edited',
+  'state/edits',
+  'state/project',
+  'state/reducer',
+  'state/select',
+  'state/state',
+  'files/journal',
+];
 
 /** The modules of the page's state.  @type {Record<string, any>} */
 const page = {};
@@ -22,7 +33,7 @@ const MATCHED = 0;
 
 before(async () => {
   const entry = join(folder, 'entry.ts');
-  writeFileSync(entry, MODULES.map((name) => `export * as ${name} from '${join(ROOT, 'www', 'pair', 'state', name)}';`).join('\n'));
+  writeFileSync(entry, MODULES.map((name) => `export * as ${name.split('/')[1]} from '${join(ROOT, 'www', 'pair', name)}';`).join('\n'));
   const result = await build({
     configFile: false,
     root: folder,
@@ -288,4 +299,44 @@ test('a point is expected where the matches around it lie, on its epipolar line'
   measuring = page.reducer.reduce(state, { type: 'select', selection: { side: 'left', index: left } });
   measuring = page.reducer.reduce(measuring, { type: 'draft', draft: page.draft.moving(measuring) });
   assert.deepEqual(page.draft.editOfDraft(measuring).to, [...matches.subarray(50, 54)]);
+});
+
+test('a pair that is opened again has its edits again', () => {
+  const image = (/** @type {string} */ name, /** @type {number} */ id) => ({
+    id,
+    name,
+    source: { kind: 'file', file: new File([name], name, { lastModified: 1 }) },
+  });
+  const show = (/** @type {any} */ state, /** @type {string} */ left, /** @type {string} */ right) =>
+    page.reducer.reduce(state, { type: 'images', images: { left: image(left, 1), right: image(right, 2) } });
+  let state = show(opened(), 'a.jpg', 'b.jpg');
+  assert.equal(state.history, page.edits.NO_HISTORY);
+  state = page.reducer.reduce(state, { type: 'edit', edit: { kind: 'reject', of: [[1, 2, 3, 4]] } });
+  const { history } = state;
+  state = show(state, 'c.jpg', 'd.jpg');
+  assert.equal(state.history.edits.length, 0);
+  // The other order is another pair.
+  assert.equal(show(state, 'b.jpg', 'a.jpg').history.edits.length, 0);
+  state = show(state, 'a.jpg', 'b.jpg');
+  assert.equal(state.history, history);
+  assert.equal(state.shelf.size, 0);
+});
+
+test('the journal is read back as it was, an edit writes its last piece alone, and damage is named', () => {
+  const roll = dice(3);
+  const edits = Array.from({ length: 150 }, (_, i) =>
+    i % 3 === 0 ? { kind: 'add', id: i, at: [i, 1, 2, 3] } : { kind: 'reject', of: [[i, roll(100), 5, 6], i] },
+  );
+  const shelf = new Map([['other', { edits: edits.slice(0, 2), done: 1 }]]);
+  const journal = new page.journal.Journal();
+  const kept = (/** @type {any} */ history) => new Map([...journal.parts({ history, shelf })].map(([part, { value }]) => [part, value]));
+  const before = kept({ edits, done: 149 });
+  const stored = structuredClone(before);
+  assert.deepEqual(journal.read(stored), { history: { edits, done: 149 }, shelf });
+  const after = kept({ edits: [...edits, { kind: 'move', of: 3, to: [1, 2, 3, 4] }], done: 151 });
+  const changed = [...after].filter(([part, value]) => before.get(part) !== value).map(([part]) => part);
+  assert.deepEqual(changed.sort(), ['pair/edits', 'pair/edits/2']);
+  assert.deepEqual(journal.read(new Map()), { history: { edits: [], done: 0 }, shelf: new Map() });
+  stored.get('pair/edits/1')[0].kind = 'burn';
+  assert.throws(() => journal.read(stored), /edits\[1\]\[0\]\.kind is damaged/);
 });

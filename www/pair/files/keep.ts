@@ -43,6 +43,7 @@ const WATCHED = [
   'display',
   'results',
   'history',
+  'shelf',
   'running',
   'paused',
 ] as const satisfies readonly (keyof State)[];
@@ -86,7 +87,7 @@ export class KeptPairs implements Keepable {
     const given = isBlank(state) ? null : givenOf(state);
     if (given === null) return parts;
     parts.set(GIVEN, { value: given, bytes: SMALL });
-    for (const [part, kept] of this.journal.parts(state.history)) parts.set(part, kept);
+    for (const [part, kept] of this.journal.parts(state)) parts.set(part, kept);
     for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) {
       if (given !== null) parts.set(FILE + nameOf(given.source), { value: given.source, bytes: bytesOf(given.source), alone: true });
     }
@@ -107,7 +108,7 @@ export class KeptPairs implements Keepable {
     const kept = givenFrom(value, this.catalogue);
     const { typed, display, flight, paused } = kept;
     const images = bothSides((side) => orNull(kept.images[side], ({ name, file }) => ({ id: freshId(), name, source: sourceFrom(parts, file) })));
-    const history = this.journal.read(parts);
+    const { history, shelf } = this.journal.read(parts);
     const result = await this.result(parts, kept);
     const masks = await this.masks(kept, parts, result?.masks ?? { left: null, right: null });
     const opened = { ...result?.standing };
@@ -119,7 +120,7 @@ export class KeptPairs implements Keepable {
     );
     const truth = orNull(kept.truth, (known) => truthFrom(known, kept, parts, images));
     return () => {
-      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, opened, result } });
+      this.store.dispatch({ type: 'restored', restored: { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result } });
       if (result !== null) this.made = { kept: result.kept, results: resultsOf(unedited(this.store.state)) };
       const names = this.images();
       if (names.length === 0) return;

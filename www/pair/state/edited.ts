@@ -129,80 +129,111 @@ function longer<A extends Uint8Array | Int32Array | Float64Array>(values: A, mor
 
 /** What each edit did to the matches that were found. The same objects where nothing stands. */
 export function applied(left: Float64Array, found: PairMatches, standing: Standing): Edited {
-  if (isNothing(standing)) return { left, match: found, found, appended: [], lost: 0 };
-  const { rejected, placed } = standing;
+  return isNothing(standing) ? { left, match: found, found, appended: [], lost: 0 } : new Applying(left, found, standing).edited();
+}
+
+/** The places by which the matches of edits are found. */
+function placesOf({ rejected, placed }: Standing): ReadonlyMap<string, Place> {
   const places = new Map<string, Place>();
   for (const [key, { target }] of placed) if (typeof target !== 'number') places.set(key, target);
   for (const [key, target] of rejected) if (typeof target !== 'number') places.set(key, target);
   // A match measured by hand stands in place of one that was found of the same point.
   for (const [key, { target, at }] of placed) if (typeof target === 'number' && !rejected.has(key)) places.set(key, at);
-  const rowOf = rowsOf(found.matches, places);
-  const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
-  const count = left.length / 3;
-  // As many places of their own in the left image as there can be.
-  const most = placed.size;
-  const rows = new Rows(found, found.matches.length / 5 + most);
-  const [points, rules, best] = [longer(left, 3 * most), longer(found.rules, most), longer(found.best, most)];
-  const [around, measures] = [longer(found.places, 2 * most), longer(found.measures, 2 * most)];
-  const appended: Target[] = [];
-  const handled = new Set<string>();
-  /** Of a left point of which nothing was compared, where it lies in the right image. */
-  const decide = (index: number, x: number, y: number) => {
-    best[index] = -1;
-    around.set([x, y], 2 * index);
-    measures.fill(Infinity, 2 * index, 2 * index + 2);
-  };
-  /** A place of its own in the left image, with the verdict on it. */
-  const append = (key: string, target: Target, at: Place) => {
-    const index = count + appended.length;
-    appended.push(target);
-    points.set([at[0], at[1], 0], 3 * index);
-    rules[index] = rejected.has(key) ? BY_HAND : MATCHED;
-    decide(index, at[2], at[3]);
-    if (!rejected.has(key)) rows.place(index, at);
-  };
-  for (let row = 0; 5 * row < found.matches.length; row++) {
-    const key = keyOfRow.get(row);
-    const at = key === undefined ? undefined : placed.get(key)?.at;
-    if (key === undefined) {
-      rows.keep(row);
-      continue;
-    }
-    const own = found.indices[2 * row] ?? 0;
-    const stays = at === undefined || (typeof placed.get(key)?.target !== 'number' && at[0] === found.matches[5 * row] && at[1] === found.matches[5 * row + 1]);
-    // Its place is another one in the left image: what was found here is no match any more, and the place follows below.
-    if (!stays) {
-      rules[own] = UNDECIDED;
-      decide(own, NaN, NaN);
-      continue;
-    }
-    handled.add(key);
-    if (at !== undefined) {
-      decide(own, at[2], at[3]);
-    }
-    if (rejected.has(key)) rules[own] = BY_HAND;
-    else if (at === undefined) rows.keep(row);
-    else rows.place(own, at);
+  return places;
+}
+
+/** Goes through the matches that were found, then through those that have a place of their own. */
+class Applying {
+  private readonly count: number;
+  private readonly rows: Rows;
+  private readonly points: Float64Array;
+  private readonly rules: Uint8Array;
+  private readonly best: Int32Array;
+  private readonly places: Float64Array;
+  private readonly measures: Float64Array;
+  private readonly appended: Target[] = [];
+
+  constructor(
+    private readonly left: Float64Array,
+    private readonly found: PairMatches,
+    private readonly standing: Standing,
+  ) {
+    this.count = left.length / 3;
+    // As many places of their own in the left image as there can be.
+    const most = standing.placed.size;
+    this.rows = new Rows(found, found.matches.length / 5 + most);
+    this.points = longer(left, 3 * most);
+    this.rules = longer(found.rules, most);
+    this.best = longer(found.best, most);
+    this.places = longer(found.places, 2 * most);
+    this.measures = longer(found.measures, 2 * most);
   }
-  for (const [key, { target, at }] of placed) if (!handled.has(key)) append(key, target, at);
-  const lost = [...rejected.keys()].filter((key) => !rowOf.has(key) && !placed.has(key)).length;
-  const all = count + appended.length;
-  const used = rows.all;
-  return {
-    left: appended.length === 0 ? left : points.slice(0, 3 * all),
-    match: {
-      ...found,
+
+  edited(): Edited {
+    const { found, left, standing, appended } = this;
+    const rowOf = rowsOf(found.matches, placesOf(standing));
+    const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
+    const handled = new Set<string>();
+    for (let row = 0; 5 * row < found.matches.length; row++) {
+      const key = keyOfRow.get(row);
+      if (key === undefined) this.rows.keep(row);
+      else if (this.change(row, key)) handled.add(key);
+    }
+    for (const [key, { target, at }] of standing.placed) if (!handled.has(key)) this.append(key, target, at);
+    const lost = [...standing.rejected.keys()].filter((key) => !rowOf.has(key) && !standing.placed.has(key)).length;
+    const all = this.count + appended.length;
+    return { left: appended.length === 0 ? left : this.points.slice(0, 3 * all), match: this.match(all), found, appended, lost };
+  }
+
+  /** Does to a match that was found what stands of it; false where its place is another one in the left image, which is appended. */
+  private change(row: number, key: string): boolean {
+    const { found, standing } = this;
+    const own = found.indices[2 * row] ?? 0;
+    const { target, at } = standing.placed.get(key) ?? {};
+    const stays = at === undefined || (typeof target !== 'number' && at[0] === found.matches[5 * row] && at[1] === found.matches[5 * row + 1]);
+    if (!stays) {
+      this.rules[own] = UNDECIDED;
+      this.decide(own, NaN, NaN);
+      return false;
+    }
+    if (at !== undefined) this.decide(own, at[2], at[3]);
+    if (standing.rejected.has(key)) this.rules[own] = BY_HAND;
+    else if (at === undefined) this.rows.keep(row);
+    else this.rows.place(own, at);
+    return true;
+  }
+
+  /** A left point of its own, with the verdict on it. */
+  private append(key: string, target: Target, at: Place): void {
+    const index = this.count + this.appended.length;
+    const rejected = this.standing.rejected.has(key);
+    this.appended.push(target);
+    this.points.set([at[0], at[1], 0], 3 * index);
+    this.rules[index] = rejected ? BY_HAND : MATCHED;
+    this.decide(index, at[2], at[3]);
+    if (!rejected) this.rows.place(index, at);
+  }
+
+  /** Of a left point of which nothing was compared, where it lies in the right image. */
+  private decide(index: number, x: number, y: number): void {
+    this.best[index] = -1;
+    this.places.set([x, y], 2 * index);
+    this.measures.fill(Infinity, 2 * index, 2 * index + 2);
+  }
+
+  /** `all`: so many left points. */
+  private match(all: number): PairMatches {
+    const used = this.rows.all;
+    return {
+      ...this.found,
       ...used,
-      counts: { ...found.counts, matches: used.matches.length / 5 },
-      rules: rules.slice(0, all),
-      best: best.slice(0, all),
-      places: around.slice(0, 2 * all),
-      measures: measures.slice(0, 2 * all),
-    },
-    found,
-    appended,
-    lost,
-  };
+      counts: { ...this.found.counts, matches: used.matches.length / 5 },
+      rules: this.rules.slice(0, all),
+      best: this.best.slice(0, all),
+      places: this.places.slice(0, 2 * all),
+      measures: this.measures.slice(0, 2 * all),
+    };
+  }
 }
 
 /** How many matches were rejected and measured by hand. */

@@ -6,6 +6,7 @@ import { isCurrent, wantedKeys } from './keys';
 import { withResults } from './project';
 import type { Beside, Times } from './project';
 import { progress } from './select';
+import type { Shelf } from './shelf';
 import { INITIAL, SIDES } from './state';
 import type { Display, FlightTruth, Side, StageName, State } from './state';
 
@@ -60,6 +61,7 @@ export interface RestoredPair {
   masks: State['masks'];
   truth: FlightTruth | null;
   history: History;
+  shelf: Shelf;
   /** The images as they are opened again. */
   opened: Pick<Beside, 'openLeft' | 'openRight'>;
   result: { project: PairProject; estimated: PairInterior | null; typed: Typed; beside: Beside; times: Times } | null;
@@ -138,8 +140,8 @@ export function areSame(kept: readonly unknown[], now: readonly unknown[]): bool
 }
 
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, opened, result }: RestoredPair): State {
-  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth };
+export function withKept(state: State, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }: RestoredPair): State {
+  const fresh: State = { ...INITIAL, catalogue: state.catalogue, notice: state.notice, ...typed, display, flight, paused, images, masks, truth, shelf };
   if (result === null) return { ...fresh, history };
   const made = withResults({ ...fresh, ...result.typed }, result, { ...result.beside, ...opened }, result.times);
   // What the edits do is compared with what was before all of them.

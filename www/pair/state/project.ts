@@ -4,6 +4,7 @@ import { BY_HAND, codeOf, UNDECIDED } from './codes';
 import { countsByHand, editedPair } from './edited';
 import { interiorInUse } from './interior';
 import { isCurrent, pairCameras, wantedKeys } from './keys';
+import { exchangedPair } from './shelf';
 import { SIDES, UNEDITED } from './state';
 import type { GivenImage, GivenMask, Results, Side, StageName, StageValues, State } from './state';
 import type { MatchesInUse, Overview } from './data';
@@ -146,6 +147,7 @@ export function withProject(state: State, { project, images, overviews, masks, e
     paused: false,
     selection: null,
     ...UNEDITED,
+    ...exchangedPair(state, images),
     views: { left: null, right: null },
   };
   return withResults(given, { project, estimated }, standingFor({ project, overviews }), {});

@@ -6,6 +6,7 @@ import type { History } from './edits';
 import { isCurrent } from './keys';
 import { withKept } from './kept';
 import { withFiles, withProject } from './project';
+import { exchangedPair } from './shelf';
 import { INITIAL, TYPED_PARTS, UNEDITED } from './state';
 import type { Display, PhotoData, Results, Side, StageName, State, TypedPart } from './state';
 
@@ -162,9 +163,10 @@ function withHistory(state: State, history: History): State {
 /** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
 function withImages(state: State, images: Partial<Record<Side, State['images']['left']>>): State {
   const before = state.truth === null ? state : withoutTruth(state);
+  const all = { ...before.images, ...images };
   return {
     ...before,
-    images: { ...before.images, ...images },
+    images: all,
     // A mask belongs to its image.
     masks: { left: images.left === undefined ? before.masks.left : null, right: images.right === undefined ? before.masks.right : null },
     selection: null,
@@ -172,6 +174,7 @@ function withImages(state: State, images: Partial<Record<Side, State['images']['
     failures: {},
     views: { left: null, right: null },
     ...UNEDITED,
+    ...exchangedPair(state, all),
   };
 }
 

@@ -214,6 +214,8 @@ export interface State {
   selection: Selection | null;
   /** What was done to the matches by hand. */
   history: History;
+  /** The same of other pairs, which may be opened again. */
+  shelf: ReadonlyMap<string, History>;
   /** Keys of the matches that are chosen together, beside the selection. */
   chosen: readonly string[];
   /** The orientation before the latest edit. */
@@ -248,6 +250,7 @@ export const INITIAL: State = {
   paused: false,
   selection: null,
   ...UNEDITED,
+  shelf: new Map(),
   tool: 'look',
   activeSide: 'left',
   views: { left: null, right: null },
