@@ -1,6 +1,7 @@
 /** The page: starts its two parts and joins them. */
 import './shared/style/base.css';
 import './shared/style/layout.css';
+import './shared/style/answer.css';
 import './shared/style/panels.css';
 import './shared/style/view.css';
 import { blockCatalogue } from './block/engine/catalogue';
@@ -15,6 +16,7 @@ import { Database } from './shared/files/database';
 import { mountDrop } from './shared/files/drop';
 import { Keeper } from './shared/files/keeper';
 import { byId } from './shared/panel/dom';
+import { mountMenu } from './shared/panel/menu';
 import { mountProjects } from './shared/panel/projects';
 import { mountTheme } from './shared/panel/theme';
 import { messageOf } from './shared/text/format';
@@ -27,7 +29,7 @@ async function start(opening: Promise<Database>, serveDrop: ReturnType<typeof mo
   const catalogue = await loadCatalogue();
   checkRules(catalogue.rules);
   byId('version').textContent = `Tiepoint ${catalogue.version}`;
-  const pair = mountPair(catalogue, openProject, toBlock, (kept) => keeper.putAside(kept));
+  const pair = mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside: (kept) => keeper.putAside(kept) });
   const ofBlocks = blockCatalogue(catalogue);
   const block = mountBlock(ofBlocks, (store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
   /** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
@@ -40,6 +42,10 @@ async function start(opening: Promise<Database>, serveDrop: ReturnType<typeof mo
   function toBlock(files: readonly File[], masks: readonly File[]): void {
     block.store.dispatch({ type: 'mode', mode: 'block' });
     block.give(files, masks);
+  }
+  function sampleBlock(): void {
+    block.store.dispatch({ type: 'mode', mode: 'block' });
+    block.sample();
   }
   const mode = {
     now: () => block.store.state.mode,
@@ -58,11 +64,11 @@ async function start(opening: Promise<Database>, serveDrop: ReturnType<typeof mo
 }
 
 mountTheme(byId('theme'));
+mountMenu(byId('menu'), byId('bar-menu'));
 const opening = Database.open();
 // `start` waits for it, once the program is there.
 opening.catch(() => undefined);
 start(opening, mountDrop()).catch((error: unknown) => {
-  const status = byId('status');
-  status.dataset.kind = 'problem';
-  status.textContent = messageOf(error);
+  byId('answer').dataset.kind = 'problem';
+  byId('status').textContent = messageOf(error);
 });

@@ -214,6 +214,8 @@ test('a page from plain http runs a block as a secure one does', { skip: SKIP },
   assert.equal(await page.evaluate(() => window.isSecureContext), false);
   await part(page, 'mode-block').click();
   await page.waitForFunction(() => document.querySelector('[data-testid="block-simulate"]')?.hasAttribute('disabled') === false);
+  await part(page, 'block-settings').click();
+  await part(page, 'block-wait').check();
   await photograph(page);
   await part(page, 'block-run').click();
   assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|The block was)/), /^(Oriented|Weak orientation): .*\. 6 images/);
@@ -235,10 +237,12 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([
   ['tablet', 1024, 768, 'light'],
 ])) {
   test(`a ${name} screen shows the block without scrolling sideways`, { skip: SKIP }, async () => {
-    const { page, complaints, close } = await block({ options: { viewport: { width, height }, colorScheme } });
+    const { page, complaints, close } = await block({ fresh: true, options: { viewport: { width, height }, colorScheme } });
     await page.screenshot({ path: join(SHOTS, `block-${name}.png`) });
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
+    await part(page, 'menu').click();
     for (const id of ['mode-pair', 'block-files', 'block-run', 'block-export-kind']) assert.ok(await part(page, id).isVisible(), id);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
     assert.deepEqual(complaints, []);
     await close();
   });

@@ -241,6 +241,7 @@ test('a click and a key choose points, which tell their rule, moments and candid
   const { page, complaints, close } = await open();
   await sample(page);
   await choose(page, 'matching.strategy', 'moments');
+  await part(page, 'layer-unmatched').click();
   await part(page, 'view').focus();
   await page.keyboard.press('n');
   await part(page, 'tab-point').click();
@@ -263,7 +264,7 @@ for (const [name, width, height, colorScheme] of /** @type {const} */ ([
   ['wide', 3840, 2160, 'light'],
 ])) {
   test(`a ${name} screen shows everything without scrolling sideways`, { skip: SKIP }, async () => {
-    const { page, complaints, close } = await open({ options: { viewport: { width, height }, colorScheme } });
+    const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width, height }, colorScheme } });
     await sample(page);
     assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth));
     await page.screenshot({ path: join(SHOTS, `${name}.png`) });

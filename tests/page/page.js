@@ -48,11 +48,13 @@ export function singleUrl() {
 
 /**
  * A fresh page. `complaints` collects what no page may have: console errors, uncaught errors, requests that leave its origin.
- * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions, workers?: number }} [how] workers: as many as the processor seems to allow
+ * @param {{ url?: string, options?: import('playwright-core').BrowserContextOptions, workers?: number, fresh?: boolean }} [how] workers: as many as the
+ * processor seems to allow; fresh: with its drawers closed, as a stranger finds it
  */
-export async function open({ url = server.url, options = {}, workers } = {}) {
+export async function open({ url = server.url, options = {}, workers, fresh = false } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, ...options });
   const page = await context.newPage();
+  if (!fresh) await page.addInitScript(openDrawers);
   if (workers !== undefined)
     await page.addInitScript((number) => {
       Object.defineProperty(navigator, 'hardwareConcurrency', { get: () => number });
@@ -69,6 +71,17 @@ export async function open({ url = server.url, options = {}, workers } = {}) {
   });
   await page.goto(url);
   return { page, complaints, close: () => context.close() };
+}
+
+/** Opens what a user has opened who looks at everything, and who sets a block before it runs. It runs in the page. */
+export function openDrawers() {
+  try {
+    if (localStorage.getItem('tiepoint-open') !== null) return;
+    localStorage.setItem('tiepoint-open', 'settings details all-settings');
+    localStorage.setItem('tiepoint-wait', 'yes');
+  } catch {
+    // A page without storage.
+  }
 }
 
 /** @param {import('playwright-core').Page} page @param {string} id */
@@ -90,12 +103,14 @@ export async function number(page, id) {
 
 /** Starts the sample and waits for it.  @param {import('playwright-core').Page} page */
 export async function sample(page) {
-  await part(page, 'sample').click();
+  const first = part(page, 'sample-first');
+  await ((await first.isVisible()) ? first : part(page, 'sample')).click();
   return done(page);
 }
 
 /** What a button saves, as text.  @param {import('playwright-core').Page} page @param {string} id */
 export async function saved(page, id) {
+  if (!(await part(page, id).isVisible())) await part(page, 'export-menu').click();
   const [download] = await Promise.all([page.waitForEvent('download'), part(page, id).click()]);
   const stream = await download.createReadStream();
   /** @type {Buffer[]} */

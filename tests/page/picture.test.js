@@ -18,7 +18,7 @@ test('keys work in the picture once a button has opened a pair, and after a pres
   await part(page, 'linked').click();
   await page.keyboard.press('m');
   assert.equal(await pressed(), 'false');
-  await part(page, 'layer-points').focus();
+  await part(page, 'layer-lines').focus();
   await page.keyboard.press('m');
   assert.equal(await pressed(), 'false');
   assert.match((await page.locator('#keys').textContent()) ?? '', /^In the picture:/);
@@ -32,7 +32,7 @@ for (const [name, width, height] of /** @type {const} */ ([
   ['low', 1280, 420],
 ])) {
   test(`the bars with the names of the images cover none of them on a ${name} screen`, { skip: SKIP }, async () => {
-    const { page, complaints, close } = await open({ options: { viewport: { width, height } } });
+    const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width, height } } });
     await sample(page);
     for (const side of ['left', 'right']) {
       const covered = await page.evaluate((of) => {

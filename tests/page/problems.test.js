@@ -187,17 +187,26 @@ test('the keyboard stays where it was when what it was on is built anew', { skip
   await close();
 });
 
-test('all is in sight: one row of tools at 1280 px, wrapped bars at 360 px, wide choices', { skip: SKIP }, async () => {
-  const { page, close } = await open();
+test('all is in sight: one row of tools at 1280 px, menus at 360 px, wide choices', { skip: SKIP }, async () => {
+  const { page, close } = await open({ fresh: true });
   await says(page, 'status', /^Ready/);
   const box = async (/** @type {string} */ id) => (await part(page, id).boundingBox()) ?? assert.fail(id);
   assert.ok(Math.abs((await box('next-point')).y - (await box('layer-points')).y) < 6);
+  await part(page, 'settings').click();
   await part(page, 'tab-simulate').click();
   assert.ok((await box('flight-preset')).width > 200);
   await part(page, 'tab-camera').click();
   assert.ok((await box('fiducial-model')).width > 200);
   await page.setViewportSize({ width: 360, height: 740 });
-  for (const id of ['export-png', 'export-report', 'swap', 'next-point', 'magnifier']) {
+  await part(page, 'close-settings').click();
+  await part(page, 'menu').click();
+  for (const id of ['export-png', 'export-report', 'swap']) {
+    const { x, width } = await box(id);
+    assert.ok(x >= 0 && x + width <= 360, id);
+  }
+  await page.keyboard.press('Escape');
+  await part(page, 'view-menu').click();
+  for (const id of ['next-point', 'magnifier']) {
     const { x, width } = await box(id);
     assert.ok(x >= 0 && x + width <= 360, id);
   }

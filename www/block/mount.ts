@@ -1,6 +1,7 @@
 /** The block's part of the page: makes its parts and wires them together. */
 import './style/block.css';
 import { button, byId, fill, h } from '../shared/panel/dom';
+import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
 import { fileButton } from '../shared/panel/picker';
@@ -8,7 +9,7 @@ import { showTab, tabbed } from '../shared/panel/tabs';
 import { Holder } from '../shared/state/store';
 import { BlockEngine } from './engine/engine';
 import type { BlockStore } from './engine/engine';
-import { mountExports } from './panel/exports';
+import { mountExports, saveAs } from './panel/exports';
 import { BlockFiles } from './files/files';
 import { KeptBlocks } from './files/keep';
 import { mountFlight } from './panel/flight';
@@ -23,6 +24,9 @@ import type { BlockCatalogue } from './state/state';
 import { mountBlockStatus } from './panel/status';
 import { mountImages, mountPoints } from './panel/tables';
 
+/** The sample has so few photos that it is done in half a minute. */
+const SAMPLE = { strips: 3, exposures: 4 };
+
 export interface Block {
   store: BlockStore;
   taker: Taker;
@@ -30,6 +34,8 @@ export interface Block {
   kept: Keepable;
   /** Takes images that were given elsewhere, with their masks. */
   give: (files: readonly File[], masks: readonly File[]) => void;
+  /** Photographs a block and runs it. */
+  sample: () => void;
   /** Opens a block that was saved. */
   open: (file: File) => Promise<void>;
 }
@@ -49,7 +55,6 @@ export function mountBlock(
   };
   const actions = h('div', { class: 'actions', role: 'group', aria: { label: 'Images of the block' } });
   const exports = h('div', { class: 'actions', role: 'group', aria: { label: 'Export of the block' } });
-  const status = mountBlockStatus(store, engine);
   const settings = tabbed('Settings', [
     ['block-settings', 'Settings'],
     ['block-flight', 'Simulate'],
@@ -61,27 +66,45 @@ export function mountBlock(
   ]);
   const stage = h('section', { class: 'stage', aria: { label: 'Block' } });
   const main = h('main', { class: 'block' }, settings.element, stage, results.element);
+  const opener = drawerButton('settings', 'Settings', 'block-settings', settings.element);
+  const drawers = h('div', { class: 'drawers', role: 'group', aria: { label: 'Settings of the block' } }, opener);
 
   const heading = document.querySelector('.bar h1');
-  const bar = heading?.parentElement;
-  if (heading == null || bar == null) throw new Error('the page has no bar');
-  const pairParts = [...bar.querySelectorAll<HTMLElement>(':scope > .actions'), ...document.querySelectorAll<HTMLElement>('body > main, body > .status-bar')];
+  if (heading === null) throw new Error('the page has no bar');
+  const pairParts = document.querySelectorAll<HTMLElement>('.bar .actions, .bar .drawers, body > main');
   byId('page-actions').before(actions, exports);
-  document.querySelector('body > main')?.after(status, main);
+  byId('menu').before(drawers);
+  document.querySelector('body > main')?.after(main);
   const back = mountBack(store);
   document.querySelector('body > main')?.before(back);
-  heading.after(mountMode(store, { pair: [...pairParts], block: [actions, exports, status, main] }));
+  heading.after(mountMode(store, { pair: [...pairParts], block: [actions, exports, drawers, main] }));
   store.watch(['mode', 'opened'], ([mode, opened]) => {
     back.hidden = mode !== 'pair' || opened === null;
   });
 
-  mountActions(actions, store, files);
+  const pick = mountActions(actions, store, files);
   mountExports(exports, store, engine);
-  mountSettings(settings.panels[0], store, files);
+  const status = mountBlockStatus(
+    store,
+    engine,
+    {
+      why: () => {
+        showTab('tab-block-results');
+        setDrawer('details', true);
+        reveal(results.element);
+      },
+      save: () => void saveAs(store, engine, 'project'),
+      open: pick,
+    },
+    drawerButton('details', 'Details', 'block-details', results.element),
+  );
+  mountSettings(settings.panels[0], store, files, opener);
   mountFlight(settings.panels[1], store, files);
   mountProgress(results.panels[0], store);
   mountResults(results.panels[0], store);
-  mountStage(stage, store, looking, files);
+  const sample = () => void files.sample({ ...catalogue.flight, ...SAMPLE });
+  mountStage(stage, store, looking, { sample, open: pick });
+  stage.prepend(status);
   mountImages(results.panels[1], store, { ...looking, point: () => undefined });
   mountPoints(results.panels[2], store);
   store.watch(['running'], ([running]) => {
@@ -92,12 +115,13 @@ export function mountBlock(
     kept: new KeptBlocks(store, engine, catalogue),
     taker: files.taker,
     give: (given, masks) => void files.give(given, masks),
+    sample,
     open: (file) => files.open(file),
   };
 }
 
-/** The buttons that give images. */
-function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
+/** The buttons that give images; gives what asks for images. */
+function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): () => void {
   const take = (given: File[]) => void files.take(given.map((file) => ({ file, path: file.webkitRelativePath })));
   const [images, imagesInput] = fileButton(
     'Images …',
@@ -109,7 +133,7 @@ function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): 
   const buttons = [
     images,
     folder,
-    button('Simulated block', 'block-simulate', () => void files.simulate(), 'Photos of a synthetic scene, rendered in this tab'),
+    button('Simulated block', 'block-simulate', () => void files.photograph(), 'Photos of a synthetic scene, rendered in this tab'),
     button('Clear', 'block-clear', () => store.dispatch({ type: 'clear' }), 'Removes all images'),
   ];
   images.classList.add('primary');
@@ -119,4 +143,5 @@ function mountActions(host: HTMLElement, store: BlockStore, files: BlockFiles): 
     const last = buttons.at(-1);
     if (last !== undefined) last.disabled ||= given.length === 0 && shown === null;
   });
+  return () => imagesInput.click();
 }

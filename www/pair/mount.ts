@@ -3,13 +3,17 @@ import './style/pair.css';
 import type { Catalogue } from '../shared/crate';
 import type { Taker } from '../shared/files/drop';
 import type { Keepable } from '../shared/files/keepable';
-import { byId } from '../shared/panel/dom';
+import { byId, h } from '../shared/panel/dom';
+import { drawerButton, reveal, setDrawer } from '../shared/panel/drawers';
+import { readSetting, withSetting } from '../shared/panel/settings';
 import { showTab, tabbed } from '../shared/panel/tabs';
 import { readable } from '../shared/text/names';
 import { Engine } from './engine/engine';
 import { fitted } from './engine/fit';
 import { KeptPairs } from './files/keep';
 import { Files, takerOf } from './files/open';
+import { exportProject } from './files/project';
+import { shownPair } from './state/select';
 import { mountAnnouncements } from './panel/announce';
 import { mountCamera } from './panel/camera';
 import { mountControls } from './panel/controls';
@@ -46,13 +50,19 @@ export interface Pair {
   open: (file: File) => Promise<void>;
 }
 
-/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has; `putAside` leaves a pair in the list of projects. */
-export function mountPair(
-  catalogue: Catalogue,
-  openProject: (file: File) => Promise<void>,
-  toBlock: (files: readonly File[], masks: readonly File[]) => void,
-  putAside: (pair: Keepable) => Promise<boolean>,
-): Pair {
+/** What the page does for the pair outside it. */
+export interface Elsewhere {
+  /** Opens a project of whatever kind where it belongs. */
+  openProject: (file: File) => Promise<void>;
+  /** Takes more images than a pair has. */
+  toBlock: (files: readonly File[], masks: readonly File[]) => void;
+  /** Photographs a block and runs it. */
+  sampleBlock: () => void;
+  /** Leaves a pair in the list of projects. */
+  putAside: (pair: Keepable) => Promise<boolean>;
+}
+
+export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBlock, putAside }: Elsewhere): Pair {
   const store = new Store();
   const {
     element: left,
@@ -72,6 +82,9 @@ export function mountPair(
   ]);
   byId('stage').before(left);
   byId('stage').after(right);
+  const settingsButton = drawerButton('settings', 'Settings', 'settings', left);
+  byId('menu').before(h('div', { class: 'drawers', aria: { label: 'Settings of the pair' }, role: 'group' }, settingsButton));
+  byId('answer-actions').append(drawerButton('details', 'Details', 'details', right));
   const engine = new Engine(store);
   const view = new View(byId('view'), store, engine);
   const navigator = new Navigator(store, view);
@@ -89,7 +102,7 @@ export function mountPair(
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   mountInput(view, store, navigator, editing);
   mountToolbar(byId('toolbar'), store, navigator);
-  mountEditTools(byId('toolbar'), store, editing);
+  mountEditTools(byId('view-more'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   const pick = pickerOf(files);
   mountPanes(view, store, {
@@ -97,7 +110,7 @@ export function mountPair(
     mask: (side) => pick(side, 'mask'),
     unmask: (side) => store.dispatch({ type: 'mask', side, mask: null }),
   });
-  mountControls(settings, store);
+  mountControls(settings, store, settingsButton);
   mountCamera(camera, store, () => pick(null));
   mountFiducials(camera, store, (side) => pick(side));
   mountCounts(results, store);
@@ -109,12 +122,34 @@ export function mountPair(
   mountEditKeys(matches, store, editing);
   mountStatistics(matches, store, editing, (side, index) => navigator.select({ side, index }));
   mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
-  mountAnnouncements(byId('announce'), store);
+  mountAnnouncements(byId('announce'), store, () => {
+    showTab('tab-point');
+    setDrawer('details', true);
+    reveal(right);
+  });
   mountStatus(store, {
     cancel: () => engine.cancel(),
     run: () => store.dispatch({ type: 'resume' }),
+    open: (side) => pick(side),
+    camera: () => {
+      setDrawer('settings', true);
+      showTab('tab-camera');
+    },
+    otherStrategy: () => {
+      const { settings: wanted } = store.state;
+      if (wanted !== null)
+        store.dispatch({ type: 'settings', settings: withSetting(wanted, 'matching.strategy', readSetting(catalogue.defaults, 'matching.strategy')) });
+    },
+    why: () => {
+      showTab('tab-results');
+      setDrawer('details', true);
+      const oriented = shownPair(store.state).orientation !== null;
+      if (!oriented) store.dispatch({ type: 'display', display: { points: 'all', hidden: [] } });
+      results.querySelector(`[data-testid="${oriented ? 'orientation' : 'matches'}-section"]`)?.scrollIntoView({ block: 'start' });
+    },
+    save: () => void attempt(() => exportProject(store, engine)),
   });
-  mountHeader({ store, engine, view, files, pick, attempt });
+  mountHeader({ store, engine, view, files, pick, attempt, sampleBlock });
   store.watch(['selection'], ([selection]) => {
     // The table of matches shows the selected one itself, and is gone through by selecting.
     if (selection !== null && matches.hidden) showTab('tab-point');

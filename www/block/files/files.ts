@@ -1,6 +1,8 @@
 /** Takes files of a block in: images, a folder of them, texts that say more of them, a block that was saved. */
 import type { FoundFile, Taker } from '../../shared/files/drop';
 import { Cancelled } from '../../shared/engine/client';
+import type { BlockFlight } from '../../../pkg/wasm/tiepoint.js';
+import { keepChoice, keptChoice } from '../../shared/state/choices';
 import { messageOf, sentence } from '../../shared/text/format';
 import type { BlockFile } from '../state/state';
 import type { BlockEngine, BlockStore } from '../engine/engine';
@@ -20,13 +22,27 @@ export function passIds(taken: readonly number[]): void {
 
 const TEXTS: Readonly<Record<GivenText, string>> = { cameras: 'Cameras', control: 'Ground control points', marks: 'Image measurements' };
 
+const WAITS = 'tiepoint-wait';
+
 export class BlockFiles {
+  /** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
+  private waiting = keptChoice(WAITS) === 'yes';
+
   constructor(
     private readonly store: BlockStore,
     private readonly engine: BlockEngine,
     /** Opens a project of whatever kind where it belongs. */
     private readonly openProject: (file: File) => Promise<void>,
   ) {}
+
+  get waits(): boolean {
+    return this.waiting;
+  }
+
+  set waits(waits: boolean) {
+    this.waiting = waits;
+    keepChoice(WAITS, waits ? 'yes' : 'no');
+  }
 
   /** Takes what is dropped on the page while the block is shown. */
   readonly taker: Taker = {
@@ -56,19 +72,31 @@ export class BlockFiles {
     if (masks.length > 0) this.takeMasks(masks);
   }
 
-  /** Photographs the simulated block, in place of the images that are there. */
-  async simulate(): Promise<void> {
+  /** Photographs a block and runs it, whatever waits. */
+  async sample(flight: BlockFlight): Promise<void> {
+    if (await this.simulate(flight)) await this.engine.run();
+  }
+
+  /** Photographs the simulated block that is set and runs it. */
+  async photograph(): Promise<void> {
     const { flight } = this.store.state;
-    if (flight === null) return;
+    if (flight === null || !(await this.simulate(flight))) return;
+    if (this.waits) this.say('info', `${String(this.store.state.files.length)} photos of a simulated block. Press Run.`);
+    else await this.engine.run();
+  }
+
+  /** Photographs a flight, in place of the images that are there; false where that failed. */
+  private async simulate(flight: BlockFlight): Promise<boolean> {
     this.say('busy', 'Building the synthetic scene …');
     try {
       const { files, truth } = await this.engine.photograph(flight, (count, of) =>
         this.say('busy', `Photographing the simulated block: ${String(count)} of ${String(of)} …`),
       );
       this.store.dispatch({ type: 'files', files: files.map((file) => ({ ...file, id: nextId++ })), truth });
-      this.say('info', `${String(files.length)} photos of a simulated block. Press Run.`);
+      return true;
     } catch (error) {
       this.failed('The block could not be simulated', error);
+      return false;
     }
   }
 
@@ -109,15 +137,22 @@ export class BlockFiles {
     }
     const twice = found.length - (files.size - before);
     const sorted: BlockFile[] = [...files.values()].sort((a, b) => (a.name < b.name ? -1 : 1));
-    if (sorted.length > before) this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
+    if (sorted.length > before) {
+      this.store.dispatch({ type: 'files', files: sorted, truth: this.store.state.truth });
+      // What is given is run; what was given before goes on.
+      if (sorted.length >= 2 && !this.waits) void this.engine.run();
+    }
+    const runs = this.store.state.running.kind === 'yes';
     const notes = [
       why,
-      `${images(sorted.length)} in the block.`,
+      runs ? '' : `${images(sorted.length)} in the block.`,
       twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : '',
       aside > 0 ? `${String(aside)} ${aside === 1 ? 'file' : 'files'} skipped: not an image by name.` : '',
-      sorted.length >= 2 ? 'Press Run.' : 'A block needs two images or more.',
-    ];
-    this.say('info', notes.filter((note) => note !== '').join(' '));
+      runs ? '' : sorted.length >= 2 ? 'Press Run.' : 'A block needs two images or more.',
+    ].filter((note) => note !== '');
+    // Why it cannot be run was said.
+    if (notes.length === 0 || this.store.state.notice?.kind === 'problem') return;
+    this.store.dispatch({ type: 'notice', notice: { kind: 'info', text: notes.join(' '), beside: runs } });
   }
 
   private say(kind: 'info' | 'busy' | 'problem', text: string): void {

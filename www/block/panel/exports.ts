@@ -43,7 +43,7 @@ export function mountExports(host: HTMLElement, store: BlockStore, engine: Block
   });
 }
 
-async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind): Promise<void> {
+export async function saveAs(store: BlockStore, engine: BlockEngine, kind: ExportKind): Promise<void> {
   store.dispatch({ type: 'notice', notice: { kind: 'busy', text: `Writing ${NAMES[kind]} …` } });
   try {
     const { name, type, bytes } = await engine.export(kind, 'block');

@@ -16,7 +16,7 @@ export function mountFlight(host: HTMLElement, store: BlockStore, files: BlockFi
       },
       defaults: () => catalogue.flight,
     });
-    const take = button('Photograph this block', 'block-photograph', () => void files.simulate());
+    const take = button('Photograph this block', 'block-photograph', () => void files.photograph());
     take.className = 'primary';
     fill(
       host,

@@ -3,26 +3,35 @@ import { acting_block_parameters } from '../../shared/crate';
 import { button, fill, h } from '../../shared/panel/dom';
 import { fileButton } from '../../shared/panel/picker';
 import type { Picked } from '../../shared/panel/picker';
-import { makeSections } from '../../shared/panel/sections';
+import { makeFolded, settingsText } from '../../shared/panel/sections';
+import type { Value } from '../../shared/panel/control';
 import { withSetting } from '../../shared/panel/settings';
 import type { BlockStore } from '../engine/engine';
 import type { BlockFiles } from '../files/files';
 import { problemsOf } from '../state/given';
 import type { Given, GivenText } from '../state/given';
 
-export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles): void {
+/** `opener` opens the settings, and says how many were changed. */
+export function mountSettings(host: HTMLElement, store: BlockStore, files: BlockFiles, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
     const { defaults } = catalogue;
-    const sections = makeSections(catalogue.parameters, {
-      change: (key, value) => {
+    const bound = {
+      change: (key: string, value: Value) => {
         const { settings } = store.state.options;
         if (settings !== null) store.dispatch({ type: 'options', options: { settings: withSetting(settings, key, value) } });
       },
       defaults: () => defaults,
-      refused: (label) => store.dispatch({ type: 'refused', label }),
+      refused: (label: string) => store.dispatch({ type: 'refused', label }),
+    };
+    const sections = makeFolded(catalogue.parameters, bound, {
+      title: 'Method',
+      first: ['pairs.rule', 'refinement.method'],
+      reset: () => store.dispatch({ type: 'options', options: { settings: defaults } }),
+      changed: (count) => fill(opener, settingsText(count)),
     });
-    fill(host, positions(store), ...sections.elements, besides(store, files));
+    const [back, method, ...others] = sections.elements;
+    fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
     store.watch(
       (s) => [s.options.settings] as const,
       ([settings]) => {
@@ -47,6 +56,21 @@ function positions(store: BlockStore): HTMLElement {
     { class: 'control' },
     h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Use GNSS positions')),
     h('p', { class: 'help' }, 'They choose near pairs and georeference the block.'),
+  );
+}
+
+/** Whether images that are given wait for Run. */
+function waiting(files: BlockFiles): HTMLElement {
+  const input = h('input', { id: 'block-wait', type: 'checkbox', testid: 'block-wait' });
+  input.checked = files.waits;
+  input.addEventListener('change', () => {
+    files.waits = input.checked;
+  });
+  return h(
+    'div',
+    { class: 'control' },
+    h('div', { class: 'control-head' }, input, h('label', { for: input.id }, 'Wait for Run')),
+    h('p', { class: 'help' }, 'Images that are given wait until Run is pressed, so that settings and files come first. Otherwise they run at once.'),
   );
 }
 

@@ -3,7 +3,6 @@ import { button, fill, h } from '../../shared/panel/dom';
 import { zoomButtons } from '../../shared/panel/zoom';
 import { count } from '../../shared/text/format';
 import type { BlockStore } from '../engine/engine';
-import type { BlockFiles } from '../files/files';
 import type { Looking } from '../view/looking';
 import { Matrix } from '../view/matrix';
 import { Picture } from '../view/picture';
@@ -18,7 +17,15 @@ const LAYOUTS: Readonly<Record<Layout['kind'], string>> = {
   connections: 'Arranged by connections: positions have no meaning',
 };
 
-export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, files: BlockFiles): void {
+/** What the invitation offers. */
+export interface Invitation {
+  /** Photographs a block and runs it. */
+  sample: () => void;
+  /** Asks for images. */
+  open: () => void;
+}
+
+export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<Looking, 'point'>, invitation: Invitation): void {
   const pictureHost = h('div', {
     class: 'view block-view',
     id: 'block-view',
@@ -70,7 +77,7 @@ export function mountStage(host: HTMLElement, store: BlockStore, looking: Omit<L
   const tools = h('div', { class: 'actions' }, ...zoomButtons('block-', 'Whole block', () => (matrixHost.hidden ? picture : matrix)));
   host.append(
     h('div', { class: 'toolbar', role: 'toolbar', aria: { label: 'View of the block' } }, switched.element, tools, layout, cells),
-    welcomed(pictureHost, store, files),
+    welcomed(pictureHost, store, invitation),
     matrixHost,
     h('div', { class: 'said' }, h('div', {}, chosen, pointed), open),
     h(
@@ -131,30 +138,35 @@ function switcher(parts: readonly (readonly [string, HTMLElement, HTMLElement])[
 }
 
 /** The picture with the invitation over it while there is no block. */
-function welcomed(host: HTMLElement, store: BlockStore, files: BlockFiles): HTMLElement {
-  const simulate = button('Simulate a block', 'block-simulate-first', () => void files.simulate());
+function welcomed(host: HTMLElement, store: BlockStore, { sample, open }: Invitation): HTMLElement {
+  const own = button('Open your photos …', 'block-open-first', open);
+  own.className = 'primary';
+  const simulate = button('Try a sample block', 'block-simulate-first', sample);
   const list = h('p', { class: 'note', testid: 'block-given' });
+  const gains = [
+    'where each photo was taken and how it was turned',
+    'points that several photos show, in space, and how precise they are',
+    'a plain word on whether the result can be trusted, and why',
+    'files for other programs: COLMAP, MicMac, OpenSfM, Agisoft and more',
+  ];
   const welcome = h(
     'div',
     { class: 'welcome', testid: 'block-welcome' },
-    h('h2', {}, 'Match a block of photographs'),
-    h(
-      'p',
-      {},
-      'Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block.',
-    ),
-    h('p', { class: 'buttons' }, simulate),
+    h('h2', {}, 'Where did each photo stand?'),
+    h('p', {}, 'Drop the photographs of a flight or of a walk around something, or a folder of them, anywhere on this page. You get:'),
+    h('ul', {}, ...gains.map((gain) => h('li', {}, gain))),
+    h('p', { class: 'buttons' }, own, simulate),
     list,
     h(
       'p',
       { class: 'note' },
-      'Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there. Nothing leaves this computer.',
+      'Nothing leaves this computer. Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there.',
     ),
   );
   host.append(welcome);
   store.watch(['shown', 'files', 'running', 'notice', 'catalogue'], ([shown, given, , , catalogue]) => {
     welcome.hidden = shown !== null;
-    simulate.disabled = catalogue === null || isBusy(store.state);
+    for (const press of [own, simulate]) press.disabled = catalogue === null || isBusy(store.state);
     const names = given.map(({ name }) => name);
     fill(list, names.length === 0 ? '' : `${String(names.length)} images: ${names.slice(0, 8).join(', ')}${names.length > 8 ? ' …' : ''}`);
   });

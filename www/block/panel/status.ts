@@ -1,7 +1,9 @@
-/** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
-import { button, fill, h } from '../../shared/panel/dom';
+/** The answer of a block: what came of it; while there is none what runs, how far it is, what went wrong, and what to do. */
+import { button, h } from '../../shared/panel/dom';
+import { answerCard } from '../../shared/panel/answer';
+import type { Answer, Figure, Next } from '../../shared/panel/answer';
 import { message } from '../../shared/crate';
-import { refusedText, sentence } from '../../shared/text/format';
+import { count, fixed, refusedText, sentence } from '../../shared/text/format';
 import { readable } from '../../shared/text/names';
 import { page } from '../../shared/text/words';
 import type { BlockEngine, BlockStore } from '../engine/engine';
@@ -10,56 +12,80 @@ import { isBusy, isOutdated } from '../state/state';
 import type { BlockState, Shown } from '../state/state';
 import type { BlockView } from '../state/view';
 
-export function mountBlockStatus(store: BlockStore, engine: BlockEngine): HTMLElement {
+/** What the button beside the answer can do. */
+export interface BlockAnswerActions {
+  /** Shows what speaks against the result. */
+  why: () => void;
+  save: () => void;
+  /** Opens photos of one's own. */
+  open: () => void;
+}
+
+/** `details`: the button that shows them. */
+export function mountBlockStatus(store: BlockStore, engine: BlockEngine, actions: BlockAnswerActions, details: HTMLElement): HTMLElement {
   const line = h('p', { class: 'status', testid: 'block-status', role: 'status', aria: { live: 'polite' } });
   const run = button('Run', 'block-run', () => void engine.run());
-  run.className = 'primary';
   const cancel = button('Cancel', 'block-cancel', () => engine.cancel());
+  const buttons = h('div', { class: 'answer-actions' }, run, cancel, details);
+  const card = h('div', { class: 'answer', testid: 'block-answer' }, line, buttons);
+  const show = answerCard(card, line, buttons, 'block-');
   store.watch(
     (s) => [s] as const,
     ([state]) => {
-      const { text, kind } = lineOf(state);
-      line.dataset.kind = kind;
+      const answer = answerOf(state, actions);
       // Each image and pair would be read out.
-      line.setAttribute('aria-live', kind === 'busy' ? 'off' : 'polite');
+      line.setAttribute('aria-live', answer.kind === 'busy' ? 'off' : 'polite');
       // Messages of the crate name parameters by their keys.
-      fill(line, readable(state.catalogue?.labels ?? null, text));
+      show({ ...answer, text: readable(state.catalogue?.labels ?? null, answer.text) });
       run.disabled = isBusy(state) || state.files.length < 2;
       run.textContent = state.running.kind === 'ended' ? 'Go on' : 'Run';
+      run.classList.toggle('primary', answer.next == null);
       cancel.disabled = !isBusy(state);
     },
   );
-  return h('div', { class: 'status-bar' }, line, run, cancel);
+  return card;
 }
 
-function lineOf(state: BlockState): { text: string; kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem' } {
+function answerOf(state: BlockState, actions: BlockAnswerActions): Answer {
   const { running, notice, shown, files } = state;
-  if (running.kind === 'yes') return { text: runText(running.steps), kind: 'busy' };
+  const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
+  if (running.kind === 'yes') return line('busy', runText(running.steps));
   if (notice?.beside === true) {
-    const line = lineOf({ ...state, notice: null });
-    return { ...line, text: `${line.text} ${notice.text}` };
+    const answer = answerOf({ ...state, notice: null }, actions);
+    return { ...answer, more: `${answer.more ?? ''} ${notice.text}`.trimStart() };
   }
-  if (notice !== null) return { text: notice.text, kind: notice.kind === 'info' ? 'idle' : notice.kind };
-  if (state.refused !== null) return { text: refusedText(state.refused), kind: 'problem' };
+  if (notice !== null) return line(notice.kind === 'info' ? 'idle' : notice.kind, notice.text);
+  if (state.refused !== null) return line('problem', refusedText(state.refused));
   if (running.kind === 'ended') {
     const former = shown !== null && !shown.view.partial ? ' The screen shows the former block.' : '';
     if (running.failure === null)
-      return { text: `Cancelled.${former} The work done is ${former === '' ? 'shown and ' : ''}kept: Go on continues from there.`, kind: 'idle' };
-    return { text: `The block was not finished: ${sentence(running.failure)}${former === '' ? ' The work done is kept.' : former}`, kind: 'problem' };
+      return line('idle', `Cancelled.${former} The work done is ${former === '' ? 'shown and ' : ''}kept: Go on continues from there.`);
+    return line('problem', `The block was not finished: ${sentence(running.failure)}${former === '' ? ' The work done is kept.' : former}`);
   }
-  if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
-  if (files.length >= 2)
-    return {
-      text: `${page('block_images', { images: files.length })} ${shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.'}`,
-      kind: 'idle',
-    };
-  return { text: 'Open the images of a block: files, a folder, or a simulated block.', kind: 'idle' };
+  if (shown !== null && !shown.view.partial && !isOutdated(state)) return answered(state, shown, actions);
+  if (files.length >= 2) {
+    const why = shown === null || shown.view.partial ? 'Press Run.' : 'Images or settings have changed: press Run.';
+    return line('idle', `${page('block_images', { images: files.length })} ${why}`);
+  }
+  return line('idle', 'Open the images of a block: files, a folder, or a simulated block.');
 }
 
-function doneLine(shown: Shown): { text: string; kind: 'done' | 'partial' | 'problem' } {
+function answered(state: BlockState, shown: Shown, actions: BlockAnswerActions): Answer {
   const { view, files } = shown;
+  const why: Next = { text: 'Show why', act: actions.why };
   // A block that was opened may never have been oriented.
-  if (view.oriented > 0 || files.length === 0) return { text: doneText(shown), kind: view.verdict?.kind === 'oriented' ? 'done' : 'partial' };
+  if (view.oriented > 0 || files.length === 0) {
+    const sound = view.verdict?.kind === 'oriented';
+    const next = state.truth === null ? { text: 'Save the project', act: actions.save } : { text: 'Open your photos …', act: actions.open };
+    return {
+      kind: sound ? 'done' : 'partial',
+      verdict: view.verdict?.kind ?? 'weak',
+      text: view.verdict?.text ?? '',
+      more: countsOf(shown),
+      figures: figuresOf(view),
+      next: sound ? next : why,
+    };
+  }
   const group = view.groups[0]?.length ?? 0;
   const figures = {
     why: view.warnings[0] ?? message('overview_warning', { kind: 'none_oriented' }),
@@ -68,22 +94,31 @@ function doneLine(shown: Shown): { text: string; kind: 'done' | 'partial' | 'pro
     pairs: connectedPairs(view),
     points: view.points.count,
   };
-  return { text: page('block_not_oriented', figures), kind: 'problem' };
+  return { kind: 'problem', verdict: 'not_oriented', text: page('block_not_oriented', figures), next: why };
+}
+
+function figuresOf(view: BlockView): Figure[] {
+  return [
+    { value: `${count(view.oriented)} of ${count(view.images.length)}`, label: 'photos oriented' },
+    { value: count(view.points.count), label: 'points on several photos' },
+    ...(view.sigma0Px === null ? [] : [{ value: `${fixed(view.sigma0Px, 2)} px`, label: 'precision (σ₀)' }]),
+  ];
 }
 
 function connectedPairs({ connections }: BlockView): number {
   return connections.filter(({ outcome }) => outcome.kind === 'connected').length;
 }
 
-function doneText({ view, seconds }: Shown): string {
+/** What there is of it, after its verdict. */
+function countsOf({ view, seconds }: Shown): string {
   return page('block_done', {
     images: view.images.length,
-    verdict: view.verdict?.text ?? '',
+    verdict: '',
     skipped: view.leftOut.length,
     pairs: connectedPairs(view),
     points: view.points.count,
     found: view.found?.points ?? null,
     time: seconds === 0 ? null : duration(seconds),
     warnings: view.warnings.length,
-  });
+  }).trim();
 }

@@ -26,6 +26,7 @@ import {
 import type { Handlers } from '../../shared/engine/messages';
 import type { ImageSource } from '../state/data';
 import type { Input, Output, PairCalls } from './calls';
+import { colourTile, decodeColour, reducedColour } from './colour';
 import { overlayOf, shareLeftOut } from './mask';
 import { patchOf } from './patch';
 import { bitmapOf, tileOf } from './tiles';
@@ -34,6 +35,8 @@ interface OpenPhoto {
   photo: Photo;
   /** A copy of the grey values for tiles, made when the first tile is wanted. */
   grey: Uint8Array | null;
+  /** Null where it has no colours to be shown. */
+  colour: ImageBitmap | null;
 }
 
 let opened: OpenPhoto | null = null;
@@ -56,13 +59,21 @@ async function decode(source: ImageSource): Promise<Photo> {
 
 async function open({ source, overviewSide }: Input<'open'>): Promise<Output<'open'>> {
   opened?.photo.free();
+  opened?.colour?.close();
   opened = null;
-  const decoded = await decode(source);
-  opened = { photo: decoded, grey: null };
+  const bytes = source.kind === 'file' ? new Uint8Array(await source.file.arrayBuffer()) : null;
+  // The browser decodes beside the crate.
+  const coming = bytes === null ? null : decodeColour(bytes);
+  const decoded = bytes === null ? await decode(source) : Photo.decode(bytes);
+  opened = { photo: decoded, grey: null, colour: null };
   const reduced = decoded.reduced(overviewSide);
+  const colour = await coming;
+  const coloured = colour == null ? null : reducedColour(colour, reduced, decoded.width, decoded.height);
+  if (coloured === null) colour?.close();
+  else opened.colour = colour;
   return {
     info: decoded.info(),
-    overview: { bitmap: await bitmapOf(reduced.grey, reduced.width, reduced.height), halvings: reduced.halvings },
+    overview: { bitmap: coloured ?? (await bitmapOf(reduced.grey, reduced.width, reduced.height)), halvings: reduced.halvings },
   };
 }
 
@@ -72,8 +83,9 @@ function greyOf(current: OpenPhoto): Uint8Array {
   return current.grey;
 }
 
-function tile({ level, column, row, side }: Input<'tile'>): Promise<ImageBitmap> {
+function tile({ level, column, row, side }: Input<'tile'>): ImageBitmap | Promise<ImageBitmap> {
   const current = photo();
+  if (current.colour !== null) return colourTile(current.colour, level, column, row, side);
   return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
 }
 

@@ -1,20 +1,31 @@
-/** Announces the selected point to screen readers. */
+/** Says beside the picture what became of the selected point, and why. */
+import { leftCodes, rightCodes, shownPair } from '../state/select';
 import { UNDECIDED } from '../state/codes';
 import { textOfCode } from '../state/labels';
-import { leftCodes, rightCodes, shownPair } from '../state/select';
 import type { Store } from '../state/store';
+import { button, byId, fill, h } from '../../shared/panel/dom';
 import { count, fixed } from '../../shared/text/format';
+import { verdictOf } from './verdict';
 
-export function mountAnnouncements(host: HTMLElement, store: Store): void {
+/** `details` shows all that is known of it. */
+export function mountAnnouncements(host: HTMLElement, store: Store, details: () => void): void {
+  const keys = byId('keys');
+  const text = h('span', {});
+  fill(host, text, ' ', button('Details', 'selected-details', details));
   store.watch(['selection'], ([selection]) => {
+    const { state } = store;
+    host.hidden = selection === null;
+    keys.hidden = selection !== null;
     if (selection === null) {
-      host.textContent = '';
+      text.textContent = '';
       return;
     }
-    const shown = shownPair(store.state);
+    const shown = shownPair(state);
     const points = shown[selection.side];
     const codes = selection.side === 'left' ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
     const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
-    host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${textOfCode(codes[selection.index] ?? UNDECIDED, 'label')}.`;
+    const label = textOfCode(codes[selection.index] ?? UNDECIDED, 'label');
+    const why = shown.match === null ? '' : verdictOf(state, shown, shown.match).text;
+    text.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${why === '' ? `${label}.` : why}`;
   });
 }

@@ -1,29 +1,32 @@
 /** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
 import { acting_parameters, resolved } from '../../shared/crate';
 import type { Catalogue, Settings } from '../../shared/crate';
+import type { State } from '../state/state';
 import type { Store } from '../state/store';
 import type { Value } from '../../shared/panel/control';
-import { button, fill } from '../../shared/panel/dom';
-import { makeSections } from '../../shared/panel/sections';
+import { fill } from '../../shared/panel/dom';
+import { makeFolded, settingsText } from '../../shared/panel/sections';
 import { withSetting } from '../../shared/panel/settings';
 
-/** Fills the settings panel once the crate's catalogue is there. */
-export function mountControls(host: HTMLElement, store: Store): void {
+/** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
+export function mountControls(host: HTMLElement, store: Store, opener: HTMLElement): void {
   store.watch(['catalogue'], ([catalogue]) => {
     if (catalogue === null) return;
     let acts: Settings = resolved(catalogue.defaults);
-    const { elements, show } = makeSections(catalogue.parameters, {
-      change: (key, value) => change(store, key, value),
-      defaults: () => catalogue.defaults,
+    const bound = {
+      change: (key: string, value: Value) => change(store, key, value),
+      defaults: () => standardOf(store.state, catalogue),
       resolved: () => acts,
-      refused: (label) => store.dispatch({ type: 'refused', part: 'settings', label }),
+      refused: (label: string) => store.dispatch({ type: 'refused', part: 'settings', label }),
+    };
+    const { elements, show } = makeFolded(catalogue.parameters, bound, {
+      title: 'Method',
+      first: ['matching.strategy', 'matching.refine'],
+      reset: () => store.dispatch({ type: 'settings', settings: standardOf(store.state, catalogue) }),
+      changed: (count) => fill(opener, settingsText(count)),
     });
-    fill(
-      host,
-      ...elements,
-      button("Reset to the paper's values", 'reset-settings', () => resetAll(store, catalogue)),
-    );
-    store.watch(['settings'], ([settings]) => {
+    fill(host, ...elements);
+    store.watch(['settings', 'truth'], ([settings]) => {
       if (settings === null) return;
       acts = resolved(settings);
       show(settings, acting_parameters(settings));
@@ -42,9 +45,7 @@ function change(store: Store, key: string, value: Value): void {
   store.dispatch({ type: 'settings', settings: withSetting(free, key, value) });
 }
 
-function resetAll(store: Store, { defaults }: Catalogue): void {
-  const { settings, truth } = store.state;
-  // The base belongs to the simulated pair, as its camera does: without it its by and bz have another scale than the truth.
-  const orientation = truth === null || settings === null ? defaults.orientation : { ...defaults.orientation, base_mm: settings.orientation.base_mm };
-  store.dispatch({ type: 'settings', settings: { ...defaults, orientation } });
+/** The defaults. The base belongs to the simulated pair, as its camera does: without it by and bz would have another scale than the truth. */
+function standardOf({ truth }: State, { defaults }: Catalogue): Settings {
+  return truth === null ? defaults : { ...defaults, orientation: { ...defaults.orientation, base_mm: truth.baseMm === 0 ? null : truth.baseMm } };
 }

@@ -5,6 +5,7 @@ import { comparesMoments, isCurrent, isStale } from '../state/keys';
 import { hasPaperCamera } from '../state/paper';
 import { BY_HAND, GROSS_ERROR, MANUAL, MATCHED, REFUSALS, codeOf } from '../state/codes';
 import { countsByHand, editedPair } from '../state/edited';
+import { isCodeShown, withCode } from '../state/display';
 import { textOfCode } from '../state/labels';
 import { leftCodes, shownPair } from '../state/select';
 import type { State } from '../state/state';
@@ -41,7 +42,7 @@ export function mountCounts(host: HTMLElement, store: Store): void {
   const matches = section('Matches', 'matches-section', rules);
   host.append(points, matches);
   store.watch(
-    (s) => [s.results, s.history, s.settings, s.images, s.display.hidden, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
+    (s) => [s.results, s.history, s.settings, s.images, s.display, s.camera, s.photos, s.offset, s.fiducialModel, s.failures] as const,
     () => {
       const { state } = store;
       points.classList.toggle('is-stale', pointsAreStale(state));
@@ -170,10 +171,9 @@ function ruleRow(
 ): HTMLTableRowElement {
   const own = textOfCode(code, 'label');
   const toggle = h('input', { type: 'checkbox', testid: `show-${String(code)}`, aria: { label: `Show: ${own}` } });
-  toggle.checked = !state.display.hidden.includes(code);
+  toggle.checked = isCodeShown(state.display, code);
   toggle.addEventListener('change', () => {
-    const hidden = toggle.checked ? store.state.display.hidden.filter((c) => c !== code) : [...store.state.display.hidden, code];
-    store.dispatch({ type: 'display', display: { hidden } });
+    store.dispatch({ type: 'display', display: withCode(store.state.display, code, toggle.checked) });
     document.querySelector<HTMLInputElement>(`[data-testid="show-${String(code)}"]`)?.focus();
   });
   const name = h('span', { title: textOfCode(code) }, label ?? own);

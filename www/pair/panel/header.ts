@@ -1,5 +1,6 @@
 /** The bar of the page as the pair uses it: what opens, exchanges and exports its images. */
 import { byId } from '../../shared/panel/dom';
+import { mountMenu } from '../../shared/panel/menu';
 import type { Engine } from '../engine/engine';
 import { exportEverything, exportMatches, exportPicture } from '../files/export';
 import type { Files } from '../files/open';
@@ -47,14 +48,18 @@ export interface HeaderParts {
   files: Files;
   pick: Pick;
   attempt: (action: () => void | Promise<void>) => Promise<void>;
+  /** Photographs a block and runs it. */
+  sampleBlock: () => void;
 }
 
-export function mountHeader({ store, engine, view, files, pick, attempt }: HeaderParts): void {
+export function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock }: HeaderParts): void {
   const on = (id: string, action: () => void | Promise<void>) => {
     byId(id).addEventListener('click', () => void attempt(action));
   };
   for (const id of ['open', 'open-first']) on(id, () => pick(null));
   for (const id of ['sample', 'sample-first']) on(id, () => files.takeSample());
+  on('sample-block-first', sampleBlock);
+  mountMenu(byId('export-menu'), byId('exports'));
   on('swap', () => swap(store, engine));
   on('export-csv', () => exportMatches(store.state, engine));
   on('export-json', () => exportEverything(store.state));
@@ -70,6 +75,7 @@ export function mountHeader({ store, engine, view, files, pick, attempt }: Heade
     set('swap', none);
     set('sample', catalogue === null);
     set('sample-first', catalogue === null);
+    set('sample-block-first', catalogue === null);
     set('export-csv', !both || shownPair(store.state).match === null);
     set('export-json', !both || store.state.results.pointsLeft === undefined);
     set('export-project', !both || isBusy(store.state) || !isCurrent(store.state, 'match'));
@@ -93,7 +99,7 @@ function swap(store: Store, engine: Engine): void {
 function leaveWelcome(left: boolean): void {
   const welcome = byId('welcome');
   const { activeElement } = document;
-  const focused = welcome.contains(activeElement) || (!welcome.hidden && [byId('open'), byId('sample')].some((press) => press === activeElement));
+  const focused = welcome.contains(activeElement) || (!welcome.hidden && [byId('open'), byId('sample'), byId('menu')].some((press) => press === activeElement));
   welcome.hidden = left;
   if (left && focused) byId('view').focus();
 }

@@ -25,6 +25,8 @@ export function mountPanes(view: View, store: Store, actions: PaneActions): void
       Object.assign(style, { left: `${String(left)}px`, top: `${String(top)}px`, width: `${String(width)}px`, height: `${String(height)}px` });
     }
   };
+  // At once: frames that are placed later would move.
+  place();
   new ResizeObserver(place).observe(view.host);
   store.watch(
     (s) => [s.images, s.masks, s.results.openLeft, s.results.openRight, s.activeSide] as const,

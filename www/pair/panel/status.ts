@@ -1,33 +1,27 @@
-/** The status line: what runs, how far it is, what went wrong, and what to do. */
-import { message, pair_hint } from '../../shared/crate';
-import { isCurrent } from '../state/keys';
-import { whyNone } from '../state/project';
+/** What the answer says while nothing is answered yet: what runs, how far it is, what went wrong, and what to do. */
 import { STAGES } from '../state/stages';
 import { anyStale, currentFailure, progress } from '../state/select';
 import type { StageName, State } from '../state/state';
 import type { Store } from '../state/store';
+import { resting } from './answer';
+import type { AnswerActions } from './answer';
 import { summary } from './counts';
 import { refusedText } from '../../shared/text/format';
 import { page } from '../../shared/text/words';
-import { whyNotOriented } from './orientation';
+import { answerCard } from '../../shared/panel/answer';
+import type { Answer } from '../../shared/panel/answer';
 import { byId } from '../../shared/panel/dom';
 
 /** A run shorter than this shows no bar: it would only flicker. */
 const PATIENCE_MS = 250;
 
-export interface StatusActions {
+export interface StatusActions extends AnswerActions {
   cancel: () => void;
   run: () => void;
 }
 
-interface Line {
-  text: string;
-  /** `partial`: matched, but not oriented, or weakly. */
-  kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem';
-}
-
 export function mountStatus(store: Store, actions: StatusActions): void {
-  const line = byId('status');
+  const show = answerCard(byId('answer'), byId('status'), byId('answer-actions'), '');
   const bar = byId('progress') as HTMLProgressElement;
   const cancel = byId('cancel') as HTMLButtonElement;
   const run = byId('run') as HTMLButtonElement;
@@ -43,7 +37,7 @@ export function mountStatus(store: Store, actions: StatusActions): void {
       bar.value = done;
       cancel.disabled = !busy;
       run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
-      show(line, lineOf(state));
+      show(answerOf(state, actions));
       document.body.classList.toggle('is-pending', anyStale(state));
       if (!busy) {
         window.clearTimeout(timer);
@@ -60,49 +54,22 @@ export function isBusy(state: State): boolean {
   return Object.keys(state.running).length > 0 || state.notice?.kind === 'busy';
 }
 
-function show(line: HTMLElement, { text, kind }: Line): void {
-  line.dataset.kind = kind;
-  if (line.textContent !== text) line.textContent = text;
-}
-
-function lineOf(state: State): Line {
+function answerOf(state: State, actions: AnswerActions): Answer {
+  const line = (kind: Answer['kind'], text: string): Answer => ({ kind, text, verdict: null });
   const failure = currentFailure(state);
-  if (state.notice?.kind === 'problem') return { text: state.notice.text, kind: 'problem' };
+  if (state.notice?.kind === 'problem') return line('problem', state.notice.text);
   const { running, wanted, done } = progress(state);
   if (running.length > 0)
-    return {
-      text: page('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }),
-      kind: 'busy',
-    };
-  if (state.notice?.kind === 'busy') return { text: state.notice.text, kind: 'busy' };
-  if (state.paused) return { text: 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.', kind: 'idle' };
-  if (failure !== null && !isOrientation(failure)) return { text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(), kind: 'problem' };
+    return line('busy', page('step', { step: Math.min(done + 1, wanted), steps: wanted, stages: running.map((stage) => STAGES[stage].label).join('; ') }));
+  if (state.notice?.kind === 'busy') return line('busy', state.notice.text);
+  if (state.paused) return line('idle', 'Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.');
+  if (failure !== null && !isOrientation(failure)) return line('problem', `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
   const [refused] = Object.values(state.refused);
-  if (refused !== undefined) return { text: refusedText(refused), kind: 'problem' };
-  const line = resting(state, wanted, done);
-  if (state.notice === null) return line;
-  return line.kind === 'done' || line.kind === 'partial' ? { ...line, text: `${line.text} ${state.notice.text}` } : { text: state.notice.text, kind: 'idle' };
-}
-
-function resting(state: State, wanted: number, done: number): Line {
-  if (state.catalogue === null) return { text: 'Loading the program …', kind: 'busy' };
-  if (state.images.left === null && state.images.right === null) return { text: 'Ready. Open two overlapping images, or use the sample pair.', kind: 'idle' };
-  if (state.images.left === null || state.images.right === null) {
-    return { text: `One image is open. Open the ${state.images.left === null ? 'left' : 'right'} one.`, kind: 'idle' };
-  }
-  if (done < wanted) return { text: 'Waiting …', kind: 'busy' };
-  const milliseconds = Object.entries(state.results).reduce(
-    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' ? 0 : result.milliseconds),
-    0,
-  );
-  // A pair that was opened took none.
-  const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
-  const reason = whyNotOriented(state);
-  const verdict = isCurrent(state, 'orientation') ? state.results.orientation?.value.verdict : undefined;
-  const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
-  const more = hint === null ? '' : ` ${message('pair_hint', hint)}`;
-  if (reason !== null || verdict === undefined) return { text: `${matched} ${reason ?? ''}`.trimEnd() + more, kind: 'partial' };
-  return { text: `${message('pair_verdict', verdict)} ${matched}${more}`, kind: verdict.kind === 'oriented' ? 'done' : 'partial' };
+  if (refused !== undefined) return line('problem', refusedText(refused));
+  const answer = resting(state, done < wanted, actions);
+  if (state.notice === null) return answer;
+  if (answer.verdict === null) return line('idle', state.notice.text);
+  return { ...answer, more: `${answer.more ?? ''} ${state.notice.text}`.trimStart() };
 }
 
 /** Matches that determine no orientation are a result all the same. */

@@ -1,9 +1,12 @@
 /** The bar above the images: layers, linking, zoom. */
 import type { Display, LineLayer, PointLayer } from '../state/state';
+import { shownPair } from '../state/select';
 import type { Store } from '../state/store';
 import type { Navigator } from '../view/navigate';
 import { SOME_LINES } from '../view/marks';
-import { button, h } from '../../shared/panel/dom';
+import { button, fill, h } from '../../shared/panel/dom';
+import { mountMenu } from '../../shared/panel/menu';
+import { count } from '../../shared/text/format';
 import { labelled, zoomButtons } from '../../shared/panel/zoom';
 
 const VECTOR_FACTORS = [0, 10, 20, 50, 100, 200, 500, 1000];
@@ -28,15 +31,10 @@ function toggle(label: string, testid: string, title: string, onChange: (on: boo
 
 export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigator): void {
   const set = (display: Partial<Display>) => store.dispatch({ type: 'display', display });
-  const [points, pointSelect] = choice(
-    'Points',
-    'layer-points',
-    [
-      ['all', 'all'],
-      ['matched', 'matched'],
-      ['none', 'none'],
-    ],
-    (value) => set({ points: value as PointLayer }),
+  const shows = (points: PointLayer) => set({ points, hidden: [] });
+  const points = toggle('Points', 'layer-points', 'Show the matched points', (on) => shows(on ? 'matched' : 'none'));
+  const unmatched = toggle('Unmatched', 'layer-unmatched', 'Show rejected points too, marked by the rule that rejected them: press one to see why', (on) =>
+    shows(on ? 'all' : 'matched'),
   );
   const [lines, lineSelect] = choice(
     'Lines',
@@ -56,22 +54,30 @@ export function mountToolbar(host: HTMLElement, store: Store, navigator: Navigat
   );
   const linked = toggle('Linked', 'linked', 'Pan and zoom both images together (L)', (on) => set({ linked: on }));
   const magnifier = toggle('Magnifier', 'magnifier', 'Enlarge what is under the pointer (M)', (on) => set({ magnifier: on }));
-  host.append(
-    points,
+  const more = h(
+    'div',
+    { class: 'more', id: 'view-more' },
     lines,
     vectors,
     h('span', { class: 'divider' }),
     linked,
     magnifier,
-    h('span', { class: 'divider' }),
-    ...zoomButtons('', 'Whole images', () => navigator),
     labelled('1:1', 'zoom-actual', 'One image pixel to one screen pixel (1)', () => navigator.actualSize()),
     h('span', { class: 'divider' }),
     labelled('‹', 'previous-point', 'Previous point (P)', () => navigator.step(-1)),
     labelled('›', 'next-point', 'Next point (N)', () => navigator.step(1)),
   );
+  const unfold = h('button', { type: 'button', class: 'menu-button', testid: 'view-menu' }, 'View ▾');
+  mountMenu(unfold, more);
+  host.append(points, unmatched, h('span', { class: 'divider' }), ...zoomButtons('', 'Whole images', () => navigator), unfold, more);
+  store.watch(['results'], () => {
+    const { left, match } = shownPair(store.state);
+    const others = match === null || left === null ? 0 : left.length / 3 - match.counts.matches;
+    fill(unmatched, 'Unmatched', others === 0 ? null : h('span', { class: 'number-of' }, ` (${count(others)})`));
+  });
   store.watch(['display'], ([display]) => {
-    pointSelect.value = display.points;
+    points.setAttribute('aria-pressed', String(display.points !== 'none'));
+    unmatched.setAttribute('aria-pressed', String(display.points === 'all'));
     lineSelect.value = display.lines;
     vectorSelect.value = String(display.vectors);
     linked.setAttribute('aria-pressed', String(display.linked));

@@ -159,6 +159,7 @@ export interface PaneView {
   scale: number;
 }
 
+/** `matched`: accepted matches alone; `all`: the points that were rejected too, and those that nothing was decided about. */
 export type PointLayer = 'all' | 'matched' | 'none';
 export type LineLayer = 'all' | 'some' | 'none';
 
@@ -253,6 +254,6 @@ export const INITIAL: State = {
   tool: 'look',
   activeSide: 'left',
   views: { left: null, right: null },
-  display: { points: 'all', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
+  display: { points: 'matched', lines: 'some', vectors: 0, linked: true, magnifier: false, hidden: [] },
   notice: null,
 };

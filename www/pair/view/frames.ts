@@ -1,4 +1,5 @@
 /** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
+import { isCodeShown } from '../state/display';
 import { CELLS } from '../state/descriptor';
 import { comparesGradients } from '../state/keys';
 import type { Settings } from '../../shared/crate';
@@ -6,7 +7,6 @@ import type { State } from '../state/state';
 import type { Rect, Transform } from '../../shared/view/transform';
 import { toCanvas } from '../../shared/view/transform';
 import { SELECTED, STYLES } from './palette';
-import { isShown } from './scene';
 import type { Pane } from './scene';
 
 /** Radius of the circle in scales. */
@@ -14,6 +14,8 @@ const SCALES = 2;
 /** Least radius in CSS px at which a circle is drawn, and how many are: where more are in sight, zooming in shows them. */
 const LEAST_RADIUS = 6;
 const MOST_DRAWN = 250;
+/** CSS px of an image px from which on frames of matches are drawn, where these alone are shown. */
+const LEAST_SCALE = 1;
 
 /** Whether the directions of the frames were sought. */
 function haveDirections(settings: Settings | null): boolean {
@@ -24,12 +26,14 @@ function haveDirections(settings: Settings | null): boolean {
 export function drawFrames(context: CanvasRenderingContext2D, state: State, pane: Pane, transform: Transform, clip: Rect): void {
   const { points, frames, codes } = pane;
   if (points === null || frames === null || frames.length === 0 || state.display.points === 'none') return;
+  // Over whole images matches alone are to be seen.
+  if (state.display.points === 'matched' && transform.scale < LEAST_SCALE) return;
   const ticks = haveDirections(state.settings);
   const paths = new Map<number, Path2D>();
   let drawn = 0;
   codes.forEach((code, i) => {
     const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
-    if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isShown(state.display, code)) return;
+    if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(state.display, code)) return;
     const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
     if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
     drawn += 1;

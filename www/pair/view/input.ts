@@ -1,4 +1,5 @@
 /** Pointer, wheel, touch and keys on the images. */
+import { isCodeShown } from '../state/display';
 import { listen } from '../../shared/view/gestures';
 import { toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
@@ -9,7 +10,7 @@ import { otherSide } from '../state/state';
 import type { Selection, Side } from '../state/state';
 import type { Store } from '../state/store';
 import type { Navigator } from './navigate';
-import { isShown, paneAt } from './scene';
+import { paneAt } from './scene';
 import type { View } from './view';
 
 export function mountInput(view: View, store: Store, navigator: Navigator, editing: Editing): void {
@@ -65,7 +66,7 @@ function enclose(view: View, store: Store, side: Side, from: [number, number], t
   const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
   const { display } = store.state;
   const ofLefts = side === 'left' ? codes : view.scene().panes.left.codes;
-  store.dispatch({ type: 'choose', chosen: keysWithin(edited, side, [left, top, right, bottom], (index) => isShown(display, ofLefts[index] ?? 0)) });
+  store.dispatch({ type: 'choose', chosen: keysWithin(edited, side, [left, top, right, bottom], (index) => isCodeShown(display, ofLefts[index] ?? 0)) });
 }
 
 function between([x, y]: [number, number], [u, v]: [number, number]): Rect {

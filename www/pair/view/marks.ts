@@ -1,4 +1,5 @@
 /** Points, match lines and residual vectors, drawn by the crate. */
+import { isCodeShown } from '../state/display';
 import { draw_match_lines, draw_points, draw_vectors } from '../../shared/crate';
 import { GROSS_ERROR, OF_MATCHES } from '../state/codes';
 import { remember } from '../../shared/state/remember';
@@ -9,7 +10,6 @@ import { drawFrames } from './frames';
 import { drawView } from './geometry';
 import type { Rect, Transform } from '../../shared/view/transform';
 import { DRAWN, LINE, LINE_REJECTED, STYLES } from './palette';
-import { isShown } from './scene';
 import type { Pane, Scene } from './scene';
 
 /** Lines drawn when only some are wanted. */
@@ -39,7 +39,7 @@ function stylesAt(scale: number): Styles {
 
 function makeSlots() {
   return remember((codes: Uint8Array, points: PointLayer, hidden: readonly number[]): Uint8Array => {
-    const slots = Uint8Array.from(STYLES, (_, code) => (isShown({ points, hidden }, code) ? DRAWN.indexOf(code) : NOT_DRAWN));
+    const slots = Uint8Array.from(STYLES, (_, code) => (isCodeShown({ points, hidden }, code) ? DRAWN.indexOf(code) : NOT_DRAWN));
     return codes.map((code) => slots[code] ?? NOT_DRAWN);
   });
 }
@@ -64,7 +64,9 @@ function drawLines(context: CanvasRenderingContext2D, state: State, scene: Scene
   const { lines } = state.display;
   if (scene.match === null || lines === 'none') return;
   const { left, right } = scene.panes;
-  const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? 1 : 0));
+  // Rejected matches are lines where rejected points are drawn.
+  const rejected = isCodeShown({ ...state.display, points: state.display.points === 'none' ? 'matched' : state.display.points }, GROSS_ERROR) ? 1 : NOT_DRAWN;
+  const codes = scene.matchCodes.map((code) => (code === GROSS_ERROR ? rejected : 0));
   draw_match_lines(
     context,
     scene.match.matches,

@@ -1,4 +1,5 @@
 /** Moves through the images and from point to point. */
+import { isCodeShown } from '../state/display';
 import { sameGround } from '../state/follow';
 import { otherSide, SIDES } from '../state/state';
 import type { PaneView, Selection, Side } from '../state/state';
@@ -8,7 +9,6 @@ import { contains, toCanvas, toPosition } from '../../shared/view/transform';
 import type { Rect } from '../../shared/view/transform';
 import { placeOfDraft } from '../state/draft';
 import type { Position } from '../state/selected';
-import { isShown } from './scene';
 import type { Pane, Scene } from './scene';
 import type { View } from './view';
 
@@ -54,7 +54,7 @@ export class Navigator {
     const count = pane.codes.length;
     const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
     for (let i = start + by; i >= 0 && i < count; i += by) {
-      if (isShown(state.display, pane.codes[i] ?? 0)) {
+      if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
         this.select({ side: pane.side, index: i });
         return;
       }

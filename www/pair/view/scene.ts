@@ -2,11 +2,10 @@
 import type { MatchResult, RelativeOrientation } from '../../shared/crate';
 import { interiorInUse } from '../state/interior';
 import { residualVectors } from '../state/residuals';
-import { OF_MATCHES } from '../state/codes';
 import { leftCodes, loosePlaces, matchCodes, rightCodes, shownPair } from '../state/select';
 import type { Places } from '../state/select';
 import { SIDES } from '../state/state';
-import type { Display, Side, State } from '../state/state';
+import type { Side, State } from '../state/state';
 import { wantedKeys } from '../state/keys';
 import { fitView, panesOf, transformOf } from './geometry';
 import { contains } from '../../shared/view/transform';
@@ -77,12 +76,6 @@ export function sceneOf(state: State, width: number, height: number): Scene {
     matchCodes: ofMatches,
     places: loosePlaces(shown.match, ofMatches),
   };
-}
-
-/** Codes of points that the layer settings show. */
-export function isShown({ points, hidden }: Pick<Display, 'points' | 'hidden'>, code: number): boolean {
-  if (hidden.includes(code)) return false;
-  return points === 'all' || (points === 'matched' && OF_MATCHES.includes(code));
 }
 
 /** The pane at a canvas position. */

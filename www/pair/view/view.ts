@@ -1,4 +1,5 @@
 /** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
+import { isCodeShown } from '../state/display';
 import type { Engine } from '../engine/engine';
 import { wantedKeys } from '../state/keys';
 import { remember } from '../../shared/state/remember';
@@ -14,7 +15,7 @@ import { PointGrid } from './grid';
 import { drawMarks } from './marks';
 import { drawLens, drawSelection } from './overlay';
 import { paintMask, paintPicture } from './picture';
-import { isShown, paneAt, sceneOf } from './scene';
+import { paneAt, sceneOf } from './scene';
 import type { Pane, Scene } from './scene';
 import { TileCache } from './tilecache';
 
@@ -91,12 +92,12 @@ export class View {
     const { width, height } = pane.picture;
     const at = toPosition(pane.transform, x, y);
     const radius = CLICK_RADIUS / pane.transform.scale;
-    const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isShown(state.display, pane.codes[i] ?? 0));
+    const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, pane.codes[i] ?? 0));
     const index = found < 0 ? null : { side: pane.side, index: found };
     if (pane.side === 'left' || scene.match === null) return index;
     // A matched place that is no point stands for the left point it was found from.
     const { places } = scene;
-    const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isShown(state.display, places.codes[i] ?? 0));
+    const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
     return place < 0 ? index : { side: 'left', index: places.lefts[place] ?? 0 };
   }
 

@@ -54,7 +54,9 @@ export function makeControl(parameter: Parameter, binding: Binding): Control {
   const show = (value: Value) => {
     field.show(value);
     problem.textContent = '';
-    reset.hidden = binding.standard() === value;
+    const changed = binding.standard() !== value;
+    reset.hidden = !changed;
+    element.classList.toggle('is-changed', changed);
   };
   field.onProblem((text) => {
     problem.textContent = text;

@@ -2,7 +2,8 @@
 import type { Parameter } from '../crate';
 import { makeControl } from './control';
 import type { Control, Value } from './control';
-import { h } from './dom';
+import { button, fill, h } from './dom';
+import { isOpen, setDrawer, watchDrawers } from './drawers';
 import { readSetting } from './settings';
 
 /** What the controls read and change. */
@@ -22,26 +23,98 @@ export interface Sections {
   show: (settings: object, acting?: readonly string[]) => void;
 }
 
-export function makeSections(parameters: readonly Parameter[], { change, defaults, resolved, refused }: Bound): Sections {
-  const controls = parameters.map((parameter) =>
-    makeControl(parameter, {
-      set: (value) => change(parameter.key, value),
-      standard: () => readSetting(defaults(), parameter.key),
-      whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
-      refused: () => refused?.(parameter.label),
-    }),
+/** Which settings stand first; the others unfold under their headings. */
+export interface Folding {
+  title: string;
+  first: readonly string[];
+  /** Sets all back to their defaults. */
+  reset: () => void;
+  /** Told how many differ from their defaults. */
+  changed: (count: number) => void;
+}
+
+export function makeSections(parameters: readonly Parameter[], bound: Bound): Sections {
+  const controls = parameters.map((parameter) => controlOf(parameter, bound));
+  const groups = groupsOf(controls, (title, elements) => h('fieldset', { class: 'group' }, h('legend', {}, title), ...elements));
+  const show = (settings: object, acting?: readonly string[]) => showAll(controls, groups, settings, acting);
+  return { controls, elements: groups.map(({ element }) => element), show };
+}
+
+/** The same with few settings in sight, the number of those that were changed, and one button that sets all back. */
+export function makeFolded(parameters: readonly Parameter[], bound: Bound, { title, first, reset, changed }: Folding): Sections {
+  const controls = parameters.map((parameter) => controlOf(parameter, bound));
+  const ahead = controls.filter(({ parameter }) => first.includes(parameter.key));
+  const folds: HTMLDetailsElement[] = [];
+  const groups = groupsOf(
+    controls.filter((control) => !ahead.includes(control)),
+    (name, elements) => {
+      const fold = h('details', { class: 'group' }, h('summary', {}, name, ' ', h('span', { class: 'changed' })), ...elements);
+      folds.push(fold);
+      return fold;
+    },
   );
-  const groups = [...new Set(parameters.map(({ section }) => section))].map((section) => {
-    const own = controls.filter(({ parameter }) => parameter.section === section);
-    return { own, element: h('fieldset', { class: 'group' }, h('legend', {}, section), ...own.map(({ element }) => element)) };
+  const number = h('span', { testid: 'changed-settings' });
+  const back = h('p', { class: 'buttons' }, number, button('Set all back', 'reset-settings', reset));
+  const unfold = button('', 'all-settings', () => setDrawer('all-settings', !isOpen('all-settings')));
+  let unfolded: boolean | null = null;
+  watchDrawers(() => {
+    if (unfolded === isOpen('all-settings')) return;
+    unfolded = isOpen('all-settings');
+    for (const fold of folds) fold.open = unfolded;
+    unfold.textContent = unfolded ? 'Fold all' : 'Unfold all';
   });
   const show = (settings: object, acting?: readonly string[]) => {
-    const used = ({ parameter }: Control) => acting === undefined || acting.includes(parameter.key);
-    for (const control of controls) {
-      control.show(readSetting(settings, control.parameter.key));
-      control.element.hidden = !used(control);
+    showAll(controls, groups, settings, acting);
+    const all = controls.filter(({ element }) => element.classList.contains('is-changed')).length;
+    for (const { own, element } of groups) {
+      const here = own.filter((control) => control.element.classList.contains('is-changed')).length;
+      fill(element.querySelector('.changed') ?? element, here === 0 ? '' : `${String(here)} changed`);
     }
-    for (const { own, element } of groups) element.hidden = !own.some(used);
+    back.hidden = all === 0;
+    number.textContent = all === 1 ? '1 setting differs from its default.' : `${String(all)} settings differ from their defaults.`;
+    changed(all);
   };
-  return { controls, elements: groups.map(({ element }) => element), show };
+  const top = h('fieldset', { class: 'group' }, h('legend', {}, title), ...ahead.map(({ element }) => element));
+  return { controls, elements: [back, top, h('p', { class: 'buttons folds' }, unfold), ...groups.map(({ element }) => element)], show };
+}
+
+/** What a button says that opens settings. */
+export function settingsText(changed: number): string {
+  return changed === 0 ? 'Settings' : `Settings · ${String(changed)}`;
+}
+
+function controlOf(parameter: Parameter, { change, defaults, resolved, refused }: Bound): Control {
+  return makeControl(parameter, {
+    set: (value) => change(parameter.key, value),
+    standard: () => readSetting(defaults(), parameter.key),
+    whenEmpty: () => (resolved === undefined ? null : readSetting(resolved(), parameter.key)),
+    refused: () => refused?.(parameter.label),
+  });
+}
+
+interface Group {
+  own: readonly Control[];
+  element: HTMLElement;
+}
+
+function groupsOf(controls: readonly Control[], made: (title: string, elements: HTMLElement[]) => HTMLElement): Group[] {
+  return [...new Set(controls.map(({ parameter }) => parameter.section))].map((section) => {
+    const own = controls.filter(({ parameter }) => parameter.section === section);
+    return {
+      own,
+      element: made(
+        section,
+        own.map(({ element }) => element),
+      ),
+    };
+  });
+}
+
+function showAll(controls: readonly Control[], groups: readonly Group[], settings: object, acting: readonly string[] | undefined): void {
+  const used = ({ parameter }: Control) => acting === undefined || acting.includes(parameter.key);
+  for (const control of controls) {
+    control.show(readSetting(settings, control.parameter.key));
+    control.element.hidden = !used(control);
+  }
+  for (const { own, element } of groups) element.hidden = !own.some(used);
 }

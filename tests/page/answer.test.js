@@ -1,0 +1,219 @@
+/** What a stranger sees: an invitation, the answer beside the pictures, settings only where they are asked for. */
+
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { status } from './blocks.js';
+import { choose, done, hosted, number, open, part, pngs, sample, SKIP, upload } from './page.js';
+
+hosted('/answer/');
+
+/** @typedef {import('playwright-core').Page} Page */
+
+/** Starts to add up how far parts of the page move that nobody pressed. It runs in the page. */
+function watchShifts() {
+  const sums = /** @type {{ shifts?: number }} */ (/** @type {unknown} */ (window));
+  sums.shifts = 0;
+  new PerformanceObserver((list) => {
+    for (const entry of /** @type {{ hadRecentInput: boolean, value: number }[]} */ (/** @type {unknown} */ (list.getEntries()))) {
+      if (!entry.hadRecentInput) sums.shifts = (sums.shifts ?? 0) + entry.value;
+    }
+  }).observe({ type: 'layout-shift', buffered: true });
+}
+
+const shifts = (/** @type {Page} */ page) => page.evaluate(() => Number(/** @type {{ shifts?: number }} */ (/** @type {unknown} */ (window)).shifts));
+
+/** Fails where a part is not wholly in sight.  @param {Page} page @param {string} id */
+async function inSight(page, id) {
+  const box = await part(page, id).boundingBox();
+  const size = page.viewportSize();
+  assert.ok(box && size, id);
+  assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= size.width && box.y + box.height <= size.height, `${id}: ${JSON.stringify(box)}`);
+}
+
+for (const [width, height] of /** @type {const} */ ([
+  [1366, 768],
+  [360, 740],
+])) {
+  test(`verdict, figures, next step and pictures are seen without scrolling at ${width} × ${height} px, and nothing moves`, { skip: SKIP }, async () => {
+    const { page, complaints, close } = await open({ url: 'about:blank', fresh: true, options: { viewport: { width, height } } });
+    const other = await open({ fresh: true });
+    const url = other.page.url();
+    await other.close();
+    await page.addInitScript(watchShifts);
+    await page.goto(url);
+    for (const id of ['open-first', 'sample-first', 'sample-block-first']) await inSight(page, id);
+    await sample(page);
+    assert.equal(await part(page, 'answer').getAttribute('data-verdict'), 'oriented');
+    for (const id of ['status', 'figures', 'next', 'view']) await inSight(page, id);
+    assert.equal(await page.evaluate(() => window.scrollY), 0);
+    assert.ok(((await part(page, 'view').boundingBox())?.height ?? 0) > 0.5 * height);
+    assert.equal(await part(page, 'figures').locator('dd').count(), 3);
+    assert.ok((await shifts(page)) < 0.1, String(await shifts(page)));
+    // Buttons in sight are large enough for a finger.
+    const small = await page.evaluate(() =>
+      [...document.querySelectorAll('button')]
+        .filter((button) => button.checkVisibility({ visibilityProperty: true }))
+        .filter((button) => {
+          const box = button.getBoundingClientRect();
+          return box.height < 24 || box.width < 24;
+        })
+        .map((button) => button.outerHTML),
+    );
+    assert.deepEqual(small, []);
+    assert.deepEqual(
+      complaints.filter((complaint) => !complaint.includes(new URL(url).origin)),
+      [],
+    );
+    await close();
+  });
+}
+
+test('matches alone are drawn at first; one press shows the rejected points, and a press on one says why', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await sample(page);
+  /** How many pixels of the marks have the colour of the rule that rejects most points of the sample. */
+  const rejected = () =>
+    page.evaluate(async () => {
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+      const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="layer-marks"]'));
+      const { data } = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: [] };
+      let found = 0;
+      for (let i = 0; i < data.length; i += 4) if ((data[i] ?? 0) > 180 && (data[i + 1] ?? 0) < 140 && (data[i + 3] ?? 0) > 200) found += 1;
+      return found;
+    });
+  assert.equal(await part(page, 'layer-unmatched').getAttribute('aria-pressed'), 'false');
+  assert.match((await part(page, 'layer-unmatched').textContent()) ?? '', /^Unmatched \([\d\s]+\)$/);
+  assert.equal(await rejected(), 0);
+  await part(page, 'layer-unmatched').click();
+  assert.ok((await rejected()) > 100);
+  await part(page, 'view').focus();
+  for (let i = 0; i < 40 && !/Rejected/.test((await part(page, 'selected').textContent()) ?? ''); i++) await page.keyboard.press('n');
+  assert.match((await part(page, 'selected').textContent()) ?? '', /^left point .*Rejected/);
+  await part(page, 'selected-details').click();
+  await part(page, 'point-verdict').waitFor();
+  // A rule that is ticked in the details is shown by itself.
+  await part(page, 'layer-unmatched').click();
+  await part(page, 'tab-results').click();
+  assert.equal(await part(page, 'show-4').isChecked(), false);
+  await part(page, 'show-4').check();
+  assert.ok((await rejected()) > 100);
+  assert.equal(await part(page, 'show-6').isChecked(), false);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+/** The sample pair in colour, as JPEG files that ask to be turned by their EXIF orientation.  @param {Page} page */
+async function photographs(page) {
+  const files = [];
+  for (const { name, buffer } of pngs()) {
+    const bytes = await page.evaluate(
+      async (given) => {
+        const bitmap = await createImageBitmap(new Blob([new Uint8Array(given)]));
+        const canvas = new OffscreenCanvas(bitmap.width, bitmap.height);
+        const context = canvas.getContext('2d');
+        if (context === null) throw new Error('no canvas');
+        context.drawImage(bitmap, 0, 0);
+        context.globalCompositeOperation = 'multiply';
+        context.fillStyle = '#ffb060';
+        context.fillRect(0, 0, bitmap.width, bitmap.height);
+        return [...new Uint8Array(await (await canvas.convertToBlob({ type: 'image/jpeg', quality: 0.95 })).arrayBuffer())];
+      },
+      [...buffer],
+    );
+    // Orientation 6: a quarter turn. The crate takes pixels as they are stored, and so must the colours be.
+    const tiff = [0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 0x01, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
+    const exif = [0x45, 0x78, 0x69, 0x66, 0, 0, ...tiff];
+    const jpeg = Buffer.from([...bytes.slice(0, 2), 0xff, 0xe1, 0, exif.length + 2, ...exif, ...bytes.slice(2)]);
+    files.push(upload(name.replace('png', 'jpg'), jpeg, 'image/jpeg'));
+  }
+  return files;
+}
+
+test('photographs are drawn in colour, exactly where the crate has their pixels, whatever their EXIF orientation', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await part(page, 'file-input').setInputFiles(await photographs(page));
+  await done(page);
+  assert.match((await part(page, 'name-left').getAttribute('title')) ?? '', /450 × 700 px/);
+  const picture = await page.evaluate(() => {
+    const canvas = /** @type {HTMLCanvasElement} */ (document.querySelector('[data-testid="layer-pictures"]'));
+    const { data } = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height) ?? { data: [] };
+    let drawn = 0;
+    let orange = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      if ((data[i + 3] ?? 0) < 250 || (data[i] ?? 0) < 60) continue;
+      drawn += 1;
+      if ((data[i] ?? 0) > 1.3 * (data[i + 1] ?? 0) && (data[i + 1] ?? 0) > 1.3 * (data[i + 2] ?? 0)) orange += 1;
+    }
+    return { drawn, orange };
+  });
+  assert.ok(picture.drawn > 10_000 && picture.orange > 0.9 * picture.drawn, JSON.stringify(picture));
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('settings are closed at first, stay as they are left, and what was changed is marked, counted and set back', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await sample(page);
+  const button = part(page, 'settings');
+  const numberOf = page.locator('#panel-settings [data-key="multiscale.number"]');
+  const strategy = page.locator('.control:has(> select[data-key="matching.strategy"])');
+  assert.equal(await strategy.isVisible(), false);
+  assert.equal(await button.textContent(), 'Settings');
+  await button.click();
+  // Few at first.
+  assert.ok(await strategy.isVisible());
+  assert.equal(await numberOf.isVisible(), false);
+  await choose(page, 'matching.strategy', 'moments');
+  assert.equal(await button.textContent(), 'Settings · 1');
+  assert.match((await strategy.getAttribute('class')) ?? '', /is-changed/);
+  await part(page, 'reset-matching.strategy').click();
+  assert.equal(await button.textContent(), 'Settings');
+  await page.locator('#panel-settings [data-testid="all-settings"]').click();
+  await numberOf.fill('5000');
+  await page.locator('#panel-settings [data-key="multiscale.levels"]').fill('4');
+  assert.equal(await button.textContent(), 'Settings · 2');
+  await page.locator('#panel-settings [data-testid="reset-settings"]').click();
+  assert.equal(await button.textContent(), 'Settings');
+  assert.equal(await numberOf.inputValue(), '10000');
+  await page.reload();
+  await numberOf.waitFor();
+  await part(page, 'close-settings').click();
+  assert.equal(await strategy.isVisible(), false);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a pair without a camera asks for it, and the next step leads there', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  await part(page, 'file-input').setInputFiles(pngs());
+  await done(page);
+  assert.notEqual(await part(page, 'answer').getAttribute('data-verdict'), 'oriented');
+  assert.equal(await part(page, 'next').textContent(), 'Give the camera');
+  await part(page, 'next').click();
+  assert.ok(await part(page, 'camera-focal').isVisible());
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('a sample block is photographed, run and answered by one press', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true, options: { viewport: { width: 1366, height: 768 } } });
+  await part(page, 'sample-block-first').click();
+  await page.waitForFunction(() => document.querySelector('[data-testid="block-answer"]')?.getAttribute('data-verdict') === 'oriented', undefined, {
+    timeout: 240_000,
+  });
+  for (const id of ['block-status', 'block-figures', 'block-next', 'block-picture']) await inSight(page, id);
+  await part(page, 'block-details').click();
+  assert.ok((await number(page, 'block-points-count')) > 0);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test('images that are given as a block are run without another press', { skip: SKIP }, async () => {
+  const { page, complaints, close } = await open({ fresh: true });
+  const [left, right] = pngs();
+  assert.ok(left && right);
+  await part(page, 'file-input').setInputFiles([left, right, upload('third.png', left.buffer, 'image/png')]);
+  assert.match(await status(page, /^(Oriented|Weak orientation|Not oriented|No image)/), /More than two images are a block\.$/);
+  assert.deepEqual(complaints, []);
+  await close();
+});

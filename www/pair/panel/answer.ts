@@ -1,0 +1,102 @@
+/** What came of a pair: its verdict, the figures that decided, and what to do next. */
+import { message, pair_hint } from '../../shared/crate';
+import type { OrientedPair, Warning } from '../../shared/crate';
+import type { Answer, Figure, Next } from '../../shared/panel/answer';
+import { count, fixed } from '../../shared/text/format';
+import { page } from '../../shared/text/words';
+import { interiorInUse } from '../state/interior';
+import { isCurrent } from '../state/keys';
+import { whyNone } from '../state/project';
+import { pixelMm } from '../state/residuals';
+import { shownPair } from '../state/select';
+import { SIDES } from '../state/state';
+import type { Side, State } from '../state/state';
+import { summary } from './counts';
+import { whyNotOriented } from './orientation';
+
+/** What the button beside the answer can do. */
+export interface AnswerActions {
+  /** Opens the image of a side, or any where there is none. */
+  open: (side: Side | null) => void;
+  /** Shows where the camera is given. */
+  camera: () => void;
+  /** Takes the strategy that finds more. */
+  otherStrategy: () => void;
+  /** Shows what speaks against the result. */
+  why: () => void;
+  save: () => void;
+}
+
+/** The answer while nothing runs; `waiting`: something is about to. */
+export function resting(state: State, waiting: boolean, actions: AnswerActions): Answer {
+  const { images } = state;
+  const line = (kind: Answer['kind'], text: string, next: Next | null = null): Answer => ({ kind, text, verdict: null, next });
+  if (state.catalogue === null) return line('busy', 'Loading the program …');
+  if (images.left === null && images.right === null) return line('idle', 'Ready. Open two overlapping images, or use the sample pair.');
+  const missing = SIDES.find((side) => images[side] === null);
+  if (missing !== undefined) {
+    return line('idle', `One image is open. Open the ${missing} one.`, { text: `Open the ${missing} image …`, act: () => actions.open(missing) });
+  }
+  return waiting ? line('busy', 'Waiting …') : answered(state, actions);
+}
+
+function answered(state: State, actions: AnswerActions): Answer {
+  const milliseconds = Object.entries(state.results).reduce(
+    (sum, [stage, result]) => sum + (stage === 'inspection' || stage === 'line' ? 0 : result.milliseconds),
+    0,
+  );
+  // A pair that was opened took none.
+  const matched = milliseconds === 0 ? `${summary(state)}.` : page('worked', { matched: summary(state), seconds: milliseconds / 1000 });
+  const reason = whyNotOriented(state);
+  const oriented = reason === null && isCurrent(state, 'orientation') ? state.results.orientation?.value : undefined;
+  const verdict = oriented?.verdict;
+  const hint = state.settings === null ? null : pair_hint(verdict ?? { kind: 'not_oriented', no_orientation: whyNone(state) }, state.settings);
+  const more = `${matched}${hint === null ? '' : ` ${message('pair_hint', hint)}`}`;
+  if (oriented === undefined || verdict === undefined) {
+    const next = hint === null ? nextWithout(state, actions) : { text: 'Use “auto”', act: actions.otherStrategy };
+    if (reason === null) return { kind: 'partial', verdict: 'not_oriented', text: more, next };
+    return { kind: 'partial', verdict: 'not_oriented', text: reason, more, figures: figuresWithout(state), next };
+  }
+  const answer = { text: message('pair_verdict', verdict), more, figures: figuresOf(state, oriented) };
+  if (verdict.kind === 'oriented') return { ...answer, kind: 'done', verdict: 'oriented', next: nextAfter(state, actions) };
+  const next =
+    verdict.kind === 'weak' && asksForCamera(verdict.warning) ? { text: 'Give the camera', act: actions.camera } : { text: 'Show why', act: actions.why };
+  return { ...answer, kind: 'partial', verdict: verdict.kind, next };
+}
+
+function figuresOf(state: State, result: OrientedPair): Figure[] {
+  const used = result.residuals_mm.length - result.rejected.length;
+  const interior = interiorInUse(state)?.left;
+  const half = result.half_widths_95?.kappa_deg;
+  return [
+    { value: count(used), label: 'points on both photos' },
+    ...(interior === undefined || result.sigma0_mm == null ? [] : [{ value: `${fixed(result.sigma0_mm / pixelMm(interior), 2)} px`, label: 'precision (σ₀)' }]),
+    ...(half == null ? [] : [{ value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`, label: 'right photo turned' }]),
+  ];
+}
+
+function figuresWithout(state: State): Figure[] {
+  const { match, left } = shownPair(state);
+  if (match === null || left === null) return [];
+  return [
+    { value: count(match.counts.matches), label: 'points on both photos' },
+    { value: count(left.length / 3), label: 'points tried' },
+  ];
+}
+
+/** Warnings that another camera would answer. */
+function asksForCamera({ kind }: Warning): boolean {
+  return kind === 'unknown_camera' || kind === 'focal_length' || kind === 'wide_angle';
+}
+
+function nextWithout(state: State, actions: AnswerActions): Next {
+  const { kind } = whyNone(state);
+  const camera = kind === 'no_camera' || kind === 'no_focal_length' || kind === 'no_pixel_size';
+  return camera ? { text: 'Give the camera', act: actions.camera } : { text: 'Show why', act: actions.why };
+}
+
+/** A sound result is saved; after a simulated one come photos of one's own. */
+function nextAfter({ images }: State, { open, save }: AnswerActions): Next {
+  const simulated = SIDES.some((side) => images[side]?.source.kind === 'grey');
+  return simulated ? { text: 'Open your photos …', act: () => open(null) } : { text: 'Save the project', act: save };
+}

@@ -1,0 +1,49 @@
+/** The answer: what came of a run in one sentence, the figures that decided, and what to do next. It stands beside the picture, where nothing has to be scrolled. */
+import { button, fill, h } from './dom';
+
+export interface Figure {
+  value: string;
+  label: string;
+}
+
+/** The one thing to do next. */
+export interface Next {
+  text: string;
+  act: () => void;
+}
+
+export interface Answer {
+  /** `partial`: not oriented, or weakly. */
+  kind: 'idle' | 'busy' | 'done' | 'partial' | 'problem';
+  /** What the result is worth; null while there is none. */
+  verdict: 'oriented' | 'weak' | 'not_oriented' | null;
+  text: string;
+  /** What is said after it, smaller. */
+  more?: string;
+  figures?: readonly Figure[];
+  next?: Next | null;
+}
+
+/** Shows answers in `host`, whose line for the sentence is `line`; the button for what is next comes before the others. */
+export function answerCard(host: HTMLElement, line: HTMLElement, buttons: HTMLElement, prefix: string): (answer: Answer) => void {
+  const figures = h('dl', { class: 'figures', testid: `${prefix}figures` });
+  let act: () => void = () => undefined;
+  const press = button('', `${prefix}next`, () => act());
+  press.className = 'primary';
+  line.after(figures);
+  buttons.prepend(press);
+  return ({ kind, verdict, text, more = '', figures: found = [], next = null }) => {
+    host.dataset.kind = kind;
+    host.dataset.verdict = verdict ?? '';
+    line.dataset.kind = kind;
+    // What is said already would be read out again.
+    if (line.textContent !== (more === '' ? text : `${text} ${more}`)) {
+      fill(line, h('strong', {}, text), more === '' ? null : ' ', more === '' ? null : h('span', {}, more));
+    }
+    fill(figures, ...found.map(({ value, label }) => h('div', {}, h('dt', {}, label), h('dd', {}, value))));
+    figures.hidden = found.length === 0;
+    act = next?.act ?? (() => undefined);
+    press.hidden = next === null;
+    if (press.textContent !== (next?.text ?? '')) press.textContent = next?.text ?? '';
+  };
+}

@@ -1,0 +1,24 @@
+/** A menu: a button, and what it unfolds. A press elsewhere, a choice or Escape folds it again. On wide screens a style may show it unfolded. */
+
+export function mountMenu(press: HTMLElement, panel: HTMLElement): void {
+  const show = (unfolded: boolean) => {
+    panel.classList.toggle('is-open', unfolded);
+    press.setAttribute('aria-expanded', String(unfolded));
+  };
+  const isUnfolded = () => panel.classList.contains('is-open');
+  press.setAttribute('aria-controls', panel.id);
+  press.addEventListener('click', () => show(!isUnfolded()));
+  document.addEventListener('pointerdown', ({ target }) => {
+    if (isUnfolded() && target instanceof Node && !panel.contains(target) && !press.contains(target)) show(false);
+  });
+  panel.addEventListener('click', ({ target }) => {
+    if (target instanceof Element && target.closest('button:not([aria-expanded])') !== null) show(false);
+  });
+  document.addEventListener('keydown', ({ key }) => {
+    if (key !== 'Escape' || !isUnfolded()) return;
+    const held = panel.contains(document.activeElement);
+    show(false);
+    if (held) press.focus();
+  });
+  show(false);
+}
