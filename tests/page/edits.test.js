@@ -205,6 +205,7 @@ test('a file holds the edited matches and says that it has no history; a new run
   assert.match(told, new RegExp(`It holds ${rejected} matches rejected by hand; the history of these edits is not in the file`));
   assert.equal(await number(fresh.page, 'count-matches'), left);
   assert.equal(await number(fresh.page, 'count-rejected-by-hand'), rejected);
+  assert.equal((await lastMatch(fresh.page)).edits.rejected_by_hand.length, rejected);
   assert.equal((await saved(fresh.page, 'export-project')).toString(), project.toString());
   assert.deepEqual(fresh.complaints, []);
   await fresh.close();

@@ -72,10 +72,11 @@ function verdictOf(state: State): object | null {
 /** What was done by hand; null where nothing was. */
 function editsOf(state: State): object | null {
   const edited = editedPair(state);
-  if (edited === null || edited.match === edited.found) return null;
+  if (edited === null) return null;
   const { rules, matches } = edited.match;
   const off = Array.from(rules, (_, left) => left).filter((left) => rules[left] === BY_HAND);
   const manual = Array.from({ length: matches.length / 5 }, (_, row) => row).filter((row) => isManual(edited.match, row));
+  if (off.length + manual.length === 0) return null;
   return { rejected_by_hand: off.map((left) => placeOfLeft(edited, left)), measured_by_hand: manual };
 }
 

@@ -1,4 +1,5 @@
 /** Histograms: the measure of the matches, what the adjustment left, the interest value. */
+import { MANUAL_MEASURE } from '../state/edited';
 import { interiorInUse } from '../state/interior';
 import { isStale } from '../state/keys';
 import { parallaxResiduals } from '../state/residuals';
@@ -15,7 +16,10 @@ const BINS = 40;
 const WIDTH = 320;
 const HEIGHT = 84;
 
-const measures = remember((matches: Float64Array) => histogram(columnOf(matches, 5, 4), BINS, { from: 0 }));
+const measures = remember((matches: Float64Array) => {
+  const compared = columnOf(matches, 5, 4).filter((measure) => measure !== MANUAL_MEASURE);
+  return histogram(compared, BINS, { from: 0 });
+});
 const residuals = remember((values: Float64Array) => histogram(values, BINS, { symmetric: true }));
 const interestLeft = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
 const interestRight = remember((points: Float64Array) => histogram(columnOf(points, 3, 2), BINS));
