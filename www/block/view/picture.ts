@@ -5,7 +5,8 @@ import { Chart } from './chart';
 import type { Looking } from './looking';
 import type { Choice } from '../state/state';
 import type { BlockStore } from '../engine/engine';
-import { fitPlan, hitPlan, linesOf, placeOf } from './plan';
+import { fitPlan, hitPlan, linesOf, placeOf, thumbWidth } from './plan';
+import { Thumbs } from './thumbs';
 import type { BlockView } from '../state/view';
 
 /** Above so many images only those that are pointed at or chosen have their names. */
@@ -16,6 +17,8 @@ const NAME_HEIGHT = 13;
 const NAME_GAP = 6;
 
 export class Picture extends Chart {
+  private readonly thumbs = new Thumbs(() => this.layers.redraw());
+
   constructor(host: HTMLElement, store: BlockStore, looking: Looking) {
     super(host, 'plan', store, looking);
   }
@@ -78,8 +81,39 @@ export class Picture extends Chart {
     const marked = [this.store.state.choice, this.hovered].filter((choice) => choice !== null);
     paintLines(context, colours, view, plan, marked);
     paintImages(context, colours, view, plan, marked);
-    paintNames(context, colours, view, plan, marked);
+    const below = this.paintThumbs(context, colours, view, plan, marked);
+    paintNames(context, colours, view, plan, marked, below);
   }
+
+  /** Paints the photos over their dots once a run has ended; gives how far below the middle of an image its name stands. */
+  private paintThumbs(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform, marked: readonly Choice[]): number {
+    const width = thumbWidth(view, plan);
+    const { shown, files, running } = this.store.state;
+    if (width === 0 || shown === null || running.kind === 'yes') return NAME_BELOW;
+    const ofName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+    const isSound = soundness(view);
+    let below = NAME_BELOW;
+    view.images.forEach(({ name }, i) => {
+      const file = ofName.get(name);
+      const thumb = file === undefined ? null : this.thumbs.get(file);
+      if (thumb === null) return;
+      const height = (width * thumb.height) / thumb.width;
+      const [x, y] = placeOf(view, plan, i);
+      context.drawImage(thumb, x - width / 2, y - height / 2, width, height);
+      const on = marked.some((choice) => (choice.kind === 'image' ? choice.image === i : choice.images.includes(i)));
+      context.lineWidth = on ? 3 : 1.5;
+      context.strokeStyle = on ? colours.accent : isSound(i) ? colours.surface : colours.problem;
+      context.strokeRect(x - width / 2, y - height / 2, width, height);
+      below = Math.max(below, height / 2 + NAME_HEIGHT);
+    });
+    return below;
+  }
+}
+
+/** Tells whether an image is oriented, or at least connected with most. While a run goes on nothing is said against an image. */
+function soundness(view: BlockView): (image: number) => boolean {
+  const largest = new Set(view.groups[0]);
+  return (image) => view.partial || (view.layout.kind === 'oriented' ? view.images[image]?.oriented === true : largest.has(image));
 }
 
 function isOf(choice: Choice, images: readonly [number, number]): boolean {
@@ -119,14 +153,13 @@ function paintRefused(context: CanvasRenderingContext2D, colours: Colours, view:
 }
 
 function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform, marked: readonly Choice[]): void {
-  const largest = new Set(view.groups[0]);
-  view.images.forEach(({ oriented }, i) => {
+  const isSound = soundness(view);
+  view.images.forEach((_, i) => {
     const [x, y] = placeOf(view, plan, i);
     const on = marked.some((choice) => (choice.kind === 'image' ? choice.image === i : choice.images.includes(i)));
     const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
-    // Filled: oriented, or at least connected with most; hollow: neither.
-    // While a run goes on nothing is said against an image.
-    const sound = view.partial || (view.layout.kind === 'oriented' ? oriented : largest.has(i));
+    // Hollow where it is not.
+    const sound = isSound(i);
     context.beginPath();
     context.arc(x, y, radius, 0, 2 * Math.PI);
     context.fillStyle = sound ? (on ? colours.accent : colours.bars) : colours.surface;
@@ -138,7 +171,7 @@ function paintImages(context: CanvasRenderingContext2D, colours: Colours, view: 
 }
 
 /** Names below their images, as far as there is room beside each other: first those that are pointed at or chosen, which always stand. */
-function paintNames(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform, marked: readonly Choice[]): void {
+function paintNames(context: CanvasRenderingContext2D, colours: Colours, view: BlockView, plan: Transform, marked: readonly Choice[], below: number): void {
   context.font = '11px system-ui, sans-serif';
   context.textAlign = 'center';
   const isMarked = (image: number) => marked.some((choice) => (choice.kind === 'image' ? choice.image === image : choice.images.includes(image)));
@@ -148,7 +181,7 @@ function paintNames(context: CanvasRenderingContext2D, colours: Colours, view: B
   for (const image of named) {
     const text = (view.images[image]?.name ?? '').replace(/\.[^.]+$/u, '');
     const [x, middle] = placeOf(view, plan, image);
-    const [y, half] = [middle + NAME_BELOW, 0.5 * context.measureText(text).width];
+    const [y, half] = [middle + below, 0.5 * context.measureText(text).width];
     const crowded = taken.some((other) => Math.abs(other.x - x) < other.half + half + NAME_GAP && Math.abs(other.y - y) < NAME_HEIGHT);
     if (crowded && !isMarked(image)) continue;
     taken.push({ x, y, half });

@@ -4,9 +4,10 @@ import type { Transform } from '../../shared/view/transform';
 import type { Choice } from '../state/state';
 import type { BlockView } from '../state/view';
 import { matchesOf } from '../state/words';
+import { MOST_THUMBS } from './thumbs';
 
 /** Room about the outermost images. */
-const MARGIN = 48;
+const MARGIN = 62;
 const MARK_REACH = 12;
 const LINE_REACH = 6;
 const WIDEST = 7;
@@ -31,6 +32,33 @@ export function fitPlan({ layout: { places } }: BlockView, width: number, height
 export function placeOf(view: BlockView, plan: Transform, image: number): [number, number] {
   const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
   return toCanvas(plan, x, -y);
+}
+
+const SPACINGS = new WeakMap<BlockView, number>();
+
+/** The least distance of two images, in units of the plan. */
+function spacingOf(view: BlockView): number {
+  const known = SPACINGS.get(view);
+  if (known !== undefined) return known;
+  const { places } = view.layout;
+  let least = Infinity;
+  for (let i = 0; i < places.length; i += 2) {
+    for (let j = 0; j < i; j += 2) {
+      least = Math.min(least, Math.hypot((places[i] ?? 0) - (places[j] ?? 0), (places[i + 1] ?? 0) - (places[j + 1] ?? 0)));
+    }
+  }
+  SPACINGS.set(view, least);
+  return least;
+}
+
+const WIDEST_THUMB = 110;
+const LEAST_THUMB = 26;
+
+/** How wide images are drawn, CSS px, so that they do not cover each other; 0 where they are too near to be more than dots. */
+export function thumbWidth(view: BlockView, plan: Transform): number {
+  if (view.images.length > MOST_THUMBS) return 0;
+  const width = Math.min(WIDEST_THUMB, 0.8 * spacingOf(view) * plan.scale);
+  return width < LEAST_THUMB ? 0 : width;
 }
 
 /** A line for each connected pair: its width grows with the points in common, of matches where no points were made. */
@@ -61,7 +89,7 @@ export function linesOf(view: BlockView): readonly Line[] {
 /** The image at a place, else the pair whose line passes there. */
 export function hitPlan(view: BlockView, plan: Transform, x: number, y: number): Choice | null {
   let image = -1;
-  let least = MARK_REACH;
+  let least = Math.max(MARK_REACH, thumbWidth(view, plan) / 2);
   view.images.forEach((_, i) => {
     const [px, py] = placeOf(view, plan, i);
     const distance = Math.hypot(px - x, py - y);
