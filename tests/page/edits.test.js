@@ -176,10 +176,13 @@ test('matches are chosen, rejected, restored, undone and done again by the keybo
   assert.equal(await part(page, 'tool-choose').getAttribute('aria-pressed'), 'true');
   await enclose(page, false);
   await says(page, 'reject', /^Reject \d+$/);
+  // Whoever chooses in the pictures finds the button there.
+  assert.equal(await part(page, 'tool-reject').textContent(), await part(page, 'reject').textContent());
   await page.keyboard.press('Escape');
   assert.equal(await part(page, 'tool-choose').getAttribute('aria-pressed'), 'false');
   await page.keyboard.press('Escape');
   await says(page, 'reject', /^Reject$/);
+  assert.ok(await part(page, 'tool-reject').isHidden());
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -7,6 +7,7 @@ import { moving } from '../state/draft';
 import { editedPair } from '../state/edited';
 import type { Editing } from '../state/editing';
 import { nameOfEdit } from '../state/edits';
+import type { Sorting } from '../state/edits';
 import { interiorInUse } from '../state/interior';
 import { isCurrent } from '../state/keys';
 import { pixelMm } from '../state/residuals';
@@ -18,6 +19,11 @@ import { UNKNOWNS } from './unknowns';
 function steps({ history: { edits, done } }: State): { undo: string | null; redo: string | null } {
   const [last, next] = [edits[done - 1], edits[done]];
   return { undo: last === undefined ? null : nameOfEdit(last), redo: next === undefined ? null : nameOfEdit(next) };
+}
+
+/** How many matches an edit is about, where it is more than one. */
+function several(edit: Sorting | null): string {
+  return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '';
 }
 
 /** A button that says what it would do, and cannot be pressed where that is nothing. */
@@ -59,7 +65,6 @@ export function mountEdits(host: HTMLElement, store: Store, editing: Editing, fo
       const { state } = store;
       panel.hidden = editedPair(state) === null;
       const [off, on] = [editOfChoice(state, 'reject'), editOfChoice(state, 'restore')];
-      const several = (edit: typeof off) => (edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : '');
       set(reject, `Reject${several(off)}`, off === null);
       set(restore, `Restore${several(on)}`, on === null);
       move.disabled = moving(state) === null;
@@ -124,13 +129,21 @@ export function mountEditTools(host: HTMLElement, store: Store, editing: Editing
   choose.title = 'Choose matches by a rectangle, to reject or restore them (S; or Shift with a drag)';
   const undo = button('↶', 'tool-undo', () => editing.step(-1));
   const redo = button('↷', 'tool-redo', () => editing.step(1));
-  host.append(h('span', { class: 'divider' }), choose, undo, redo);
+  const reject = button('Reject', 'tool-reject', () => editing.edit('reject'), 'Take the chosen matches out of the orientation (Delete)');
+  const restore = button('Restore', 'tool-restore', () => editing.edit('restore'), 'Use the chosen matches again (R)');
+  host.append(h('span', { class: 'divider' }), choose, reject, restore, undo, redo);
   store.watch(
-    (s) => [s.tool, s.history, s.results.match] as const,
+    (s) => [s.tool, s.history, s.chosen, s.selection, s.results.match] as const,
     () => {
       const { state } = store;
       choose.setAttribute('aria-pressed', String(state.tool === 'choose'));
       byId('view').dataset.tool = state.tool;
+      const [off, on] = [editOfChoice(state, 'reject'), editOfChoice(state, 'restore')];
+      set(reject, `Reject${several(off)}`, off === null);
+      set(restore, `Restore${several(on)}`, on === null);
+      // They are there for who chooses, and for nobody else.
+      reject.hidden = state.tool !== 'choose' && state.chosen.length === 0;
+      restore.hidden = reject.hidden || on === null;
       const names = steps(state);
       for (const [made, name, keys] of [
         [undo, names.undo === null ? 'Undo' : `Undo: ${names.undo}`, 'Ctrl+Z'],
