@@ -102,7 +102,7 @@ export function mountPair(catalogue: Catalogue, { openProject, toBlock, sampleBl
   const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
   mountInput(view, store, navigator, editing);
   mountToolbar(byId('toolbar'), store, navigator);
-  mountEditTools(byId('view-more'), store, editing);
+  mountEditTools(byId('view-more'), byId('toolbar'), store, editing);
   mountDraft(byId('toolbar'), store, editing, () => navigator.followDraft());
   const pick = pickerOf(files);
   mountPanes(view, store, {

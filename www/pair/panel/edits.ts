@@ -123,15 +123,16 @@ function comparison(state: State): HTMLElement[] {
   return [h('table', { class: 'tight', aria: { label: 'Orientation before and after the edit' } }, h('thead', {}, head), body)];
 }
 
-/** In the bar above the pictures: the tool that chooses, undo and redo. */
-export function mountEditTools(host: HTMLElement, store: Store, editing: Editing): void {
+/** With the pictures: the tool that chooses, undo and redo; in the bar itself, which is always in sight, what is done to the choice. */
+export function mountEditTools(host: HTMLElement, bar: HTMLElement, store: Store, editing: Editing): void {
   const choose = button('Choose', 'tool-choose', () => editing.toggle('choose'));
   choose.title = 'Choose matches by a rectangle, to reject or restore them (S; or Shift with a drag)';
   const undo = button('↶', 'tool-undo', () => editing.step(-1));
   const redo = button('↷', 'tool-redo', () => editing.step(1));
   const reject = button('Reject', 'tool-reject', () => editing.edit('reject'), 'Take the chosen matches out of the orientation (Delete)');
   const restore = button('Restore', 'tool-restore', () => editing.edit('restore'), 'Use the chosen matches again (R)');
-  host.append(h('span', { class: 'divider' }), choose, reject, restore, undo, redo);
+  host.append(h('span', { class: 'divider' }), choose, undo, redo);
+  bar.append(reject, restore);
   store.watch(
     (s) => [s.tool, s.history, s.chosen, s.selection, s.results.match] as const,
     () => {
