@@ -17,6 +17,7 @@ mod math;
 mod message;
 mod model;
 mod orientation;
+mod orthophoto;
 mod outputs;
 mod pair;
 mod pipeline;
@@ -32,8 +33,8 @@ mod two_view;
 mod wasm;
 
 pub use adjustment::{
-    AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraStatistics, ControlPoint, Datum,
-    FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
+    AdjustmentOptions, AdjustmentResult, AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, CameraStatistics, ControlPoint,
+    Datum, FixedParameter, ImageStatistics, Loss, ObjectPointStatistics, ObservationStatistics, ObservationVerdict, PositionPrior,
     PriorStatistics, RayCountRmse, Similarity, adjust_block,
 };
 pub use camera::{
@@ -67,6 +68,11 @@ pub use model::{
 pub use orientation::{
     ErrorEllipse, ErrorModel, EstimatedCamera, FiveParameters, GlobalTest, Observation, OrientationMethod, OrientationOptions,
     PointStatistics, RelativeOrientation, SharedErrors, Warning, Weighting, orient_relative, orient_relative_with,
+};
+pub use orthophoto::{
+    Georeference, HeightModel, Heights, Link, LinkChecks, LinkUse, Mosaic, NotPlaced, Orthophoto, PlacedImage, Placement, PlacingCamera,
+    PlacingOptions, PlacingVerdict, PlacingWeakness, Rectified, SearchArea, heights_of_points, links_table, place_image, placed_table,
+    rectify, rectify_placed, write_geotiff, write_heights,
 };
 pub use outputs::{
     BlockFiles, BlockOverview, BlockVerdict, CameraRow, CheckSummary, Coverage, ExportOutcome, FoundPoints, ImageReason, ImageRow,

@@ -4,8 +4,8 @@ mod sampling;
 
 use sampling::{about_one, runs};
 use tiepoint::{
-    AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockPreset, BlockView, Datum, FreeParameters, Loss, ObservationVerdict,
-    SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,
+    AdjustmentOptions, AdjustmentResult, Block, BlockFlight, BlockPreset, BlockView, CameraPrior, Datum, FreeParameters, Loss,
+    ObservationVerdict, SimulatedNetwork, adjust_block, angles_from_rotation, simulate_network,
 };
 
 /// A block that starts from the truth: the errors of a free network then lie in its own datum.
@@ -120,6 +120,35 @@ fn errors_of_a_self_calibrated_block_are_as_large_as_told() {
     println!("camera: {camera:.3}");
     assert!(about_one(0.4).contains(&camera), "{camera}");
     within("two heights, self-calibrated", [0, 1, 2].map(|k| mean_square(&all[k])));
+}
+
+#[test]
+fn a_camera_that_is_known_beforehand_stays_where_it_is_known_to_be() {
+    // Level ground from one height says nothing of the focal length.
+    let flight = BlockFlight { relief_m: 0.0, receiver_m: 0.0, ..BlockPreset::Network.flight() };
+    let mut simulated = simulate_network(&flight).unwrap();
+    let truth = simulated.truth.cameras[0].focal_px;
+    let camera = &mut simulated.observed.cameras[0];
+    camera.focal_px = 1.02 * truth;
+    camera.free = FreeParameters { focal: true, ..FreeParameters::default() };
+    let mut values = [0.0; 8];
+    values[0] = 1.001 * truth;
+    let known = |sigma: f64| {
+        let sigma = [Some(sigma * truth), None, None, None, None, None, None, None];
+        let camera_priors = vec![CameraPrior { camera: 0, values, sigma }];
+        let block = Block { camera_priors, ..simulated.observed.clone() };
+        adjust_block(&block, &AdjustmentOptions { calibration_limit_px: 1000.0, ..squares() }).unwrap()
+    };
+    let (held, loose) = (known(1e-7), known(1e3));
+    assert!((held.block.cameras[0].focal_px / values[0] - 1.0).abs() < 1e-6, "{}", held.block.cameras[0].focal_px);
+    let [tight, wide] = [&held, &loose].map(|result| result.cameras[0].standard_errors[0].unwrap());
+    assert!(tight < 1e-5 * truth && wide > 100.0 * tight, "{tight} {wide}");
+    assert_eq!(held.degrees_of_freedom, loose.degrees_of_freedom);
+    let free = adjust_block(&simulated.observed, &AdjustmentOptions { calibration_limit_px: 1000.0, ..squares() }).unwrap();
+    assert_eq!(held.degrees_of_freedom, free.degrees_of_freedom + 1);
+    assert!((free.block.cameras[0].focal_px - loose.block.cameras[0].focal_px).abs() < 0.1 * wide);
+    let wrong = Block { camera_priors: vec![CameraPrior { camera: 9, values, sigma: [None; 8] }], ..simulated.observed.clone() };
+    assert!(adjust_block(&wrong, &squares()).unwrap_err().to_string().contains("camera of a prior"));
 }
 
 #[test]

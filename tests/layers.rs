@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The modules from the first to the last, as ARCHITECTURE.md lists them.
-const ORDER: [&str; 25] = [
+const ORDER: [&str; 26] = [
     "message",
     "json",
     "error",
@@ -30,6 +30,7 @@ const ORDER: [&str; 25] = [
     "reconstruction",
     "formats",
     "pipeline",
+    "orthophoto",
     "tables",
     "simulate",
     "outputs",

@@ -13,6 +13,8 @@ import {
   flight_parameters,
   flight_preset,
   parameters,
+  placing_defaults,
+  placing_parameters,
 } from '../pkg/node.js';
 import { BLOCK_NAMES, optionsOf } from '../pkg/command/options.js';
 import { ROOT } from './lib/paths.mjs';
@@ -68,6 +70,12 @@ export function optionsPage() {
         block_parameters(),
         block_settings({}),
         BLOCK_NAMES,
+      ),
+      ...chapter(
+        'Placing on an orthophoto',
+        '`tiepoint place`; in the package and the crate: `PlacingOptions`. Lengths are in the unit of the map.',
+        placing_parameters(),
+        { placing: placing_defaults() },
       ),
       ...chapter(
         'Simulated pairs',

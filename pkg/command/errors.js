@@ -8,8 +8,11 @@ import { breakdownOf } from '../block/index.js';
  * @typedef {0 | 1 | 2 | 3 | 4} ExitCode
  */
 
-/** The exit code of each verdict on a pair or a block.  @type {Record<import('../node.js').PairVerdict['kind'] | import('../node.js').BlockVerdict['kind'], ExitCode>} */
-export const VERDICT_CODES = { oriented: 0, weak: 3, not_oriented: 4 };
+/**
+ * The exit code of each verdict on a pair, a block or a placed image.
+ * @type {Record<(import('../node.js').PairVerdict | import('../node.js').BlockVerdict | import('../node.js').PlacingVerdict)['kind'], ExitCode>}
+ */
+export const VERDICT_CODES = { oriented: 0, placed: 0, weak: 3, not_oriented: 4, not_placed: 4 };
 
 /** A bad call: exit code 2. */
 export class UsageError extends Error {}

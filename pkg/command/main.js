@@ -9,9 +9,11 @@ import { helpOf, overview } from './help.js';
 import { interior } from './interior.js';
 import { match } from './match.js';
 import { moments } from './moments.js';
+import { mosaic } from './mosaic.js';
 import { HELP_FLAG, withOptionNames } from './options.js';
 import { orient } from './orient.js';
 import { print } from './output.js';
+import { place } from './place.js';
 import { points } from './points.js';
 import { report } from './report.js';
 import { sample, simulate } from './simulate.js';
@@ -19,7 +21,7 @@ import { sample, simulate } from './simulate.js';
 /** @typedef {import('./args.js').Command} Command */
 
 /** @type {Command[]} */
-const COMMANDS = [points, match, interior, orient, moments, report, block, sample, simulate].map(withHelp);
+const COMMANDS = [points, match, interior, orient, moments, report, block, mosaic, place, sample, simulate].map(withHelp);
 
 /** @param {Command} command @returns {Command} */
 function withHelp(command) {

@@ -1,9 +1,9 @@
 // @ts-check
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import { block_flight_parameters, block_flight_preset, BlockScene } from '../node.js';
 import { UsageError } from './errors.js';
-import { makeFolder, removeUnfinished, replaceInto } from './files.js';
-import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, settingsOf, workersOption } from './options.js';
+import { makeFolder, removeUnfinished, replaceInto, writeInto } from './files.js';
+import { DEFAULT_WORKERS, flag, JSON_FLAG, optionsOf, path, real, settingsOf, workersOption } from './options.js';
 import { print, printJson } from './output.js';
 import { ThreadPool } from './pool.js';
 import { Progress } from './progress.js';
@@ -23,6 +23,13 @@ export const simulateBlock = {
   options: [
     flag('block', 'A block of photos, not a pair.'),
     path('out', 'DIR', 'Folder that receives the files; required.'),
+    real(
+      'orthophoto',
+      'gsd_m',
+      'Also writes orthophoto.tif and heights.tif of all that the photos show, with pixels of this side in m, for `tiepoint place`.',
+      (m) => m > 0,
+      'above 0',
+    ),
     workersOption('the photos are'),
     JSON_FLAG,
     ...OPTIONS,
@@ -63,12 +70,31 @@ async function run({ values }) {
       'truth.json',
       `${JSON.stringify({ convention: 'px: the centre of the top-left pixel at (0.5, 0.5); photo = M (X - X0), photo x right, y up, against the view', flight, block: truth }, null, 1)}\n`,
     );
+    const gsd = values.get('orthophoto');
+    const ground = typeof gsd === 'number' ? orthophoto(flight, gsd, out) : [];
     const words = ['tiepoint', 'block', join(out, 'photos'), '--out', join(out, 'block'), '--truth', join(out, 'truth.json')];
-    if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words });
-    else print(`written to ${out}: ${photos.length} photos, truth.json`, '', 'Try:', shellCommand(words));
+    if (values.has('json')) printJson({ photos, truth: join(out, 'truth.json'), block: words, orthophoto: ground });
+    else
+      print(
+        `written to ${out}: ${[`${photos.length} photos`, 'truth.json', ...ground.map((file) => basename(file))].join(', ')}`,
+        '',
+        'Try:',
+        shellCommand(words),
+      );
   } finally {
     shown.end();
     await pool.close();
+  }
+}
+
+/** The orthophoto of a flight's scene and its heights: the files.  @param {BlockFlight} flight @param {number} gsd @param {string} out */
+function orthophoto(flight, gsd, out) {
+  const scene = new BlockScene(flight);
+  try {
+    const { picture, heights } = scene.orthophoto(gsd);
+    return [writeInto(out, 'orthophoto.tif', picture), writeInto(out, 'heights.tif', heights)];
+  } finally {
+    scene.free();
   }
 }
 

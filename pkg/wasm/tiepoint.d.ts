@@ -22,6 +22,20 @@ export interface PairTruth {
 
 
 
+/** An orthophoto that was read: `gsd` is the side of a pixel, `heights` the lowest and the highest of its ground. */
+export interface OrthophotoInfo {
+    width: number;
+    height: number;
+    gsd: number;
+    georeference: Georeference;
+    epsg: number | null;
+    heights: [number, number];
+    /** Points of it among which images are sought. */
+    points: number;
+}
+
+
+
 /** Grey values 0..255, row by row. */
 export interface SampleImage { width: number; height: number; grey: Uint8Array }
 
@@ -150,6 +164,7 @@ export interface Messages {
     /** Texts of the page itself: `kind` names one, the other fields are its figures. */
     page: { kind: string };
     overview_warning: OverviewWarning;
+    placing_verdict: PlacingVerdict;
 }
 
 
@@ -338,6 +353,10 @@ export interface Block {
      */
     rays: BlockObservation[];
     control?: ControlPoint[];
+    /**
+     * What is known of cameras beforehand; a camera has one at most.
+     */
+    camera_priors?: CameraPrior[];
 }
 
 /**
@@ -760,6 +779,25 @@ export interface ExifPosition {
 }
 
 /**
+ * A point of the image and the place that the orthophoto has for it.
+ */
+export interface Link {
+    /**
+     * Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+     */
+    at: [number, number];
+    /**
+     * In the system of the orthophoto; the height that of the height model.
+     */
+    place: [number, number, number];
+    /**
+     * Observed minus computed column and row in px.
+     */
+    residual_px: [number, number];
+    role: LinkUse;
+}
+
+/**
  * A point whose coordinates are known.
  */
 export interface GroundControlRow {
@@ -1146,6 +1184,17 @@ export interface ImpossiblePosition {
      * As the file has it.
      */
     value: string;
+}
+
+/**
+ * An image with its verdict.
+ */
+export interface PlacedImage {
+    verdict: PlacingVerdict;
+    /**
+     * Absent where there is none.
+     */
+    placement: Placement | null;
 }
 
 /**
@@ -1679,6 +1728,44 @@ export interface OrientationOptions {
      * The length b of the base at photo scale, by which by and bz grow in proportion.
      */
     base_mm: number | null;
+}
+
+/**
+ * Options of [`place_image`](crate::place_image).
+ */
+export interface PlacingOptions {
+    /**
+     * The place near which the image was taken, in the system of the orthophoto: X; the search goes no farther than the radius.
+     */
+    near_x: number | null;
+    /**
+     * The same: Y.
+     */
+    near_y: number | null;
+    /**
+     * The distance from that place within which the image may show the ground.
+     */
+    within_m: number;
+    /**
+     * The maximum number of points of the image that are sought on the orthophoto: more find harder places and take longer.
+     */
+    points: number;
+    /**
+     * The standard error of a place of the orthophoto, in its px: a larger one enlarges the standard errors of the image.
+     */
+    place_sigma_px: number;
+    /**
+     * The standard error of a height of the ground: a larger one weakens links far from the nadir.
+     */
+    height_sigma_m: number | null;
+    /**
+     * The share of the links that takes no part and checks the orientation instead.
+     */
+    check_share: number;
+    /**
+     * The start of the random numbers: the same seed gives the same result.
+     */
+    seed: number;
 }
 
 /**
@@ -2650,6 +2737,48 @@ export interface Oriented {
 export type OrientationSummary = { oriented: number; reason: WithText<Failure> } | Oriented;
 
 /**
+ * The orientation of an image in the system of an orthophoto.
+ *
+ * Standard errors count what the links, the height model and the camera do not tell; an error that all places of the orthophoto share is in
+ * none of them.
+ */
+export interface Placement {
+    camera: Camera;
+    /**
+     * Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
+     */
+    camera_errors: [number | null, number | null, number | null, number | null, number | null, number | null, number | null, number | null];
+    pose: Pose;
+    /**
+     * ω, φ, κ.
+     */
+    angles_deg: [number, number, number];
+    angle_errors_deg: [number, number, number] | null;
+    position_errors_m: [number, number, number] | null;
+    above_ground_m: number;
+    /**
+     * Side of a pixel on the ground, in the mean of the image.
+     */
+    gsd_m: number;
+    /**
+     * Where the border of the image meets level ground, from its top-left corner on to the right.
+     */
+    footprint: [number, number][];
+    /**
+     * Standard error of a coordinate of the image.
+     */
+    sigma0_px: number | null;
+    rmse_px: number;
+    degrees_of_freedom: number;
+    /**
+     * Share of the cells of the image that hold a link.
+     */
+    coverage: number;
+    links: Link[];
+    checks: LinkChecks | null;
+}
+
+/**
  * The parameters of a camera that an adjustment estimates, where the block determines them; the others stay as they are given.
  */
 export interface FreeParameters {
@@ -2735,6 +2864,25 @@ export interface GlobalTest {
  * The transformation from pixels to photo coordinates.
  */
 export type FiducialModel = "affine" | "similarity";
+
+/**
+ * The way from pixels to the ground and back: (X, Y) = origin + x · `by_column` + y · `by_row` of a position (x, y) in px, the centre of
+ * the top-left pixel at (0.5, 0.5).
+ */
+export interface Georeference {
+    /**
+     * The top-left corner of the top-left pixel, in units of the map.
+     */
+    origin: [number, number];
+    /**
+     * One px to the right.
+     */
+    by_column: [number, number];
+    /**
+     * One px down.
+     */
+    by_row: [number, number];
+}
 
 /**
  * The window's outline.
@@ -2824,6 +2972,11 @@ export interface DroneRecord {
  * What a finished block is worth.
  */
 export type BlockVerdict = { kind: "oriented"; oriented: number; images: number; points: number; sigma0_px: number | null } | { kind: "weak"; oriented: number; images: number; points: number; overview_warning: OverviewWarning } | { kind: "not_oriented"; connected: number; failure: Failure | null };
+
+/**
+ * What a link is for.
+ */
+export type LinkUse = "used" | "rejected" | "check";
 
 /**
  * What a point of an adjusted block is.
@@ -3137,6 +3290,24 @@ export interface PhotoInput {
 }
 
 /**
+ * What is known of the parameters of a camera beforehand. A parameter that is not free keeps the value that the block has.
+ */
+export interface CameraPrior {
+    /**
+     * Index of the camera.
+     */
+    camera: number;
+    /**
+     * f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂.
+     */
+    values: [number, number, number, number, number, number, number, number];
+    /**
+     * Standard errors of these, above 0; absent for what is not known: its place in `values` means nothing.
+     */
+    sigma: [number | null, number | null, number | null, number | null, number | null, number | null, number | null, number | null];
+}
+
+/**
  * What is minimised.
  */
 export type OrientationMethod = "rigorous" | "determinant";
@@ -3237,6 +3408,11 @@ export type Datum = "free" | "gnss" | "control" | "gnss_and_control";
 export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "cropped"; taken_width_px: number; taken_height_px: number; width_px: number; height_px: number } | { kind: "focal_plane"; pixel_um: number; expected_um: number } | { kind: "contradiction"; xmp_focal_px: number; exif_focal_px: number } | { kind: "panorama"; projection: string };
 
 /**
+ * What speaks against the orientation of an image on an orthophoto.
+ */
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "noise"; sigma0_px: number; usual_px: number };
+
+/**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
  */
 export interface PriorStatistics {
@@ -3296,6 +3472,25 @@ export type ControlRole = "control" | "check";
 export type Denominator = "maxabs" | "floor";
 
 /**
+ * What the links say that took no part.
+ */
+export interface LinkChecks {
+    number: number;
+    /**
+     * So many are as far off as gross errors are.
+     */
+    beyond: number;
+    /**
+     * Root mean square length of the residuals of the others, in px of the image.
+     */
+    rmse_px: number;
+    /**
+     * The same on the ground.
+     */
+    rmse_m: number;
+}
+
+/**
  * What the matches of a block say about their own reliability.
  */
 export interface MatchReliability {
@@ -3320,6 +3515,11 @@ export interface MatchReliability {
      */
     observed: number;
 }
+
+/**
+ * What the place of an image on an orthophoto is worth.
+ */
+export type PlacingVerdict = { kind: "placed"; links: number; sigma0_px: number; half_width_m: number } | { kind: "weak"; links: number; placing_weakness: PlacingWeakness } | { kind: "not_placed"; not_placed: NotPlaced };
 
 /**
  * What the receiver of a drone says of its solution.
@@ -3451,6 +3651,11 @@ export type PairRule = "all" | "near" | "sequence" | "alike";
 export type ObservationVerdict = "accepted" | "gross_error" | "behind" | "lost_point";
 
 /**
+ * Why an image has no place on an orthophoto.
+ */
+export type NotPlaced = { kind: "no_common_place"; matches: number; agreeing: number } | { kind: "no_orientation"; points: number } | { kind: "not_confirmed"; links: number; agreeing: number } | { kind: "failed"; failure: Failure };
+
+/**
  * Why an image is not oriented in the model that is written.
  */
 export type ImageReason = { kind: "apart"; images: number } | { kind: "unoriented"; unoriented: UnorientedReason } | { kind: "failed"; failure: Failure } | { kind: "unknown" };
@@ -3486,6 +3691,10 @@ export class BlockScene {
      * Builds the scene of a flight; parameters that are absent take their defaults.
      */
     constructor(flight: Given<BlockFlight>);
+    /**
+     * The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
+     */
+    orthophoto(gsd_m: number): { picture: Uint8Array; heights: Uint8Array };
     /**
      * Takes a photo.
      */
@@ -3556,6 +3765,59 @@ export class FinishedBlock {
      * How near a simulated block is to its truth.
      */
     score(truth: BlockModel): BlockScore;
+}
+
+/**
+ * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
+ * `free` when it is no longer needed.
+ */
+export class OrthoMosaic {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Adds an image, by its index; one that is not oriented adds nothing.
+     */
+    add(index: number, file: Uint8Array | number[]): void;
+    /**
+     * The mosaic, grey, as GeoTIFF.
+     */
+    finish(): Uint8Array;
+    /**
+     * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
+     * pixel; absent: that of the images.
+     */
+    static open(project: Uint8Array | number[], heights: number | Uint8Array | null, heights_world_file?: string | null, gsd?: number | null): OrthoMosaic;
+    /**
+     * The names of the block's images.
+     */
+    readonly names: string[];
+}
+
+/**
+ * An orthophoto with the heights of its ground in wasm memory, ready for images to be placed on it. Call `free` when it is no longer needed.
+ */
+export class OrthophotoReference {
+    private constructor();
+    free(): void;
+    [Symbol.dispose](): void;
+    /**
+     * Size, place and heights.
+     */
+    info(): OrthophotoInfo;
+    /**
+     * Reads a GeoTIFF, or an image with its world file; `heights` is one height for all, or a file: a GeoTIFF or an ESRI ASCII grid.
+     */
+    static open(file: Uint8Array | number[], world_file: string | null | undefined, heights: number | Uint8Array, heights_world_file: string | null | undefined, options: Given<PlacingOptions>): OrthophotoReference;
+    /**
+     * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
+     * of its EXIF and XMP, or a usual one.
+     */
+    place(name: string, file: Uint8Array | number[], cameras?: string | null): PlacedImage;
+    /**
+     * A placed image resampled to the ground, grey, as GeoTIFF.
+     */
+    rectified(file: Uint8Array | number[], placement: Placement): Uint8Array;
 }
 
 /**
@@ -3996,6 +4258,21 @@ export function parse_observations(csv: string): Float64Array;
 export function photo_camera(camera: Camera): CameraMm;
 
 /**
+ * The tables of images that were placed: of the images, and of their links.
+ */
+export function placed_tables(names: string[], placed: readonly PlacedImage[]): { placed: string; links: string };
+
+/**
+ * Their defaults.
+ */
+export function placing_defaults(): PlacingOptions;
+
+/**
+ * Every option of placing images.
+ */
+export function placing_parameters(): Parameter[];
+
+/**
  * The files that a block of images with these names is written to, but for those of which there is one for each two images.
  */
 export function planned_files(names: readonly string[], formats: readonly ExportFormat[]): string[];
@@ -4077,6 +4354,8 @@ export interface InitOutput {
     readonly __wbg_blockscene_free: (a: number, b: number) => void;
     readonly __wbg_blockwriting_free: (a: number, b: number) => void;
     readonly __wbg_finishedblock_free: (a: number, b: number) => void;
+    readonly __wbg_orthomosaic_free: (a: number, b: number) => void;
+    readonly __wbg_orthophotoreference_free: (a: number, b: number) => void;
     readonly __wbg_photo_free: (a: number, b: number) => void;
     readonly __wbg_report_free: (a: number, b: number) => void;
     readonly __wbg_run_free: (a: number, b: number) => void;
@@ -4088,6 +4367,7 @@ export interface InitOutput {
     readonly block_parameters: () => any;
     readonly block_settings: (a: any) => [number, number, number];
     readonly blockscene_new: (a: any) => [number, number, number];
+    readonly blockscene_orthophoto: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo: (a: number, b: number) => [number, number, number];
     readonly blockscene_photo_file: (a: number, b: number) => [number, number, number, number];
     readonly blockscene_photos: (a: number) => number;
@@ -4143,6 +4423,14 @@ export interface InitOutput {
     readonly orient_fiducials: (a: any, b: any) => [number, number, number];
     readonly orient_matches: (a: number, b: number, c: number, d: number, e: any, f: any, g: any) => [number, number, number];
     readonly orient_relative: (a: number, b: number, c: number, d: any, e: number, f: number) => [number, number, number];
+    readonly orthomosaic_add: (a: number, b: number, c: number, d: number) => [number, number];
+    readonly orthomosaic_finish: (a: number) => [number, number, number, number];
+    readonly orthomosaic_names: (a: number) => [number, number];
+    readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly orthophotoreference_info: (a: number) => any;
+    readonly orthophotoreference_open: (a: number, b: number, c: number, d: number, e: any, f: number, g: number, h: any) => [number, number, number];
+    readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
+    readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
     readonly pair_hint: (a: any, b: any) => [number, number, number];
     readonly paper: () => any;
     readonly parameters: () => any;
@@ -4165,6 +4453,9 @@ export interface InitOutput {
     readonly photo_reduced: (a: number, b: number) => any;
     readonly photo_width: (a: number) => number;
     readonly photo_window_moments: (a: number, b: number, c: number, d: any) => [number, number, number];
+    readonly placed_tables: (a: number, b: number, c: any) => [number, number, number];
+    readonly placing_defaults: () => any;
+    readonly placing_parameters: () => any;
     readonly planned_files: (a: any, b: any) => [number, number, number, number];
     readonly points_csv: (a: number, b: number) => [number, number, number, number];
     readonly project_kind: (a: number, b: number) => any;

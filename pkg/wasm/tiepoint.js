@@ -28,6 +28,18 @@ export class BlockScene {
         return this;
     }
     /**
+     * The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
+     * @param {number} gsd_m
+     * @returns {{ picture: Uint8Array; heights: Uint8Array }}
+     */
+    orthophoto(gsd_m) {
+        const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
      * Takes a photo.
      * @param {number} index
      * @returns {SampleImage}
@@ -236,6 +248,203 @@ export class FinishedBlock {
     }
 }
 if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+
+/**
+ * A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
+ * `free` when it is no longer needed.
+ */
+export class OrthoMosaic {
+    static __wrap(ptr) {
+        const obj = Object.create(OrthoMosaic.prototype);
+        obj.__wbg_ptr = ptr;
+        OrthoMosaicFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        OrthoMosaicFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_orthomosaic_free(ptr, 0);
+    }
+    /**
+     * Adds an image, by its index; one that is not oriented adds nothing.
+     * @param {number} index
+     * @param {Uint8Array | number[]} file
+     */
+    add(index, file) {
+        const val2 = +index;
+        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
+    }
+    /**
+     * The mosaic, grey, as GeoTIFF.
+     * @returns {Uint8Array}
+     */
+    finish() {
+        const ptr = this.__destroy_into_raw();
+        const ret = wasm.orthomosaic_finish(ptr);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v1;
+    }
+    /**
+     * The names of the block's images.
+     * @returns {string[]}
+     */
+    get names() {
+        const ret = wasm.orthomosaic_names(this.__wbg_ptr);
+        var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+        wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+        return v1;
+    }
+    /**
+     * Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
+     * pixel; absent: that of the images.
+     * @param {Uint8Array | number[]} project
+     * @param {number | Uint8Array | null} heights
+     * @param {string | null} [heights_world_file]
+     * @param {number | null} [gsd]
+     * @returns {OrthoMosaic}
+     */
+    static open(project, heights, heights_world_file, gsd) {
+        const val3 = +(isLikeNone(gsd) ? 0 : gsd);
+        let ptr0, len0, ptr1, len1;
+        try {
+            ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len1 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return OrthoMosaic.__wrap(ret[0]);
+    }
+}
+if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
+
+/**
+ * An orthophoto with the heights of its ground in wasm memory, ready for images to be placed on it. Call `free` when it is no longer needed.
+ */
+export class OrthophotoReference {
+    static __wrap(ptr) {
+        const obj = Object.create(OrthophotoReference.prototype);
+        obj.__wbg_ptr = ptr;
+        OrthophotoReferenceFinalization.register(obj, obj.__wbg_ptr, obj);
+        return obj;
+    }
+    __destroy_into_raw() {
+        const ptr = this.__wbg_ptr;
+        this.__wbg_ptr = 0;
+        OrthophotoReferenceFinalization.unregister(this);
+        return ptr;
+    }
+    free() {
+        const ptr = this.__destroy_into_raw();
+        wasm.__wbg_orthophotoreference_free(ptr, 0);
+    }
+    /**
+     * Size, place and heights.
+     * @returns {OrthophotoInfo}
+     */
+    info() {
+        const ret = wasm.orthophotoreference_info(this.__wbg_ptr);
+        return ret;
+    }
+    /**
+     * Reads a GeoTIFF, or an image with its world file; `heights` is one height for all, or a file: a GeoTIFF or an ESRI ASCII grid.
+     * @param {Uint8Array | number[]} file
+     * @param {string | null | undefined} world_file
+     * @param {number | Uint8Array} heights
+     * @param {string | null | undefined} heights_world_file
+     * @param {Given<PlacingOptions>} options
+     * @returns {OrthophotoReference}
+     */
+    static open(file, world_file, heights, heights_world_file, options) {
+        let ptr0, len0, ptr1, len1, ptr2, len2;
+        try {
+            ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len1 = WASM_VECTOR_LEN;
+            ptr2 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len2 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1, heights, ptr2, len2, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return OrthophotoReference.__wrap(ret[0]);
+    }
+    /**
+     * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
+     * of its EXIF and XMP, or a usual one.
+     * @param {string} name
+     * @param {Uint8Array | number[]} file
+     * @param {string | null} [cameras]
+     * @returns {PlacedImage}
+     */
+    place(name, file, cameras) {
+        let ptr0, len0, ptr1, len1, ptr2, len2;
+        try {
+            ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len0 = WASM_VECTOR_LEN;
+            ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+            len1 = WASM_VECTOR_LEN;
+            ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+            len2 = WASM_VECTOR_LEN;
+        } catch (e) {
+            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
+            if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
+            if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
+            throw e;
+        }
+        const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return takeFromExternrefTable0(ret[0]);
+    }
+    /**
+     * A placed image resampled to the ground, grey, as GeoTIFF.
+     * @param {Uint8Array | number[]} file
+     * @param {Placement} placement
+     * @returns {Uint8Array}
+     */
+    rectified(file, placement) {
+        const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+        const len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+        if (ret[3]) {
+            throw takeFromExternrefTable0(ret[2]);
+        }
+        var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+        wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+        return v2;
+    }
+}
+if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
 
 /**
  * A grey image in wasm memory. Call `free` when it is no longer needed.
@@ -1791,6 +2000,40 @@ export function photo_camera(camera) {
 }
 
 /**
+ * The tables of images that were placed: of the images, and of their links.
+ * @param {string[]} names
+ * @param {readonly PlacedImage[]} placed
+ * @returns {{ placed: string; links: string }}
+ */
+export function placed_tables(names, placed) {
+    const ptr0 = passArrayJsValueToWasm0(names, wasm.__wbindgen_malloc);
+    const len0 = WASM_VECTOR_LEN;
+    const ret = wasm.placed_tables(ptr0, len0, placed);
+    if (ret[2]) {
+        throw takeFromExternrefTable0(ret[1]);
+    }
+    return takeFromExternrefTable0(ret[0]);
+}
+
+/**
+ * Their defaults.
+ * @returns {PlacingOptions}
+ */
+export function placing_defaults() {
+    const ret = wasm.placing_defaults();
+    return ret;
+}
+
+/**
+ * Every option of placing images.
+ * @returns {Parameter[]}
+ */
+export function placing_parameters() {
+    const ret = wasm.placing_parameters();
+    return ret;
+}
+
+/**
  * The files that a block of images with these names is written to, but for those of which there is one for each two images.
  * @param {readonly string[]} names
  * @param {readonly ExportFormat[]} formats
@@ -2272,7 +2515,7 @@ function __wbg_get_imports() {
             arg0.stroke();
         },
         __wbindgen_generic_0000000000000001: function(arg0, arg1) {
-            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 8, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
+            // Cast intrinsic for `Closure(Closure { owned: true, function: Function { arguments: [Externref, Externref], shim_idx: 9, ret: Externref, inner_ret: Some(Externref) }, mutable: false }) -> Externref`.
             const ret = makeClosure(arg0, arg1, wasm_bindgen__convert__closures_____invoke__h30864ba12fdd530c);
             return ret;
         },
@@ -2315,6 +2558,12 @@ const BlockWritingFinalization = (typeof FinalizationRegistry === 'undefined')
 const FinishedBlockFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_finishedblock_free(ptr, 1));
+const OrthoMosaicFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_orthomosaic_free(ptr, 1));
+const OrthophotoReferenceFinalization = (typeof FinalizationRegistry === 'undefined')
+    ? { register: () => {}, unregister: () => {} }
+    : new FinalizationRegistry(ptr => wasm.__wbg_orthophotoreference_free(ptr, 1));
 const PhotoFinalization = (typeof FinalizationRegistry === 'undefined')
     ? { register: () => {}, unregister: () => {} }
     : new FinalizationRegistry(ptr => wasm.__wbg_photo_free(ptr, 1));

@@ -19,6 +19,9 @@ pub struct Block {
     pub rays: Vec<BlockObservation>,
     #[serde(default)]
     pub control: Vec<ControlPoint>,
+    /// What is known of cameras beforehand; a camera has one at most.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub camera_priors: Vec<CameraPrior>,
 }
 
 impl Block {
@@ -77,6 +80,19 @@ pub struct AxisPrior {
     pub direction: [f64; 3],
     /// Standard error across it in degrees.
     pub sigma_deg: f64,
+}
+
+/// What is known of the parameters of a camera beforehand. A parameter that is not free keeps the value that the block has.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct CameraPrior {
+    /// Index of the camera.
+    pub camera: usize,
+    /// f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂.
+    pub values: [f64; 8],
+    /// Standard errors of these, above 0; absent for what is not known: its place in `values` means nothing.
+    pub sigma: [Option<f64>; 8],
 }
 
 /// An observed position with the standard error of each of its coordinates.

@@ -16,8 +16,10 @@ const LARGEST: f64 = 1e8;
 
 /// Refuses indices that point nowhere, values that are none, and an image that sees a point twice.
 pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
-    if block.images.len() < 2 {
-        return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed: 2 });
+    // Control alone orients a single image.
+    let needed = if datum.uses_control() { 1 } else { 2 };
+    if block.images.len() < needed {
+        return Err(Error::TooFew { what: "images of a block", got: block.images.len(), needed });
     }
     block.cameras.iter().enumerate().try_for_each(|(index, camera)| camera.check(|| format!("camera {index} (counted from 0)")))?;
     for (index, image) in block.images.iter().enumerate() {
@@ -55,6 +57,14 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
         check_index("point of a ray", ray.point, block.points.len(), || place("point"))?;
         check_values("image coordinates", &[ray.x_px, ray.y_px], -1e7..=1e7, || place("coordinates"))?;
         check_values("weight", &[ray.weight], 1e-12..=1e12, || place("weight"))?;
+    }
+    for prior in &block.camera_priors {
+        check_index("camera of a prior", prior.camera, block.cameras.len(), || "camera of a prior".into())?;
+        let place = || format!("prior of camera {} (counted from 0)", prior.camera);
+        for (value, sigma) in prior.values.iter().zip(prior.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {
+            check_values("parameter of a camera", &[*value], -LARGEST..=LARGEST, place)?;
+            check_values("sigma of a camera", &[sigma], 1e-12..=1e9, place)?;
+        }
     }
     check_control(block)?;
     check_once(block)?;

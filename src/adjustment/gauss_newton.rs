@@ -103,7 +103,7 @@ impl Problem<'_> {
     }
 
     /// Weighted square sum of what the observed positions and the known axes are off.
-    pub fn square_sum_of_positions(&self, state: &State) -> f64 {
+    fn square_sum_of_positions(&self, state: &State) -> f64 {
         let square = |(prior, at): (&Option<Weighted>, &[f64; 3])| {
             prior.map_or(0.0, |p| (0..3).map(|k| p.weight[k] * (p.position[k] - at[k]) * (p.position[k] - at[k])).sum())
         };
@@ -131,7 +131,8 @@ impl Problem<'_> {
     pub fn redundancy(&self) -> i64 {
         let positions: usize = self.gnss.iter().chain(self.control).flatten().map(Weighted::observed).sum();
         let axes = WeightedAxis::OBSERVED * self.axes.iter().flatten().count();
-        (2 * self.network.sights.len() + positions + axes) as i64 - self.unknowns() as i64
+        let cameras = self.known.iter().filter(|known| known.weight > 0.0).count();
+        (2 * self.network.sights.len() + positions + axes + cameras) as i64 - self.unknowns() as i64
     }
 
     fn step(&self, state: &State, damping: f64, robust: Robust, nearby: &mut Option<Factored>) -> Result<Step, Singular> {
@@ -220,7 +221,8 @@ impl Problem<'_> {
     }
 
     fn settled(&self, state: State, squares: &[f64], robust: Robust, iterations: usize, last_step: f64) -> Adjusted {
-        let sum = squares.iter().map(|s| robust.factor(*s) * s).sum::<f64>() + self.square_sum_of_positions(&state);
+        let observed = self.square_sum_of_positions(&state) + self.square_sum_of_cameras(&state);
+        let sum = squares.iter().map(|s| robust.factor(*s) * s).sum::<f64>() + observed;
         let redundancy = self.redundancy();
         let sigma = if redundancy > 0 { (sum / redundancy as f64).sqrt() } else { 0.0 };
         Adjusted { state, sigma, robust, iterations, unsettled: None, last_step }

@@ -33,9 +33,10 @@ mod statistics;
 mod weighted;
 
 pub use adjust::adjust_block;
-pub use block::{AxisPrior, Block, BlockImage, BlockObservation, ControlPoint, PositionPrior};
+pub use block::{AxisPrior, Block, BlockImage, BlockObservation, CameraPrior, ControlPoint, PositionPrior};
 pub(crate) use collinearity::{linearise, project};
 pub use options::{AdjustmentOptions, Datum, Loss};
+pub(crate) use precision::image_errors;
 pub use result::{
     AdjustmentResult, CameraStatistics, FixedParameter, ImageStatistics, ObjectPointStatistics, ObservationStatistics, ObservationVerdict,
     PriorStatistics, RayCountRmse,

@@ -262,7 +262,7 @@ fn form(a: &Seven, m: &[Seven; 7], b: &Seven) -> f64 {
 }
 
 /// Standard errors of ω, φ, κ in degrees and of the position, for the standard error `sigma` of a ray. The angles are absent at φ = ±90°.
-pub(super) fn image_errors(pose: &Pose, q: &Block6, sigma: f64) -> (Option<[f64; 3]>, [f64; 3]) {
+pub(crate) fn image_errors(pose: &Pose, q: &Block6, sigma: f64) -> (Option<[f64; 3]>, [f64; 3]) {
     let m = &pose.rotation;
     let cosine = (m[0][0] * m[0][0] + m[1][0] * m[1][0]).sqrt();
     // A small turn is minus Σ of angle · axis, the axes in the photo's system being M e₁, M₃ e₂, e₃.

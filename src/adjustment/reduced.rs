@@ -7,6 +7,7 @@
 //! Brown 1976, The bundle adjustment: progress and prospects.
 
 use super::axis::WeightedAxis;
+use super::block::Block;
 use super::collinearity::{Linearised, linearise};
 use super::loss::Robust;
 use super::network::{Columns, Network, Sight};
@@ -35,6 +36,21 @@ pub(super) struct Problem<'a> {
 pub(super) struct KnownParameter {
     pub value: f64,
     pub weight: f64,
+}
+
+impl KnownParameter {
+    /// Of each column, for a standard error `sigma0` of a ray of weight 1; none at all where nothing is known of any camera.
+    pub fn of_block(block: &Block, columns: &Columns, sigma0: f64) -> Vec<Self> {
+        if block.camera_priors.is_empty() {
+            return Vec::new();
+        }
+        let known = |&(camera, parameter): &(usize, usize)| {
+            let prior = block.camera_priors.iter().find(|prior| prior.camera == camera);
+            let known = prior.and_then(|prior| Some((prior.values[parameter], prior.sigma[parameter]?)));
+            known.map_or(Self { value: 0.0, weight: 0.0 }, |(value, sigma)| Self { value, weight: sigma0 / sigma * (sigma0 / sigma) })
+        };
+        columns.parameter.iter().map(known).collect()
+    }
 }
 
 /// What elimination leaves of a point.

@@ -524,3 +524,21 @@ page-geometry =
         [none] {""}
        *[other] , { $weak }
     }, ± { FIXED($sigma_px, digits: 2) } px
+
+# Why an image has no place on an orthophoto.
+not-placed-no-common-place = of { $matches } points that resemble places of the orthophoto, { $agreeing } agree on one place, as chance would have it
+not-placed-no-orientation = { $points } points agree on a place, and no orientation of the image fits them: the camera may be wrong, or the heights
+not-placed-not-confirmed = { $agreeing } of { $links } points lie where the orientation that was found has them, as chance would have it
+not-placed-failed = { $failure }
+
+# What speaks against the place of an image.
+placing-weakness-few-links = Only { $links } points link it with the orthophoto; { $needed } are needed.
+placing-weakness-coverage = Points lie in { PERCENT($share, digits: 0) } of the image; { PERCENT($needed, digits: 0) } are needed.
+placing-weakness-checks = { $beyond } of { $checks } points that took no part contradict the orientation.
+placing-weakness-height = The height above ground, { FIXED($height_m, digits: 0) } m, is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %): give the camera.
+placing-weakness-noise = σ0 is { FIXED($sigma0_px, digits: 2) } px, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
+
+# What the place of an image is worth.
+placing-verdict-placed = Placed by { $links } points, σ0 { FIXED($sigma0_px, digits: 2) } px; projection centre ± { SIGNIFICANT($half_width_m, digits: 2) } m (95 %).
+placing-verdict-weak = Placed with doubt by { $links } points. { $placing_weakness }
+placing-verdict-not-placed = Not placed: { $not_placed }.

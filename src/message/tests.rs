@@ -4,8 +4,8 @@ use super::texts::NESTED;
 use super::{Message, Texts};
 use crate::{
     BlockVerdict, BlockWarning, CameraParameter, Cause, Computation, Connection, Degeneracy, Error, Failure, FileFault, ImageFault,
-    ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, Observed, OverviewWarning, PairHint, PairOutcome,
-    PairRule, PairVerdict, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
+    ImageReason, Interruption, LengthUnit, NamedCamera, NoGeometry, NoOrientation, NotPlaced, Observed, OverviewWarning, PairHint,
+    PairOutcome, PairRule, PairVerdict, PlacingVerdict, PlacingWeakness, Remark, Rule, Side, UnorientedReason, Unsettled, Warning,
 };
 use crate::{CameraCaution, CameraOrigin};
 use serde_json::json;
@@ -58,6 +58,9 @@ fn families() -> Vec<Family> {
         family::<BlockVerdict>(),
         family::<PairHint>(),
         family::<PairVerdict>(),
+        family::<NotPlaced>(),
+        family::<PlacingVerdict>(),
+        family::<PlacingWeakness>(),
         family::<Observed>(),
         family::<OverviewWarning>(),
         family::<PairOutcome>(),

@@ -10,7 +10,7 @@ use std::sync::OnceLock;
 const NAMED: usize = 5;
 
 /// Fields that are messages themselves: the names of their families.
-pub(super) const NESTED: [&str; 22] = [
+pub(super) const NESTED: [&str; 24] = [
     "block_warning",
     "camera",
     "camera_caution",
@@ -24,9 +24,11 @@ pub(super) const NESTED: [&str; 22] = [
     "interruption",
     "no_geometry",
     "no_orientation",
+    "not_placed",
     "observed",
     "outcome",
     "overview_warning",
+    "placing_weakness",
     "rule",
     "side",
     "unit",

@@ -77,7 +77,7 @@ impl CameraRules {
     }
 
     /// The index of the rule that an image fits, and its camera.
-    pub(super) fn camera_of(&self, name: &str, size: [u32; 2], exif: &ExifImage) -> (Option<usize>, InitialCamera) {
+    pub(crate) fn camera_of(&self, name: &str, size: [u32; 2], exif: &ExifImage) -> (Option<usize>, InitialCamera) {
         let rule = self.0.iter().position(|rule| rule.fits(name));
         (rule, rule.map_or_else(|| of_exif(size, exif), |rule| of_rule(&self.0[rule], size, exif)))
     }

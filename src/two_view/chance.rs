@@ -4,7 +4,7 @@ use super::scale::Conditions;
 
 /// How well a geometry is supported.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Support {
+pub(crate) struct Support {
     /// Matches, and how many of them agree.
     pub count: usize,
     pub agreeing: usize,

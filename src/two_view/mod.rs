@@ -23,6 +23,7 @@ mod search;
 mod support;
 mod transfer;
 
+pub(crate) use chance::Support;
 pub use direct::{fundamental_eight_point, fundamental_seven_point, homography_direct};
 pub use options::{Pinhole, TwoViewOptions};
 pub use result::{Degeneracy, FocalEstimate, NoGeometry, TwoView, TwoViewModel};

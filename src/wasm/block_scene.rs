@@ -43,6 +43,14 @@ impl BlockScene {
         self.scene.photo_file(index).map_err(thrown)
     }
 
+    /// The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
+    #[wasm_bindgen(unchecked_return_type = "{ picture: Uint8Array; heights: Uint8Array }")]
+    pub fn orthophoto(&self, gsd_m: f64) -> JsResult<JsValue> {
+        let [picture, heights] = self.scene.orthophoto(gsd_m).and_then(|orthophoto| orthophoto.files()).map_err(thrown)?;
+        let bytes = |file: Vec<u8>| Uint8Array::from(file.as_slice()).into();
+        Ok(object([("picture", bytes(picture)), ("heights", bytes(heights))]))
+    }
+
     /// The true cameras and exterior orientations.
     #[wasm_bindgen(unchecked_return_type = "BlockModel")]
     pub fn truth(&self) -> JsValue {

@@ -32,6 +32,7 @@ export interface Messages {
     /** Texts of the page itself: `kind` names one, the other fields are its figures. */
     page: { kind: string };
     overview_warning: OverviewWarning;
+    placing_verdict: PlacingVerdict;
 }
 "#;
 

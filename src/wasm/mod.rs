@@ -17,6 +17,7 @@ mod geometry;
 mod matching;
 mod message;
 mod orientation;
+mod orthophoto;
 mod panics;
 mod photo;
 mod pipeline;

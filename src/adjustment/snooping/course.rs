@@ -69,7 +69,8 @@ impl<'a> Course<'a> {
         course.verdicts = (0..block.rays.len()).map(|ray| course.in_front(ray)).collect();
         course.lose_points();
         course.rays_at_start = course.accepted();
-        if options.datum != Datum::Free {
+        // A single image has no shape of its own that could be moved: it starts in the system of its control.
+        if options.datum != Datum::Free && block.images.len() > 1 {
             let network = course.network()?;
             (course.state, course.placed) = moved_to_observed(block, &network, &course.state, options.datum)?;
             course.agreed = course.placed.clone();

@@ -7,7 +7,7 @@ use crate::adjustment::datum::held_images;
 use crate::adjustment::loss::Robust;
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{Datum, Loss};
-use crate::adjustment::reduced::Problem;
+use crate::adjustment::reduced::{KnownParameter, Problem};
 use crate::adjustment::result::FixedParameter;
 use crate::adjustment::solution::{Factored, Singular};
 use crate::{CameraParameter, Error};
@@ -27,7 +27,9 @@ impl Course<'_> {
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
         loop {
             let columns = Columns::new(&self.free);
-            let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &[] };
+            let known = KnownParameter::of_block(self.block, &columns, self.weighted_by());
+            let problem =
+                Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
             let limit = FIRST_TOLERANCE * self.options.calibration_limit_px;
             let found = self.worse_than(&problem, limit, self.weighted_by())?;
             if found.is_empty() {

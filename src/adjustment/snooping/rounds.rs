@@ -7,7 +7,7 @@ use crate::adjustment::datum::{held_images, moved_onto};
 use crate::adjustment::gauss_newton::{Adjusted, Demand};
 use crate::adjustment::network::Columns;
 use crate::adjustment::options::{AdjustmentOptions, Datum, Loss};
-use crate::adjustment::reduced::Problem;
+use crate::adjustment::reduced::{KnownParameter, Problem};
 use crate::adjustment::result::{FixedParameter, ObservationVerdict};
 use crate::adjustment::statistics::{Statistics, statistics};
 use crate::{Cause, Computation, Error, Unsettled};
@@ -120,7 +120,8 @@ impl<'a> Course<'a> {
         let (gnss, control) = self.observed(weighted_by);
         let axes = observed_axes(self.block, self.options.datum, weighted_by);
         let held = (self.options.datum == Datum::Free).then(|| held_images(&network, &self.state));
-        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &[] };
+        let known = KnownParameter::of_block(self.block, &columns, weighted_by);
+        let problem = Problem { network: &network, columns: &columns, gnss: &gnss, control: &control, axes: &axes, held, known: &known };
         let adjusted = self.adjusted(&problem, loss)?;
         let mut round = Round { problem, adjusted, loss, calm_rounds, sigma_before: self.sigma, weighted_by, statistics: None };
         for check in Self::CHECKS {

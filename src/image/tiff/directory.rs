@@ -1,7 +1,11 @@
 //! The first image directory of a TIFF file: enough of it to know what the file declares.
 
+/// The types of values in the file.
+const ASCII: u64 = 2;
+const DOUBLE: u64 = 12;
+
 /// The first image directory of a classic or a big TIFF.
-pub(super) struct Directory<'a> {
+pub(crate) struct Directory<'a> {
     bytes: &'a [u8],
     little_endian: bool,
     big: bool,
@@ -27,6 +31,25 @@ impl<'a> Directory<'a> {
     pub fn value(&self, tag: u64) -> Option<u64> {
         let (at, size, count) = self.values(tag)?;
         (count > 0).then(|| self.unsigned(at, size))?
+    }
+
+    /// All values of a tag of numbers in double precision.
+    pub fn doubles(&self, tag: u64) -> Option<Vec<f64>> {
+        let (at, count) = self.values_of(tag, DOUBLE, 8)?;
+        (0..count).map(|i| self.unsigned(at + 8 * i, 8).map(f64::from_bits)).collect()
+    }
+
+    /// The text of a tag, without what follows its end.
+    pub fn text(&self, tag: u64) -> Option<String> {
+        let (at, count) = self.values_of(tag, ASCII, 1)?;
+        let bytes = self.bytes[at..at + count].split(|byte| *byte == 0).next()?;
+        Some(String::from_utf8_lossy(bytes).trim().into())
+    }
+
+    /// All values of a tag of unsigned numbers that fit into 16 bits.
+    pub fn all_shorts(&self, tag: u64) -> Option<Vec<u16>> {
+        let (_, _, count) = self.values(tag)?;
+        self.shorts(tag, count)
     }
 
     /// The first values of a tag of unsigned numbers, where there are so many and each fits.
@@ -55,7 +78,7 @@ impl<'a> Directory<'a> {
 
     /// Where the values of a tag stand, the bytes of one, and how many the file holds.
     fn values(&self, tag: u64) -> Option<(usize, usize, usize)> {
-        let entry = self.places().find(|&at| self.unsigned(at, 2) == Some(tag))?;
+        let entry = self.entry(tag)?;
         let size = match self.unsigned(entry + 2, 2)? {
             1 => 1,
             3 => 2,
@@ -63,12 +86,28 @@ impl<'a> Directory<'a> {
             16 => 8,
             _ => return None,
         };
+        let (at, count) = self.held(entry, size)?;
+        Some((at, size, count))
+    }
+
+    /// Where the values of a tag of this type stand, and how many.
+    fn values_of(&self, tag: u64, kind: u64, size: usize) -> Option<(usize, usize)> {
+        let entry = self.entry(tag).filter(|&entry| self.unsigned(entry + 2, 2) == Some(kind))?;
+        self.held(entry, size)
+    }
+
+    fn entry(&self, tag: u64) -> Option<usize> {
+        self.places().find(|&at| self.unsigned(at, 2) == Some(tag))
+    }
+
+    /// Where the values of an entry stand, of which each takes `size` bytes, and how many: none that the file does not hold.
+    fn held(&self, entry: usize, size: usize) -> Option<(usize, usize)> {
         let room = if self.big { 8 } else { 4 };
         let count = usize::try_from(self.unsigned(entry + 4, room)?).ok()?;
         let inline = entry + 4 + room;
         let length = count.checked_mul(size)?;
         let at = if length <= room { inline } else { usize::try_from(self.unsigned(inline, room)?).ok()? };
-        (at.checked_add(length)? <= self.bytes.len()).then_some((at, size, count))
+        (at.checked_add(length)? <= self.bytes.len()).then_some((at, count))
     }
 
     /// An unsigned number of 1, 2, 4 or 8 bytes.

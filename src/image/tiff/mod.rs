@@ -8,7 +8,7 @@ use std::io::Cursor;
 use tiff::TiffError;
 use tiff::decoder::{Decoder, DecodingResult, Limits};
 
-use self::directory::Directory;
+pub(crate) use self::directory::Directory;
 use super::layout::{DEFLATE_MOST, FileLayout, Format, damaged, truncated};
 use super::luminance::{SampleLayout, grey_of_u8, grey_of_u16};
 use crate::Error;
@@ -88,8 +88,7 @@ pub(super) struct TiffLayout {
 impl TiffLayout {
     /// Reads the directory and refuses what is not decoded.
     pub fn read(bytes: &[u8]) -> Result<Self, Error> {
-        let directory = Directory::first(bytes).ok_or_else(|| truncated(Format::Tiff))?;
-        check_counts(&directory)?;
+        let directory = checked_directory(bytes)?;
         let side = |tag, name| directory.value(tag).ok_or_else(|| damaged(Format::Tiff, format!("it does not declare its {name}")));
         let layout = Self {
             width: side(tag::WIDTH, "width")?,
@@ -191,6 +190,16 @@ fn read_samples(bytes: &[u8], declared: &TiffLayout) -> Result<(DecodingResult, 
     Ok((samples, usize::from(channels)))
 }
 
+/// The first directory of a file.
+///
+/// # Errors
+/// [`Error::UnreadableImage`] where the file ends before it, or where it would cost much to read.
+pub(crate) fn checked_directory(bytes: &[u8]) -> Result<Directory<'_>, Error> {
+    let directory = Directory::first(bytes).ok_or_else(|| truncated(Format::Tiff))?;
+    check_counts(&directory)?;
+    Ok(directory)
+}
+
 /// Refuses directories that cost much to read: the decoder holds what they say of strips and tiles, and the values of other tags.
 fn check_counts(directory: &Directory<'_>) -> Result<(), Error> {
     if directory.entries > MOST_TAGS {
@@ -235,7 +244,7 @@ fn as_the_decoder_reads<'a>(bytes: &'a [u8], declared: &TiffLayout) -> Cow<'a, [
     file
 }
 
-fn decoder_error(error: TiffError) -> Error {
+pub(crate) fn decoder_error(error: TiffError) -> Error {
     match error {
         TiffError::IoError(e) if e.kind() == std::io::ErrorKind::UnexpectedEof => truncated(Format::Tiff),
         TiffError::UnsupportedError(e) => {

@@ -12,6 +12,7 @@ mod features;
 mod flight;
 mod ground;
 mod matches;
+mod orthophoto;
 mod photos;
 mod score;
 mod simulated;

@@ -20,10 +20,12 @@ use crate::{BlockModel, Error, ExifCamera, ExifImage, ExifPosition, GeographicOr
 ///
 /// Memory is that of the scene and of the photo that is being taken.
 pub struct BlockScene {
-    flight: BlockFlight,
-    town: Flight,
+    pub(super) flight: BlockFlight,
+    pub(super) town: Flight,
     exposures: Vec<Exposure>,
-    scene: Scene,
+    pub(super) scene: Scene,
+    /// The ground that photos show: least and greatest X and Y.
+    pub(super) seen: Rectangle,
 }
 
 /// Where (0, 0, 0) of the ground is on the earth: longitude and latitude in degrees, height in m.
@@ -47,10 +49,11 @@ impl BlockScene {
             return Err(refuse("block_flight.height_px", f64::from(flight.height_px), allowed));
         }
         let exposures = exposures(flight);
-        let area = ground_area(flight, &exposures)?;
+        let seen = ground_area(flight, &exposures)?;
+        let area = with_surroundings(seen, Flight::default().highest_building_m);
         let town = town(flight, area)?;
         let scene = Scene::new(&town, area);
-        Ok(Self { flight: flight.clone(), town, exposures, scene })
+        Ok(Self { flight: flight.clone(), town, exposures, scene, seen })
     }
 
     /// How many photos the flight takes.
@@ -178,7 +181,7 @@ fn town(flight: &BlockFlight, area: Rectangle) -> Result<Flight, Error> {
     })
 }
 
-/// The ground under all photos, and around it as far as a building may lean into the picture or throw its shadow.
+/// The ground under all photos.
 fn ground_area(flight: &BlockFlight, exposures: &[Exposure]) -> Result<Rectangle, Error> {
     let rays = exposures.iter().map(|exposure| camera(flight, exposure).rays());
     let Some(seen) = seen_ground(rays, [flight.width_px, flight.height_px].map(f64::from), flight.relief_m) else {
@@ -190,7 +193,7 @@ fn ground_area(flight: &BlockFlight, exposures: &[Exposure]) -> Result<Rectangle
     };
     let longest = (seen[2] - seen[0]).max(seen[3] - seen[1]);
     check_length("block_flight.flying_height_m", "block", flight.flying_height_m, longest)?;
-    Ok(with_surroundings(seen, Flight::default().highest_building_m))
+    Ok(seen)
 }
 
 #[cfg(test)]

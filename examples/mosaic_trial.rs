@@ -1,0 +1,51 @@
+//! Half of the images of a folder placed on an orthomosaic that the block makes of the others, beside their places in the block. Arguments: the
+//! folder of images, a folder for the records and `mosaic.tif`.
+
+use std::path::PathBuf;
+use tiepoint::{
+    CameraUncertainty, DecodeLimits, Heights, Mosaic, Orthophoto, PlacingCamera, PlacingOptions, RunInput, SearchArea, decode,
+    heights_of_points, images_in, place_image, run_block, write_geotiff,
+};
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let [folder, out] = arguments.as_slice() else { return Err("usage: mosaic_trial IMAGES OUT".into()) };
+    let images = images_in(folder)?;
+    let threads = std::thread::available_parallelism()?.get();
+    let run = run_block(&images, &[], RunInput::default(), &out.join("work"), threads, |_| ())?;
+    let model = &run.model;
+    let heights = Heights::Model(heights_of_points(model)?);
+    let grey = |index: usize| -> Result<_, Failure> {
+        Ok(decode(&std::fs::read(folder.join(&model.images[index].name))?, &DecodeLimits::default())?.grey)
+    };
+    let is_kept = |index: &usize| index.is_multiple_of(2);
+    let mut mosaic = Mosaic::new(model, heights.clone(), None)?;
+    for index in (0..model.images.len()).filter(is_kept) {
+        mosaic.add(index, grey(index)?.view())?;
+    }
+    let mosaic = mosaic.finish()?;
+    std::fs::write(out.join("mosaic.tif"), write_geotiff(&mosaic, None)?)?;
+    let orthophoto = Orthophoto::new(mosaic.grey, mosaic.georeference, heights)?;
+    println!("mosaic of {} x {} px, {:.4} a pixel", orthophoto.grey.width(), orthophoto.grey.height(), orthophoto.georeference.gsd());
+    let options = PlacingOptions::default();
+    let area = SearchArea::new(&orthophoto, &options)?;
+    for index in (0..model.images.len()).filter(|index| !is_kept(index)) {
+        let image = &model.images[index];
+        let Some(pose) = image.pose else { continue };
+        let known = PlacingCamera {
+            camera: model.cameras[image.camera],
+            uncertainty: CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 },
+        };
+        let start = std::time::Instant::now();
+        let placed = place_image(grey(index)?.view(), &known, &orthophoto, &area, &options)?;
+        println!("{}: {} {:.1} s", image.name, placed.verdict, start.elapsed().as_secs_f64());
+        if let Some(placement) = placed.placement {
+            let off = [0, 1, 2].map(|k| placement.pose.position[k] - pose.position[k]);
+            let errors = placement.position_errors_m;
+            println!("    off by {off:.3?}, standard errors {errors:.3?}, pixel on the ground {:.4}", placement.gsd_m);
+        }
+    }
+    Ok(())
+}

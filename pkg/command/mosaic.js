@@ -1,0 +1,51 @@
+// @ts-check
+import { basename, dirname, join } from 'node:path';
+import { OrthoMosaic } from '../node.js';
+import { about, DataError, UsageError } from './errors.js';
+import { filesIn, isFolder, makeFolder, readBytes, writeInto } from './files.js';
+import { GROUND_OPTIONS, groundOf } from './ground.js';
+import { path, real } from './options.js';
+import { note, print } from './output.js';
+import { Progress } from './progress.js';
+
+/** @type {import('./args.js').Command} */
+export const mosaic = {
+  name: 'mosaic',
+  summary: 'A quick orthomosaic of an oriented block: a GeoTIFF in which each place is taken from the nearest image.',
+  positionals: ['PROJECT', 'FOLDER'],
+  options: [
+    path('out', 'FILE.tif', 'The GeoTIFF that is written; required.'),
+    real('gsd', 'gsd', 'The side of a pixel, in units of the block; by default that of the images.', (n) => n > 0, 'above 0'),
+    ...GROUND_OPTIONS,
+  ],
+  details:
+    'PROJECT is the project.tiepoint of a block, FOLDER that of its images. Without heights the ground is that of the tie points. The mosaic is grey, of at most 100 MP, north up in the system of the block; no seams are ' +
+    'balanced, and what leans stands twice beside walls: it is the picture by which an orientation is checked, and a reference for `tiepoint place`.',
+  run,
+};
+
+/** @param {import('./args.js').Call} call @returns {Promise<import('./errors.js').ExitCode>} */
+async function run({ positionals: [project = '', folder = ''], values }) {
+  const [out, gsd] = [values.get('out'), values.get('gsd')];
+  if (typeof out !== 'string') throw new UsageError('--out is missing: name the GeoTIFF that is written');
+  if (!isFolder(folder)) throw new DataError(`${folder}: it is no folder; name that of the images`);
+  const ground = groundOf(values);
+  const bytes = readBytes(project);
+  const made = about(ground?.file ?? project, () => OrthoMosaic.open(bytes, ground?.heights ?? null, ground?.world, typeof gsd === 'number' ? gsd : undefined));
+  const { names } = made;
+  const files = new Set(filesIn(folder));
+  const missing = names.filter((name) => !files.has(name));
+  if (missing.length === names.length) throw new DataError(`${folder}: it has none of the images of the project, ${names.slice(0, 3).join(', ')} …`);
+  if (missing.length > 0) note(`${folder} has not ${missing.join(', ')}: the mosaic is made of the others`);
+  makeFolder(dirname(out));
+  const shown = new Progress({ steps: names.length + 1 });
+  for (const [index, name] of names.entries()) {
+    if (!files.has(name)) continue;
+    const file = join(folder, name);
+    shown.step(name, () => about(file, () => made.add(index, readBytes(file))));
+  }
+  const written = shown.step('writing', () => writeInto(dirname(out), basename(out), made.finish()));
+  shown.end();
+  print(`written: ${written}`);
+  return 0;
+}

@@ -1,0 +1,98 @@
+//! The orientation of one image by its links: a bundle adjustment of a single image, in which each place is a control point.
+
+use super::links::Found;
+use super::options::PlacingOptions;
+use crate::adjustment::linearise;
+use crate::camera::{CAMERA_PARAMETERS, CameraUncertainty};
+use crate::{
+    AdjustmentOptions, AdjustmentResult, Block, BlockImage, BlockObservation, Camera, CameraPrior, ControlPoint, Datum, Error,
+    FreeParameters, Pose, adjust_block,
+};
+
+/// A camera as it is known before its image is placed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlacingCamera {
+    pub camera: Camera,
+    /// All zero: it is calibrated, and nothing of it is estimated.
+    pub uncertainty: CameraUncertainty,
+}
+
+/// Standard errors of the places of links, in m.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PlaceErrors {
+    pub plan: f64,
+    pub height: f64,
+}
+
+impl PlaceErrors {
+    /// By the options, for an orthophoto of this side of a pixel.
+    pub fn new(options: &PlacingOptions, gsd: f64, has_model: bool) -> Self {
+        let usual = if has_model { gsd } else { 10.0 * gsd };
+        Self { plan: options.place_sigma_px * gsd, height: options.height_sigma_m.unwrap_or(usual) }
+    }
+}
+
+/// Standard error of a point in the image, in px.
+const MEASURED_PX: f64 = 0.3;
+const LEAST_WEIGHT: f64 = 1e-6;
+/// Places are held by this share of their standard error.
+const HELD: f64 = 1e-3;
+/// A parameter is estimated however badly the links determine it: what is known of it holds it.
+const NO_LIMIT_PX: f64 = 1000.0;
+
+impl PlacingCamera {
+    pub(super) fn prior(&self) -> CameraPrior {
+        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty;
+        let f = self.camera.focal_px;
+        let sigma = |share: f64| (share > 0.0).then_some(share);
+        let point = sigma(principal_point * f);
+        let sigma: [Option<f64>; CAMERA_PARAMETERS] = [sigma(focal * f), point, point, sigma(k1), None, None, None, None];
+        CameraPrior { camera: 0, values: self.camera.values(), sigma }
+    }
+
+    /// What of it is estimated.
+    fn free(&self) -> FreeParameters {
+        let CameraUncertainty { focal, principal_point, k1 } = self.uncertainty;
+        FreeParameters { focal: focal > 0.0, principal_point: principal_point > 0.0, radial: usize::from(k1 > 0.0), tangential: false }
+    }
+}
+
+/// Adjusts an image from an approximate camera and orientation. Rays of the result are the links in their order.
+///
+/// Each place has one ray, so that errors of places cannot be told from those of the image: both weigh the ray together, and σ₀ is what they
+/// make of it.
+pub(super) fn adjusted(
+    links: &[Found],
+    known: &PlacingCamera,
+    (camera, pose): (Camera, Pose),
+    errors: PlaceErrors,
+) -> Result<AdjustmentResult, Error> {
+    let values = camera.values();
+    let weight = |link: &Found| {
+        let height = errors.height * errors.height + link.height_spread * link.height_spread;
+        let variances = [errors.plan * errors.plan, errors.plan * errors.plan, height];
+        let by_place = linearise(&values, &pose, &link.place).by_point;
+        let of_place: f64 = by_place.iter().flatten().zip(variances.iter().cycle()).map(|(d, variance)| d * d * variance).sum();
+        1.0 / (MEASURED_PX * MEASURED_PX + 0.5 * of_place)
+    };
+    // In the mean 1, so that σ₀ is the standard error of a usual coordinate.
+    let weights: Vec<f64> = links.iter().map(weight).collect();
+    let mean = weights.iter().sum::<f64>() / weights.len().max(1) as f64;
+    let ray = |(point, link): (usize, &Found)| BlockObservation {
+        image: 0,
+        point,
+        x_px: link.at[0],
+        y_px: link.at[1],
+        weight: (weights[point] / mean).max(LEAST_WEIGHT),
+    };
+    let held = [HELD * errors.plan; 3];
+    let block = Block {
+        cameras: vec![Camera { free: known.free(), ..camera }],
+        images: vec![BlockImage { camera: 0, pose, gnss: None, axis: None }],
+        points: links.iter().map(|link| link.place).collect(),
+        rays: links.iter().enumerate().map(ray).collect(),
+        control: links.iter().enumerate().map(|(point, link)| ControlPoint { point, position: link.place, sigma: held }).collect(),
+        camera_priors: vec![known.prior()],
+    };
+    adjust_block(&block, &AdjustmentOptions { datum: Datum::Control, calibration_limit_px: NO_LIMIT_PX, ..AdjustmentOptions::default() })
+}

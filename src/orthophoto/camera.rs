@@ -1,0 +1,52 @@
+//! The camera of an image that is to be placed, from what its file and the user say of it.
+
+use super::adjusting::PlacingCamera;
+use crate::pipeline::CameraRules;
+use crate::{Camera, CameraUncertainty, ExifImage};
+
+const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
+
+impl PlacingCamera {
+    /// By the rules that the image's name fits, as in blocks: those with `fixed` are taken as calibrated. Else by its EXIF and XMP, else a usual
+    /// focal length, each with its uncertainty.
+    pub fn of(rules: &CameraRules, name: &str, size: [u32; 2], exif: &ExifImage) -> Self {
+        let (rule, known) = rules.camera_of(name, size, exif);
+        let uncertainty = match (rule, known.focal_px, &exif.camera) {
+            (Some(_), ..) if known.fixed => CALIBRATED,
+            (Some(_), ..) => CameraUncertainty::EXIF,
+            (None, Some(_), Some(camera)) => CameraUncertainty::of(camera.origin),
+            _ => CameraUncertainty::ASSUMED,
+        };
+        let assumed = CameraUncertainty::ASSUMED_FOCAL * f64::from(size[0].max(size[1]));
+        let camera = Camera {
+            principal_point_px: known.principal_point_px,
+            radial: known.radial,
+            tangential: known.tangential,
+            pixel_mm: known.pixel_mm,
+            ..Camera::without_distortion(size[0], size[1], known.focal_px.unwrap_or(assumed))
+        };
+        Self { camera, uncertainty }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ExifCamera;
+
+    #[test]
+    fn a_camera_is_as_uncertain_as_where_it_is_known_from() {
+        let rules = CameraRules::read(Some(
+            r#"{"cameras": [{"images": "a*", "focal_px": 900, "fixed": true}, {"images": "b*", "focal_px": 950}]}"#,
+        ))
+        .unwrap();
+        let camera = ExifCamera { focal_mm: 5.0, pixel_mm: Some(0.005), ..ExifCamera::default() };
+        let exif = ExifImage { camera: Some(camera), ..ExifImage::default() };
+        let of = |name: &str, exif: &ExifImage| {
+            let PlacingCamera { camera, uncertainty } = PlacingCamera::of(&rules, name, [1000, 800], exif);
+            (camera.focal_px, uncertainty.focal)
+        };
+        assert_eq!([of("a1", &exif), of("b1", &exif), of("c1", &exif)], [(900.0, 0.0), (950.0, 0.05), (1000.0, 0.05)]);
+        assert_eq!(of("c1", &ExifImage::default()), (850.0, 0.4));
+    }
+}

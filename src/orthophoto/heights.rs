@@ -1,0 +1,219 @@
+//! The height of the ground: one for all, or a grid.
+
+use super::georeference::Georeference;
+use super::geotiff::GeoTags;
+use crate::Error;
+use crate::error::refuse;
+use crate::image::{checked_directory, tiff_error};
+use std::io::Cursor;
+use tiff::decoder::{Decoder, DecodingResult};
+
+/// A model of heights on a grid; between the centres of its pixels heights are interpolated in both directions.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightModel {
+    pub georeference: Georeference,
+    width: usize,
+    height: usize,
+    /// Row by row; NaN where there is none.
+    values: Vec<f32>,
+    /// Lowest and highest.
+    range: [f64; 2],
+}
+
+/// What is known of the height of the ground.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Heights {
+    /// The same everywhere.
+    Level(f64),
+    Model(HeightModel),
+}
+
+impl Heights {
+    /// The height at a place; `None` outside the model and in its holes.
+    pub fn at(&self, place: [f64; 2]) -> Option<f64> {
+        match self {
+            Self::Level(height) => Some(*height),
+            Self::Model(model) => model.at(place),
+        }
+    }
+
+    /// Lowest and highest.
+    pub fn range(&self) -> [f64; 2] {
+        match self {
+            Self::Level(height) => [*height; 2],
+            Self::Model(model) => model.range,
+        }
+    }
+
+    /// In a system whose origin is that place of this one.
+    pub(super) fn about(&self, place: [f64; 2]) -> Self {
+        match self {
+            Self::Level(height) => Self::Level(*height),
+            Self::Model(model) => Self::Model(HeightModel { georeference: model.georeference.about(place), ..model.clone() }),
+        }
+    }
+}
+
+/// Heights beyond this are none of the earth.
+const HIGHEST: f64 = 20_000.0;
+/// Most values of a grid.
+const MOST_VALUES: usize = 250_000_000;
+
+impl HeightModel {
+    /// Takes heights row by row; what is not finite is a hole.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for another number of heights, a grid of less than 2 x 2, heights that are none of the earth, and holes alone.
+    pub fn new(width: usize, height: usize, values: Vec<f32>, georeference: Georeference) -> Result<Self, Error> {
+        if width < 2 || height < 2 || width.checked_mul(height) != Some(values.len()) {
+            return refuse(
+                "height model",
+                format!("{} heights for {width} x {height}", values.len()),
+                "2 x 2 heights or more, one a place",
+            );
+        }
+        let finite = || values.iter().filter(|v| v.is_finite()).map(|v| f64::from(*v));
+        let range = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
+        if !(range[0] >= -HIGHEST && range[1] <= HIGHEST) {
+            let allowed = "-20000 to 20000, with at least one; what stands for 'no height' must be declared";
+            return refuse("heights of a height model", format!("{} to {}", range[0], range[1]), allowed);
+        }
+        Ok(Self { georeference: georeference.checked()?, width, height, values, range })
+    }
+
+    /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`], [`Error::UnreadableImage`] and [`Error::Degenerate`] for what is neither, is damaged or lies nowhere.
+    pub fn read(file: &[u8], world_file: Option<&str>) -> Result<Self, Error> {
+        if matches!(file, [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..]) {
+            return Self::read_tiff(file, world_file);
+        }
+        match std::str::from_utf8(file) {
+            Ok(text) => Self::read_ascii(text),
+            Err(_) => refuse("height model", "neither a TIFF nor text".into(), "a GeoTIFF or an ESRI ASCII grid"),
+        }
+    }
+
+    /// Width and height, and the heights row by row.
+    pub(super) fn raster(&self) -> ([usize; 2], &[f32]) {
+        ([self.width, self.height], &self.values)
+    }
+
+    fn read_tiff(file: &[u8], world_file: Option<&str>) -> Result<Self, Error> {
+        checked_directory(file)?;
+        let tags = GeoTags::read(file)?;
+        let georeference = match (tags.georeference, world_file) {
+            (Some(own), _) => own,
+            (None, Some(text)) => Georeference::read_world_file(text)?,
+            (None, None) => {
+                return refuse("height model", "a TIFF that does not say where it lies".into(), "a GeoTIFF, or a world file beside it");
+            }
+        };
+        let mut decoder = Decoder::new(Cursor::new(file)).map_err(tiff_error)?;
+        let (width, height) = decoder.dimensions().map_err(tiff_error)?;
+        let [width, height] = [width, height].map(|side| side as usize);
+        if width.saturating_mul(height) > MOST_VALUES {
+            return refuse("height model", format!("{width} x {height} heights"), "up to 250 million");
+        }
+        let values: Vec<f32> = match decoder.read_image().map_err(tiff_error)? {
+            DecodingResult::F32(values) => values,
+            DecodingResult::F64(values) => values.into_iter().map(|v| v as f32).collect(),
+            DecodingResult::I16(values) => values.into_iter().map(f32::from).collect(),
+            DecodingResult::U16(values) => values.into_iter().map(f32::from).collect(),
+            DecodingResult::U8(values) => values.into_iter().map(f32::from).collect(),
+            DecodingResult::I32(values) => values.into_iter().map(|v| v as f32).collect(),
+            _ => {
+                return refuse(
+                    "height model",
+                    "a TIFF of samples of another kind".into(),
+                    "one sample a pixel: whole numbers or floating point",
+                );
+            }
+        };
+        let hole = tags.no_data.map(|v| v as f32);
+        let values = values.into_iter().map(|v| if Some(v) == hole { f32::NAN } else { v }).collect();
+        Self::new(width, height, values, georeference)
+    }
+
+    /// # Source
+    /// ESRI, ASCII raster format: `ncols`, `nrows`, `xllcorner` or `xllcenter`, `yllcorner` or `yllcenter`, `cellsize`, `nodata_value`.
+    fn read_ascii(text: &str) -> Result<Self, Error> {
+        let wrong = |got: String| Error::InvalidInput {
+            what: "ESRI ASCII grid",
+            got,
+            allowed: "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, nodata_value, then the heights row by row"
+                .into(),
+        };
+        let mut words = text.split_whitespace().peekable();
+        let mut head = std::collections::BTreeMap::new();
+        while let Some(name) =
+            words.next_if(|word| word.starts_with(|c: char| c.is_ascii_alphabetic()) && !word.eq_ignore_ascii_case("nan"))
+        {
+            let value = words.next().and_then(|word| word.parse::<f64>().ok());
+            head.insert(name.to_ascii_lowercase(), value.ok_or_else(|| wrong(format!("{name} without a number")))?);
+        }
+        let of = |name: &str| head.get(name).copied().ok_or_else(|| wrong(format!("no {name}")));
+        let (columns, rows, cell) = (of("ncols")?, of("nrows")?, of("cellsize")?);
+        if !(columns >= 2.0 && rows >= 2.0 && columns * rows <= MOST_VALUES as f64 && cell > 0.0) {
+            return Err(wrong(format!("{columns} columns, {rows} rows of {cell}")));
+        }
+        let low = |corner: &str, centre: &str| of(corner).or_else(|_| of(centre).map(|v| v - 0.5 * cell));
+        let [x, y] = [low("xllcorner", "xllcenter")?, low("yllcorner", "yllcenter")?];
+        let hole = head.get("nodata_value").map(|v| *v as f32);
+        let value = |word: &str| word.parse::<f32>().map(|v| if Some(v) == hole { f32::NAN } else { v });
+        let values: Result<Vec<f32>, _> = words.map(|word| value(word).map_err(|_| wrong(format!("{word:?} among the heights")))).collect();
+        Self::new(columns as usize, rows as usize, values?, Georeference::north_up([x, y + rows * cell], cell))
+    }
+
+    /// The height at a place; `None` outside, and where one of the four heights around it is missing. Half a pixel at the edges has the
+    /// height of the edge.
+    pub fn at(&self, place: [f64; 2]) -> Option<f64> {
+        let [x, y] = self.georeference.pixel(place);
+        if !(x >= 0.0 && y >= 0.0 && x <= self.width as f64 && y <= self.height as f64) {
+            return None;
+        }
+        let along = |position: f64, number: usize| {
+            let from_centre = (position - 0.5).clamp(0.0, (number - 1) as f64);
+            let first = (from_centre as usize).min(number - 2);
+            (first, from_centre - first as f64)
+        };
+        let ((column, s), (row, t)) = (along(x, self.width), along(y, self.height));
+        // A hole counts only where it has a share.
+        let share = |c: usize, r: usize, share: f64| {
+            if share > 0.0 { share * f64::from(self.values[(row + r) * self.width + column + c]) } else { 0.0 }
+        };
+        let above = share(0, 0, (1.0 - s) * (1.0 - t)) + share(1, 0, s * (1.0 - t));
+        let height = above + share(0, 1, (1.0 - s) * t) + share(1, 1, s * t);
+        height.is_finite().then_some(height)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GRID: &str = "ncols 3\nnrows 2\nxllcorner 100\nyllcorner 50\ncellsize 10\nNODATA_value -9999\n1 2 3\n4 5 -9999\n";
+
+    #[test]
+    fn heights_are_interpolated_between_the_centres() {
+        let model = HeightModel::read(GRID.as_bytes(), None).unwrap();
+        assert_eq!([model.at([105.0, 65.0]), model.at([115.0, 55.0])], [Some(1.0), Some(5.0)]);
+        assert_eq!((model.at([110.0, 60.0]), model.at([100.0, 70.0])), (Some(3.0), Some(1.0)));
+        // A hole, and outside.
+        assert_eq!([model.at([123.0, 58.0]), model.at([99.9, 60.0]), model.at([f64::NAN, 60.0])], [None; 3]);
+        let centred = GRID.replace("xllcorner 100", "xllcenter 105").replace("yllcorner 50", "yllcenter 55");
+        assert_eq!(HeightModel::read(centred.as_bytes(), None).unwrap(), model);
+    }
+
+    #[test]
+    fn what_is_no_height_model_is_refused_with_what_it_is() {
+        let said = |text: &str| HeightModel::read(text.as_bytes(), None).unwrap_err().to_string();
+        assert!(said(&GRID.replace("cellsize 10", "")).contains("no cellsize"), "{}", said(&GRID.replace("cellsize 10", "")));
+        assert!(said(&GRID.replace(" 3\n4", " x\n4")).contains("\"x\""));
+        assert!(said(&GRID.replace("1 2 3", "1 2")).contains("5 heights"));
+        assert!(said(&GRID.replace("1 2 3", "1 2 99999")).contains("99999"));
+        assert!(said("").contains("ESRI ASCII grid") && said("II").contains("ESRI"));
+        assert!(HeightModel::read(&[0xff, 0xfe, 0x80], None).is_err() && HeightModel::read(b"II*\0\x08\0\0\0", None).is_err());
+    }
+}

@@ -1,0 +1,40 @@
+//! Orthophotos as the reference of images.
+//!
+//! Data flow: an [`Orthophoto`] (`reference`, by `georeference` and `geotiff`) with its `heights` → `first_place` (features that agree on a
+//! similarity) → an orientation by resection → `links` (the image resampled to the ground by `rectify`, matched to the orthophoto: coarse,
+//! then fine) → `adjusting` (the bundle adjustment of one image, its `precision`) → `verdict` → [`PlacedImage`].
+//!
+//! The other way round: an oriented block → `mosaic` → a picture of the ground, which `write` makes a GeoTIFF.
+
+mod adjusting;
+mod camera;
+mod first_place;
+mod footprint;
+mod georeference;
+mod geotiff;
+mod heights;
+mod links;
+mod mosaic;
+mod options;
+mod outcome;
+mod own;
+mod place;
+mod precision;
+mod rectify;
+mod reference;
+mod tables;
+mod verdict;
+mod write;
+
+pub use adjusting::PlacingCamera;
+pub use georeference::Georeference;
+pub use heights::{HeightModel, Heights};
+pub use mosaic::{Mosaic, heights_of_points};
+pub use options::PlacingOptions;
+pub use outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlacedImage, Placement, PlacingVerdict, PlacingWeakness};
+pub use own::rectify_placed;
+pub use place::{SearchArea, place_image};
+pub use rectify::{Rectified, rectify};
+pub use reference::Orthophoto;
+pub use tables::{links_table, placed_table};
+pub use write::{write_geotiff, write_heights};

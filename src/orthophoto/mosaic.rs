@@ -1,0 +1,234 @@
+//! A quick orthomosaic of an oriented block: each place is taken from the image whose projection centre is nearest in plan.
+
+use super::footprint::Footprint;
+use super::georeference::Georeference;
+use super::heights::{HeightModel, Heights};
+use super::links::reduced;
+use super::rectify::{Rectified, rectify};
+use crate::camera::Camera;
+use crate::error::refuse;
+use crate::math::median;
+use crate::{BlockModel, Error, GreyImage, GreyView, Pose, halve};
+
+/// Larger mosaics are made of larger pixels.
+const MOST_PIXELS: f64 = 1e8;
+/// Points in a cell of the heights that the tie points give, on average.
+const POINTS_IN_CELL: f64 = 4.0;
+/// Longest side of that grid.
+const MOST_CELLS: f64 = 2000.0;
+
+/// The heights of the tie points of a block as a model: their medians in the cells of a grid, holes filled from what is around them.
+///
+/// # Errors
+/// [`Error::TooFew`] below ten intersected points.
+pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
+    let points: Vec<[f64; 3]> = model.points.iter().filter_map(|point| point.position).collect();
+    if points.len() < 10 {
+        return Err(Error::TooFew { what: "intersected points, for the heights of the ground", got: points.len(), needed: 10 });
+    }
+    // A twentieth of a per cent of the points may lie far off.
+    let within = |axis: usize| {
+        let mut values: Vec<f64> = points.iter().map(|p| p[axis]).collect();
+        values.sort_by(f64::total_cmp);
+        let cut = values.len() / 2000;
+        [values[cut], values[values.len() - 1 - cut]]
+    };
+    let [[x0, x1], [y0, y1]] = [within(0), within(1)];
+    let [wide, high] = [x1 - x0, y1 - y0].map(|length| length.max(1e-6));
+    let cell = (wide * high * POINTS_IN_CELL / points.len() as f64).sqrt().max(wide.max(high) / MOST_CELLS);
+    let [columns, rows] = [wide, high].map(|length| (length / cell).ceil().max(2.0) as usize);
+    let georeference = Georeference::north_up([x0, y0 + rows as f64 * cell], cell);
+    let mut held: Vec<Vec<f64>> = vec![Vec::new(); columns * rows];
+    for [x, y, z] in points {
+        let [column, row] = georeference.pixel([x, y]);
+        if column >= 0.0 && row >= 0.0 && column < columns as f64 && row < rows as f64 {
+            held[row as usize * columns + column as usize].push(z);
+        }
+    }
+    let mut heights: Vec<Option<f64>> = held.iter_mut().map(|cell| median(cell)).collect();
+    fill(&mut heights, columns, rows);
+    let values = heights.into_iter().map(|height| height.map_or(f32::NAN, |z| z as f32)).collect();
+    HeightModel::new(columns, rows, values, georeference)
+}
+
+/// Gives holes the mean of the heights around them, from their edges inwards.
+fn fill(heights: &mut [Option<f64>], columns: usize, rows: usize) {
+    if heights.iter().all(Option::is_none) {
+        return;
+    }
+    while heights.iter().any(Option::is_none) {
+        let before = heights.to_vec();
+        for k in (0..before.len()).filter(|k| before[*k].is_none()) {
+            let (column, row) = (k % columns, k / columns);
+            let (left, right) = (column.saturating_sub(1), (column + 1).min(columns - 1));
+            let around = (row.saturating_sub(1)..=(row + 1).min(rows - 1)).flat_map(|r| (left..=right).map(move |c| r * columns + c));
+            let (sum, number) = around.filter_map(|at| before[at]).fold((0.0, 0.0), |(sum, n), z| (sum + z, n + 1.0));
+            heights[k] = (number > 0.0).then(|| sum / number);
+        }
+    }
+}
+
+/// A mosaic that takes one image after the other; memory is that of the mosaic and of one image.
+pub struct Mosaic {
+    images: Vec<Option<(Camera, Pose)>>,
+    heights: Heights,
+    georeference: Georeference,
+    size: [usize; 2],
+    grey: Vec<u8>,
+    /// Square of the distance in plan of the projection centre that each pixel was taken from.
+    distance: Vec<f32>,
+}
+
+impl Mosaic {
+    /// Lays out the picture of all ground that the oriented images show. `gsd`: the side of a pixel; absent: that of the images, or what makes
+    /// 100 MP.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] where no image is oriented, and for a side of a pixel that is none or makes more than 100 MP.
+    pub fn new(model: &BlockModel, heights: Heights, gsd: Option<f64>) -> Result<Self, Error> {
+        let images: Vec<Option<(Camera, Pose)>> =
+            model.images.iter().map(|image| Some((model.cameras[image.camera], image.pose?))).collect();
+        let seen: Vec<(Vec<[f64; 2]>, f64)> = (images.iter().flatten())
+            .map(|(camera, pose)| {
+                let footprint = Footprint { camera, pose, heights: &heights };
+                (footprint.border(), footprint.gsd())
+            })
+            .collect();
+        let Some(own) = median(&mut seen.iter().map(|(_, gsd)| *gsd).filter(|gsd| *gsd > 0.0).collect::<Vec<_>>()) else {
+            return refuse("block for a mosaic", "no oriented image above the ground".into(), "one or more");
+        };
+        let extent = |axis: usize| {
+            let values = seen.iter().flat_map(|(corners, _)| corners).map(|corner| corner[axis]);
+            [values.clone().fold(f64::INFINITY, f64::min), values.fold(f64::NEG_INFINITY, f64::max)]
+        };
+        let [[x0, x1], [y0, y1]] = [extent(0), extent(1)];
+        let finest = ((x1 - x0) * (y1 - y0) / MOST_PIXELS).sqrt();
+        let gsd = gsd.unwrap_or(own.max(finest));
+        if !(gsd >= finest && gsd > 0.0 && gsd.is_finite()) {
+            let allowed = format!("{finest:.4} or more, so that the mosaic has at most 100 MP");
+            return Err(Error::InvalidInput { what: "side of a pixel of the mosaic", got: gsd.to_string(), allowed });
+        }
+        let size = [x1 - x0, y1 - y0].map(|length| ((length / gsd) as usize).max(1));
+        let pixels = size[0] * size[1];
+        let georeference = Georeference::north_up([x0, y1], gsd);
+        Ok(Self { images, heights, georeference, size, grey: vec![0; pixels], distance: vec![f32::INFINITY; pixels] })
+    }
+
+    /// Adds an image of the model, by its index; one that is not oriented adds nothing.
+    ///
+    /// # Errors
+    /// [`Error::InvalidInput`] for an index that the model does not have, and for an image of another size than its camera.
+    pub fn add(&mut self, index: usize, image: GreyView<'_>) -> Result<(), Error> {
+        let Some(known) = self.images.get(index) else {
+            return refuse("image of a mosaic", format!("index {index}"), "one of the model");
+        };
+        let Some((camera, pose)) = known else { return Ok(()) };
+        if [image.width(), image.height()] != [camera.width_px, camera.height_px].map(|side| side as usize) {
+            let got = format!("{} x {} px", image.width(), image.height());
+            let allowed = format!("{} x {} px, as its camera", camera.width_px, camera.height_px);
+            return Err(Error::InvalidInput { what: "image of a mosaic", got, allowed });
+        }
+        let footprint = Footprint { camera, pose, heights: &self.heights };
+        let corners: Vec<[f64; 2]> = footprint.border().into_iter().map(|place| self.georeference.pixel(place)).collect();
+        let range = |axis: usize| {
+            let values = corners.iter().map(|corner| corner[axis]);
+            let low = values.clone().fold(f64::INFINITY, f64::min).max(0.0);
+            let high = values.fold(f64::NEG_INFINITY, f64::max).min(self.size[axis] as f64);
+            (low as usize, high.max(low) as usize)
+        };
+        let [(left, right), (top, bottom)] = [range(0), range(1)];
+        if right <= left || bottom <= top {
+            return Ok(());
+        }
+        let mut own = image.to_image();
+        let mut halvings = 0;
+        while footprint.gsd() * f64::from(2_u32 << halvings) <= self.georeference.gsd() {
+            (own, halvings) = (halve(own.view()), halvings + 1);
+        }
+        let camera = reduced(camera, halvings, &own);
+        let part = self.georeference.from(left, top);
+        let Rectified { grey, mask, .. } = rectify(own.view(), &camera, pose, &self.heights, &part, [right - left, bottom - top])?;
+        for (row, line) in (top..bottom).enumerate() {
+            for (column, at) in (left..right).enumerate() {
+                if mask.view().at(column, row) == 0 {
+                    continue;
+                }
+                let [x, y] = self.georeference.ground([at as f64 + 0.5, line as f64 + 0.5]);
+                let [dx, dy] = [x - pose.position[0], y - pose.position[1]];
+                let (distance, pixel) = ((dx * dx + dy * dy) as f32, line * self.size[0] + at);
+                if distance < self.distance[pixel] {
+                    (self.distance[pixel], self.grey[pixel]) = (distance, grey.view().at(column, row));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The mosaic of what was added.
+    ///
+    /// # Errors
+    /// None that its layout has not told.
+    pub fn finish(self) -> Result<Rectified, Error> {
+        let [width, height] = self.size;
+        let shown = self.distance.iter().map(|distance| if distance.is_finite() { 255 } else { 0 }).collect();
+        let (grey, mask) = (GreyImage::new(width, height, self.grey)?, GreyImage::new(width, height, shown)?);
+        Ok(Rectified { grey, mask, georeference: self.georeference })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{BlockFlight, BlockScene};
+
+    #[test]
+    fn a_mosaic_of_true_orientations_is_the_orthophoto() {
+        let flight = BlockFlight {
+            strips: 1,
+            exposures: 2,
+            width_px: 300,
+            height_px: 240,
+            pixel_mm: 0.1,
+            buildings: 0.0,
+            trees: 0.0,
+            ..BlockFlight::default()
+        };
+        let scene = BlockScene::new(&flight).unwrap();
+        let orthophoto = scene.orthophoto(1.0).unwrap();
+        let mut mosaic = Mosaic::new(&scene.truth(), orthophoto.heights.clone(), Some(1.0)).unwrap();
+        (0..scene.photos()).for_each(|index| mosaic.add(index, scene.photo(index).unwrap().view()).unwrap());
+        let made = mosaic.finish().unwrap();
+        // Grey values follow each other by one gain and offset.
+        let (mut n, mut sums) = (0.0, [0.0; 5]);
+        for k in 0..made.grey.data().len() {
+            let (column, row) = (k % made.grey.width(), k / made.grey.width());
+            let at = orthophoto.georeference.pixel(made.georeference.ground([column as f64 + 0.5, row as f64 + 0.5]));
+            if made.mask.data()[k] == 255 && orthophoto.shows(at) {
+                let (a, b) = (f64::from(made.grey.data()[k]), f64::from(orthophoto.grey.view().at(at[0] as usize, at[1] as usize)));
+                n += 1.0;
+                [a, b, a * a, b * b, a * b].iter().zip(&mut sums).for_each(|(v, sum)| *sum += v);
+            }
+        }
+        let [a, b, aa, bb, ab] = sums.map(|sum| sum / n);
+        let correlation = (ab - a * b) / ((aa - a * a) * (bb - b * b)).sqrt();
+        assert!(n > 50_000.0 && correlation > 0.85, "{n} px, correlation {correlation}");
+    }
+
+    #[test]
+    fn heights_of_points_fill_their_holes() {
+        let mut model = crate::model::tiny_block();
+        let template = model.points[0].clone();
+        model.points = (0..400)
+            .map(|k| (f64::from(k % 20) * 5.0, f64::from(k / 20) * 5.0))
+            .filter(|(x, y)| (x - 50.0).abs() > 12.0 || (y - 50.0).abs() > 12.0)
+            .map(|(x, y)| crate::ObjectPoint { position: Some([x, y, 0.1 * x]), ..template.clone() })
+            .collect();
+        let heights = heights_of_points(&model).unwrap();
+        for (x, y) in [(20.0, 20.0), (50.0, 50.0), (80.0, 30.0)] {
+            let z = heights.at([x, y]).unwrap();
+            assert!((z - 0.1 * x).abs() < 1.5, "{z} at {x} {y}");
+        }
+        model.points.truncate(5);
+        assert!(heights_of_points(&model).is_err());
+    }
+}

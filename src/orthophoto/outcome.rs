@@ -1,0 +1,131 @@
+//! What comes of placing an image: its orientation in the system of the orthophoto, and what that is worth.
+
+use crate::message::messages;
+use crate::{Camera, Failure, Pose};
+use serde::{Deserialize, Serialize};
+
+messages! {
+    /// Why an image has no place on an orthophoto.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum NotPlaced as "not_placed" {
+        /// Of the matches too few agree on any place: chance alone would do as well.
+        NoCommonPlace { matches: usize, agreeing: usize },
+        /// Points agree on a place, and no orientation of the image sees them where they are.
+        NoOrientation { points: usize },
+        /// With the orientation that was found, links that should lie where it says lie anywhere.
+        NotConfirmed { links: usize, agreeing: usize },
+        /// The adjustment has no result.
+        Failed { failure: Failure },
+    }
+}
+
+messages! {
+    /// What speaks against the orientation of an image on an orthophoto.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PlacingWeakness as "placing_weakness" {
+        FewLinks { links: usize, needed: usize },
+        /// Links lie in too small a part of the image.
+        Coverage { share: f64, needed: f64 },
+        /// The links that took no part contradict the orientation.
+        Checks { beyond: usize, checks: usize },
+        /// The height above ground is hardly known, for want of a camera.
+        Height { height_m: f64, half_width_m: f64 },
+        /// Links disagree far more than those of good pictures do.
+        Noise { sigma0_px: f64, usual_px: f64 },
+    }
+}
+
+messages! {
+    /// What the place of an image on an orthophoto is worth.
+    #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+    #[serde(tag = "kind", rename_all = "snake_case")]
+    #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+    pub enum PlacingVerdict as "placing_verdict" {
+        /// `half_width_m`: of the 95 % interval of the projection centre, the largest of the three.
+        Placed { links: usize, sigma0_px: f64, half_width_m: f64 },
+        Weak { links: usize, placing_weakness: PlacingWeakness },
+        NotPlaced { not_placed: NotPlaced },
+    }
+}
+
+/// What a link is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum LinkUse {
+    /// It took part.
+    Used,
+    /// Its residual is a gross error.
+    Rejected,
+    /// It took no part, and checks the orientation.
+    Check,
+}
+
+/// A point of the image and the place that the orthophoto has for it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Link {
+    /// Column and row in px; the centre of the top-left pixel is (0.5, 0.5).
+    pub at: [f64; 2],
+    /// In the system of the orthophoto; the height that of the height model.
+    pub place: [f64; 3],
+    /// Observed minus computed column and row in px.
+    pub residual_px: [f64; 2],
+    pub role: LinkUse,
+}
+
+/// What the links say that took no part.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct LinkChecks {
+    pub number: usize,
+    /// So many are as far off as gross errors are.
+    pub beyond: usize,
+    /// Root mean square length of the residuals of the others, in px of the image.
+    pub rmse_px: f64,
+    /// The same on the ground.
+    pub rmse_m: f64,
+}
+
+/// The orientation of an image in the system of an orthophoto.
+///
+/// Standard errors count what the links, the height model and the camera do not tell; an error that all places of the orthophoto share is in
+/// none of them.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct Placement {
+    pub camera: Camera,
+    /// Of f, c_x, c_y in px, k₁, k₂, k₃, p₁, p₂; absent for what was not estimated.
+    pub camera_errors: [Option<f64>; 8],
+    pub pose: Pose,
+    /// ω, φ, κ.
+    pub angles_deg: [f64; 3],
+    pub angle_errors_deg: Option<[f64; 3]>,
+    pub position_errors_m: Option<[f64; 3]>,
+    pub above_ground_m: f64,
+    /// Side of a pixel on the ground, in the mean of the image.
+    pub gsd_m: f64,
+    /// Where the border of the image meets level ground, from its top-left corner on to the right.
+    pub footprint: Vec<[f64; 2]>,
+    /// Standard error of a coordinate of the image.
+    pub sigma0_px: Option<f64>,
+    pub rmse_px: f64,
+    pub degrees_of_freedom: usize,
+    /// Share of the cells of the image that hold a link.
+    pub coverage: f64,
+    pub links: Vec<Link>,
+    pub checks: Option<LinkChecks>,
+}
+
+/// An image with its verdict.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct PlacedImage {
+    pub verdict: PlacingVerdict,
+    /// Absent where there is none.
+    pub placement: Option<Placement>,
+}

@@ -1,0 +1,402 @@
+//! The place of an image on an orthophoto, from nothing but both pictures: a first place, an orientation, links, the adjustment, a verdict.
+
+use super::adjusting::{PlaceErrors, PlacingCamera, adjusted};
+use super::first_place::first_place;
+use super::heights::Heights;
+use super::links::{Found, Over, Search, halvings};
+use super::options::PlacingOptions;
+use super::outcome::{Link, LinkChecks, LinkUse, NotPlaced, PlacedImage, Placement, PlacingVerdict};
+use super::precision::{TotalErrors, total_errors};
+use super::rectify::Seen;
+use super::reference::{Orthophoto, enlarge};
+use super::verdict::verdict;
+use crate::reconstruction::resect_image;
+use crate::two_view::Support;
+use crate::{
+    AdjustmentResult, Camera, CameraUncertainty, Error, Failure, Feature, FeatureOptions, GreyView, MultiscaleOptions, ObservationVerdict,
+    Pose, features, reduce_to,
+};
+
+/// Longest side of the pictures in which a first place is sought, in px.
+const SEARCHED_PX: usize = 4000;
+/// The orthophoto has so many times the points of an image.
+const POINTS_OF_GROUND: usize = 4;
+/// Points agree on a first orientation within this share of the longer side of the image.
+const FIRST_SHARE: f64 = 0.03;
+/// Points that agree on it, at least.
+const LEAST_POINTS: usize = 6;
+/// Focal lengths in units of the assumed one that are tried where the camera is unknown.
+const FOCAL_FACTORS: [f64; 5] = [1.0, 0.7, 1.4, 0.5, 2.0];
+/// Coarse links, then fine ones.
+const COARSE: Search = Search { radius_px: 25.0, longest_px: 1200.0, refines: false };
+const FINE: Search = Search { radius_px: 4.0, longest_px: 4000.0, refines: true };
+/// Coarse links within this of where the adjusted orientation has them agree with it, in px of the resampled image.
+const AGREEING_PX: f64 = 4.0;
+/// Natural logarithm of how often chance would agree as well, at most.
+const MOST_FALSE_ALARMS: f64 = -30.0;
+/// Links with which an image can be adjusted.
+const LEAST_LINKS: usize = 10;
+/// Residuals of check links beyond so many standard errors are gross errors.
+const GROSS: f64 = 3.29;
+
+/// The features of an orthophoto among which images are sought: of all of it, or of what lies near a place.
+#[derive(Debug, Clone)]
+pub struct SearchArea {
+    features: Vec<Feature>,
+    area_px2: f64,
+}
+
+impl SearchArea {
+    /// Finds them; they serve all images that are placed with the same options.
+    ///
+    /// # Errors
+    /// [`Error::InvalidOption`]; [`Error::InvalidInput`] for a place beside the orthophoto, or without one of its coordinates.
+    pub fn new(reference: &Orthophoto, options: &PlacingOptions) -> Result<Self, Error> {
+        options.check_ranges()?;
+        let size = [reference.grey.width(), reference.grey.height()];
+        let (first, size) = match (options.near_x, options.near_y) {
+            (None, None) => ([0, 0], size),
+            (Some(x), Some(y)) => near(reference, [x, y], options.within_m)?,
+            _ => return crate::error::refuse("place near an image", "one coordinate".into(), "near_x and near_y, or neither"),
+        };
+        let mut down = 0;
+        while size[0].max(size[1]) >> down > SEARCHED_PX {
+            down += 1;
+        }
+        let options = of_number(POINTS_OF_GROUND * options.points);
+        let mut features = reference.features(first, size, down, &options)?;
+        features.retain(|feature| reference.shows([feature.point.x, feature.point.y]));
+        Ok(Self { features, area_px2: size[0] as f64 * size[1] as f64 })
+    }
+
+    /// How many there are.
+    pub fn points(&self) -> usize {
+        self.features.len()
+    }
+}
+
+/// The part of an orthophoto within a distance of a place.
+fn near(reference: &Orthophoto, place: [f64; 2], within: f64) -> Result<([usize; 2], [usize; 2]), Error> {
+    let at = reference.georeference.pixel(place);
+    let reach = within / reference.georeference.gsd();
+    let size = [reference.grey.width(), reference.grey.height()].map(|side| side as f64);
+    let low = [0, 1].map(|k| (at[k] - reach).max(0.0));
+    let high = [0, 1].map(|k| (at[k] + reach).min(size[k]));
+    if !(0..2).all(|k| high[k] - low[k] >= 16.0) {
+        let corners = [[0.0, 0.0], size].map(|corner| reference.georeference.ground(corner));
+        let allowed = format!("within {within} m of the orthophoto, whose corners are at {:?} and {:?}", corners[0], corners[1]);
+        return Err(Error::InvalidInput { what: "place near an image", got: format!("{place:?}"), allowed });
+    }
+    Ok((low.map(|v| v as usize), [0, 1].map(|k| (high[k] - low[k]) as usize)))
+}
+
+fn of_number(number: usize) -> FeatureOptions {
+    FeatureOptions { multiscale: MultiscaleOptions { number, ..MultiscaleOptions::default() }, ..FeatureOptions::default() }
+}
+
+/// Places an image on an orthophoto: its orientation in the system of the orthophoto, with standard errors and a verdict.
+///
+/// Lengths are those of the map, heights in the same unit.
+///
+/// # Errors
+/// [`Error::InvalidOption`]; [`Error::InvalidInput`] for a camera of another size than the image. That an image has no place is no error: the
+/// verdict says so.
+///
+/// # Source
+/// Resection by collinearity: Kraus 2007, Photogrammetry, 4.2.1; the places come from gradient descriptors, then least squares matching
+/// between the orthophoto and the image resampled to the ground.
+pub fn place_image(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<PlacedImage, Error> {
+    options.check_ranges()?;
+    known.camera.check(|| "camera of the image".into())?;
+    let size = [known.camera.width_px, known.camera.height_px].map(|side| side as usize);
+    if size != [image.width(), image.height()] {
+        let allowed = format!("{} x {} px, as the image", image.width(), image.height());
+        return Err(Error::InvalidInput { what: "camera of the image", got: format!("{} x {} px", size[0], size[1]), allowed });
+    }
+    match placed(image, known, reference, area, options)? {
+        Ok(placement) => Ok(PlacedImage { verdict: verdict(&placement), placement: Some(placement) }),
+        Err(not_placed) => Ok(PlacedImage { verdict: PlacingVerdict::NotPlaced { not_placed }, placement: None }),
+    }
+}
+
+fn placed(
+    image: GreyView<'_>,
+    known: &PlacingCamera,
+    reference: &Orthophoto,
+    area: &SearchArea,
+    options: &PlacingOptions,
+) -> Result<Result<Placement, NotPlaced>, Error> {
+    let reduced = reduce_to(image, SEARCHED_PX);
+    let mut own = features(reduced.image.view(), None, &of_number(options.points))?;
+    let factor = f64::from(1_u32 << reduced.halvings);
+    own.iter_mut().for_each(|feature| enlarge(&mut feature.point, factor));
+    let longer_px = image.width().max(image.height()) as f64;
+    let matches = match first_place(&own, &area.features, longer_px, area.area_px2) {
+        Ok(matches) => matches,
+        Err(refused) => return Ok(Err(refused)),
+    };
+    // Coordinates of maps are large: everything is computed about a place in the middle of the matches.
+    let on_ground = |m: &crate::DescriptorMatch| {
+        let point = &area.features[m.right].point;
+        reference.georeference.ground([point.x, point.y])
+    };
+    let first = on_ground(&matches[matches.len() / 2]).map(f64::round);
+    let (georeference, heights) = reference.about(first);
+    let seen: Vec<([f64; 2], [f64; 3])> = (matches.iter())
+        .filter_map(|m| {
+            let [x, y] = on_ground(m);
+            let place = [x - first[0], y - first[1]];
+            Some(([own[m.left].point.x, own[m.left].point.y], [place[0], place[1], heights.at(place)?]))
+        })
+        .collect();
+    let Some((camera, pose)) = first_orientation(&seen, known, longer_px, options.seed) else {
+        return Ok(Err(NotPlaced::NoOrientation { points: seen.len() }));
+    };
+    let levels = halvings(&image.to_image());
+    let mut over = Over { image: &levels, camera, pose, reference, georeference, heights: &heights };
+    let has_model = matches!(heights, Heights::Model(_));
+    let errors = PlaceErrors::new(options, georeference.gsd(), has_model);
+    let features = of_number(options.points);
+    if let Err(refused) = coarse(&mut over, known, errors, &features)? {
+        return Ok(Err(refused));
+    }
+    fine(&mut over, known, errors, &features, options).map(|fine| fine.map(|placement| moved(placement, first)))
+}
+
+/// The camera and orientation on which most points agree; of an unknown camera by one of several focal lengths.
+fn first_orientation(seen: &[([f64; 2], [f64; 3])], known: &PlacingCamera, longer_px: f64, seed: u32) -> Option<(Camera, Pose)> {
+    let is_unknown = known.uncertainty.focal >= CameraUncertainty::ASSUMED.focal;
+    let factors = if is_unknown { &FOCAL_FACTORS[..] } else { &FOCAL_FACTORS[..1] };
+    let tried = factors.iter().filter_map(|factor| {
+        let camera = Camera { focal_px: factor * known.camera.focal_px, ..known.camera };
+        let (pose, agreeing) = resect_image(&camera, seen, FIRST_SHARE * longer_px, LEAST_POINTS, seed).ok()?;
+        Some((agreeing, camera, pose))
+    });
+    // Of equals the first, which is the most usual.
+    tried
+        .fold(None, |best: Option<(usize, Camera, Pose)>, next| if best.is_none_or(|(most, ..)| next.0 > most) { Some(next) } else { best })
+        .map(|(_, camera, pose)| (camera, pose))
+}
+
+/// Links over a coarse picture orient the image better, and say whether it is there at all.
+fn coarse(
+    over: &mut Over<'_>,
+    known: &PlacingCamera,
+    errors: PlaceErrors,
+    features: &FeatureOptions,
+) -> Result<Result<(), NotPlaced>, Error> {
+    let links = over.links(&COARSE, features)?;
+    let refused = |agreeing: usize| Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing }));
+    if links.len() < LEAST_LINKS {
+        return refused(0);
+    }
+    let result = match adjusted(&links, known, (over.camera, over.pose), errors) {
+        Ok(result) => result,
+        Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
+    };
+    let seen = Seen::new(&result.block.cameras[0], &result.block.images[0].pose);
+    // In px of the picture in which they were sought: 'agreeing' there is a share of the radius.
+    let [width, height] = [over.camera.width_px, over.camera.height_px].map(f64::from);
+    let unit = (width.max(height) / COARSE.longest_px).max(1.0);
+    let off = |link: &Found| seen.at(&link.place).map_or(f64::INFINITY, |at| libm::hypot(at[0] - link.at[0], at[1] - link.at[1]));
+    let agreeing = links.iter().filter(|link| off(link) <= AGREEING_PX * unit).count();
+    let chance = AGREEING_PX / COARSE.radius_px * (AGREEING_PX / COARSE.radius_px);
+    let support = Support { count: links.len(), agreeing, sample: 3, models: 4, chance };
+    if agreeing < LEAST_LINKS || !(support.log_false_alarms() < MOST_FALSE_ALARMS) {
+        return refused(agreeing);
+    }
+    (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
+    Ok(Ok(()))
+}
+
+/// Links over the finest picture that both have, the adjustment by most of them and what the others say of it.
+fn fine(
+    over: &mut Over<'_>,
+    known: &PlacingCamera,
+    errors: PlaceErrors,
+    features: &FeatureOptions,
+    options: &PlacingOptions,
+) -> Result<Result<Placement, NotPlaced>, Error> {
+    let links = over.links(&FINE, features)?;
+    let is_check = checks(links.len(), options.check_share);
+    let used: Vec<Found> = links.iter().zip(&is_check).filter(|(_, check)| !**check).map(|(link, _)| *link).collect();
+    if used.len() < LEAST_LINKS {
+        return Ok(Err(NotPlaced::NotConfirmed { links: links.len(), agreeing: used.len() }));
+    }
+    let result = match adjusted(&used, known, (over.camera, over.pose), errors) {
+        Ok(result) => result,
+        Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
+    };
+    (over.camera, over.pose) = (result.block.cameras[0], result.block.images[0].pose);
+    Ok(Ok(placement(over, &links, &is_check, &result, &total_errors(&result, known))))
+}
+
+/// Which of so many links check: evenly among them.
+fn checks(links: usize, share: f64) -> Vec<bool> {
+    (0..links).map(|k| ((k + 1) as f64 * share).floor() > (k as f64 * share).floor()).collect()
+}
+
+fn placement(over: &Over<'_>, links: &[Found], is_check: &[bool], result: &AdjustmentResult, errors: &TotalErrors) -> Placement {
+    let (camera, pose) = (over.camera, over.pose);
+    let seen = Seen::new(&camera, &pose);
+    let mut rays = result.rays.iter();
+    let linked = links.iter().zip(is_check).map(|(link, is_check)| {
+        let to_place = || seen.at(&link.place).map_or([f64::NAN; 2], |at| [link.at[0] - at[0], link.at[1] - at[1]]);
+        let ray = if *is_check { None } else { rays.next() };
+        let role = match ray.map(|ray| ray.verdict) {
+            None => LinkUse::Check,
+            Some(ObservationVerdict::Accepted) => LinkUse::Used,
+            Some(_) => LinkUse::Rejected,
+        };
+        Link { at: link.at, place: link.place, residual_px: to_place(), role }
+    });
+    let links: Vec<Link> = linked.filter(|link| link.residual_px.iter().all(|v| v.is_finite())).collect();
+    let gsd_m = over.footprint().gsd();
+    Placement {
+        camera,
+        camera_errors: errors.camera,
+        pose,
+        angles_deg: pose.angles().map(f64::to_degrees),
+        angle_errors_deg: errors.angles_deg,
+        position_errors_m: errors.position,
+        above_ground_m: over.footprint().above_ground(),
+        gsd_m,
+        footprint: over.footprint().border(),
+        sigma0_px: result.sigma0_px,
+        rmse_px: rms(links.iter().filter(|link| link.role == LinkUse::Used)),
+        degrees_of_freedom: result.degrees_of_freedom,
+        coverage: coverage(&camera, &links),
+        checks: check(&links, gsd_m),
+        links,
+    }
+}
+
+/// Root mean square length of residuals.
+fn rms<'a>(links: impl Iterator<Item = &'a Link>) -> f64 {
+    let (sum, number) = links.fold((0.0, 0_usize), |(sum, n), link| {
+        let [x, y] = link.residual_px;
+        (sum + x * x + y * y, n + 1)
+    });
+    if number == 0 { 0.0 } else { (sum / number as f64).sqrt() }
+}
+
+/// What the links say that took no part, those as far off as the used ones never are left apart.
+fn check(links: &[Link], gsd_m: f64) -> Option<LinkChecks> {
+    let number = links.iter().filter(|link| link.role == LinkUse::Check).count();
+    let limit = GROSS * rms(links.iter().filter(|link| link.role == LinkUse::Used));
+    let within = |link: &&Link| link.role == LinkUse::Check && libm::hypot(link.residual_px[0], link.residual_px[1]) <= limit;
+    let rmse_px = rms(links.iter().filter(within));
+    let beyond = number - links.iter().filter(within).count();
+    (number > 0).then_some(LinkChecks { number, beyond, rmse_px, rmse_m: rmse_px * gsd_m })
+}
+
+/// Cells of the image in which links are counted, on its longer side.
+const CELLS: f64 = 8.0;
+
+/// Share of the cells of the image that hold a used link.
+fn coverage(camera: &Camera, links: &[Link]) -> f64 {
+    let [width, height] = [camera.width_px, camera.height_px].map(f64::from);
+    let side = width.max(height) / CELLS;
+    let [columns, rows] = [width, height].map(|length| (length / side).ceil().max(1.0) as usize);
+    let mut held = vec![false; columns * rows];
+    for link in links.iter().filter(|link| link.role == LinkUse::Used) {
+        let [column, row] = link.at.map(|v| (v / side) as usize);
+        held[row.min(rows - 1) * columns + column.min(columns - 1)] = true;
+    }
+    held.iter().filter(|held| **held).count() as f64 / held.len() as f64
+}
+
+/// The placement in the system of the orthophoto itself.
+fn moved(mut placement: Placement, by: [f64; 2]) -> Placement {
+    let plan = |place: &mut [f64]| (0..2).for_each(|k| place[k] += by[k]);
+    plan(&mut placement.pose.position);
+    placement.footprint.iter_mut().for_each(|corner| plan(corner));
+    placement.links.iter_mut().for_each(|link| plan(&mut link.place));
+    placement
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{BlockFlight, BlockScene, GreyImage};
+
+    const CALIBRATED: CameraUncertainty = CameraUncertainty { focal: 0.0, principal_point: 0.0, k1: 0.0 };
+
+    fn scene(seed: u32) -> BlockScene {
+        let flight = BlockFlight {
+            strips: 1,
+            exposures: 1,
+            width_px: 480,
+            height_px: 360,
+            pixel_mm: 0.075,
+            relief_m: 40.0,
+            seed,
+            ..BlockFlight::default()
+        };
+        BlockScene::new(&flight).unwrap()
+    }
+
+    fn options() -> PlacingOptions {
+        PlacingOptions { points: 3000, ..PlacingOptions::default() }
+    }
+
+    fn placed(scene: &BlockScene, reference: &Orthophoto, options: &PlacingOptions) -> Result<PlacedImage, Error> {
+        let known = PlacingCamera { camera: scene.truth().cameras[0], uncertainty: CALIBRATED };
+        place_image(scene.photo(0)?.view(), &known, reference, &SearchArea::new(reference, options)?, options)
+    }
+
+    #[test]
+    fn a_photo_is_placed_where_it_was_taken_and_a_stranger_is_not() {
+        let (own, other) = (scene(3), scene(4));
+        let orthophoto = own.orthophoto(0.8).unwrap();
+        // Far from the origin, as maps are.
+        let (georeference, heights) = orthophoto.about([-3.5e5, -5.8e6]);
+        let reference = Orthophoto::new(orthophoto.grey.clone(), georeference, heights).unwrap();
+        let found = placed(&own, &reference, &options()).unwrap();
+        assert!(matches!(found.verdict, PlacingVerdict::Placed { .. }), "{}", found.verdict);
+        let (placement, truth) = (found.placement.unwrap(), own.truth().images[0].pose.unwrap());
+        let errors = placement.position_errors_m.unwrap();
+        for (k, shift) in [3.5e5, 5.8e6, 0.0].into_iter().enumerate() {
+            let off = placement.pose.position[k] - shift - truth.position[k];
+            assert!(off.abs() < 4.0 * errors[k] && off.abs() < 1.0, "{off} ± {} along axis {k}", errors[k]);
+        }
+        assert!(placement.checks.is_some_and(|checks| checks.rmse_px < 0.5 && checks.number > 50), "{:?}", placement.checks);
+        let picture = super::super::rectify_placed(own.photo(0).unwrap().view(), &placement, &reference).unwrap();
+        assert!(picture.mask.data().iter().filter(|v| **v == 255).count() > 100_000);
+
+        let stranger = placed(&other, &reference, &options()).unwrap();
+        assert!(matches!(stranger.verdict, PlacingVerdict::NotPlaced { .. }), "{}", stranger.verdict);
+        let near = PlacingOptions { near_x: Some(3.5e5), near_y: Some(5.8e6), within_m: 400.0, ..options() };
+        assert!(matches!(placed(&own, &reference, &near).unwrap().verdict, PlacingVerdict::Placed { .. }));
+        let beside = PlacingOptions { near_x: Some(0.0), near_y: Some(0.0), ..options() };
+        assert!(placed(&own, &reference, &beside).unwrap_err().to_string().contains("place near an image"));
+        assert!(placed(&own, &reference, &PlacingOptions { near_y: None, ..near }).is_err());
+    }
+
+    #[test]
+    fn what_shows_nothing_in_common_has_no_place() {
+        let reference = scene(3).orthophoto(0.8).unwrap();
+        let area = SearchArea::new(&reference, &options()).unwrap();
+        let blank = GreyImage::from_fn(300, 200, |_, _| 128).unwrap();
+        let noise = GreyImage::from_fn(300, 200, |c, r| ((c * 7919 + r * 104_729) % 251) as u8).unwrap();
+        let known = PlacingCamera { camera: Camera::without_distortion(300, 200, 300.0), uncertainty: CameraUncertainty::ASSUMED };
+        for image in [&blank, &noise] {
+            let found = place_image(image.view(), &known, &reference, &area, &options()).unwrap();
+            assert!(matches!(found.verdict, PlacingVerdict::NotPlaced { .. }) && found.placement.is_none(), "{}", found.verdict);
+        }
+        let other = PlacingCamera { camera: Camera::without_distortion(200, 300, 300.0), ..known };
+        assert!(place_image(blank.view(), &other, &reference, &area, &options()).unwrap_err().to_string().contains("300 x 200"));
+    }
+
+    #[test]
+    fn check_links_are_spread_evenly() {
+        assert_eq!(checks(10, 0.2).iter().filter(|check| **check).count(), 2);
+        assert_eq!((checks(7, 0.0).contains(&true), checks(8, 0.5).iter().filter(|check| **check).count()), (false, 4));
+    }
+}

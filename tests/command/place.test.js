@@ -1,0 +1,96 @@
+import assert from 'node:assert/strict';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { test } from 'node:test';
+import { Photo } from '../../pkg/node.js';
+import { file, folder, json, tiepoint } from './command.js';
+
+const FLIGHT = ['--strips', '1', '--exposures', '2', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075', '--relief-m', '40'];
+
+/** @param {string} seed */
+function flown(seed) {
+  const at = folder();
+  const { photos, orthophoto } = json('simulate', '--block', '--out', at, ...FLIGHT, '--seed', seed, '--orthophoto', '0.8');
+  assert.deepEqual(orthophoto, [join(at, 'orthophoto.tif'), join(at, 'heights.tif')]);
+  return { at, photos, truth: JSON.parse(readFileSync(join(at, 'truth.json'), 'utf8')).block };
+}
+
+const OWN = flown('3');
+const GROUND = ['--orthophoto', join(OWN.at, 'orthophoto.tif'), '--heights', join(OWN.at, 'heights.tif'), '--points', '3000'];
+
+test('photos are placed on the orthophoto of their scene, and their pictures lie on it', () => {
+  const out = folder();
+  const result = json('place', ...OWN.photos, ...GROUND, '--out', out, '--rectified');
+  assert.equal(result.images.length, 2);
+  for (const [index, { name, verdict, placement }] of result.images.entries()) {
+    assert.equal(verdict.kind, 'placed', JSON.stringify(verdict));
+    const { position } = OWN.truth.images[index].pose;
+    assert.equal(name, OWN.truth.images[index].name);
+    for (const [axis, value] of position.entries()) {
+      const off = placement.pose.position[axis] - value;
+      // Cameras of EXIF: the height carries the error of the focal length.
+      assert.ok(Math.abs(off) < 4 * placement.position_errors_m[axis] && Math.abs(off) < (axis === 2 ? 20 : 2), `${off} along axis ${axis}`);
+    }
+    // What was written is an orthophoto itself, on which the photo is placed again.
+    const picture = join(out, name.replace('.png', '.tif'));
+    assert.ok(Photo.decode(readFileSync(picture)).width > 300);
+    const again = json('place', OWN.photos[index], '--orthophoto', picture, '--heights', join(OWN.at, 'heights.tif'), '--points', '3000');
+    assert.equal(again.images[0].verdict.kind, 'placed', JSON.stringify(again.images[0].verdict));
+  }
+  const [head = '', ...rows] = readFileSync(join(out, 'placed.csv'), 'utf8').trim().split('\n');
+  assert.ok(head.startsWith('name,verdict,x,y,z,omega_deg') && rows.length === 2, head);
+  const links = readFileSync(join(out, 'links.csv'), 'utf8').trim().split('\n');
+  assert.equal(
+    links.length - 1,
+    result.images.reduce((/** @type {number} */ sum, /** @type {any} */ image) => sum + image.placement.links.length, 0),
+  );
+  assert.deepEqual(JSON.parse(readFileSync(join(out, 'result.json'), 'utf8')), result);
+});
+
+test('a photo of elsewhere is not placed, and the exit code says so', () => {
+  const other = flown('4');
+  const { code, stdout, stderr } = tiepoint('place', other.photos[0], OWN.photos[0], ...GROUND);
+  assert.equal(code, 4, stderr);
+  assert.match(stdout, /photo_00000\.png: Not placed: .+/);
+  assert.match(stdout, /photo_00000\.png: Placed by \d+ points, σ0 0\.\d+ px; projection centre ± /);
+});
+
+test('an orthophoto without a place, one in degrees and other bad input are refused with what to give', () => {
+  const at = folder();
+  const [photo = ''] = OWN.photos;
+  const refused = (/** @type {string[]} */ ...args) => {
+    const { code, stdout, stderr } = tiepoint('place', ...args);
+    assert.equal(stdout, '');
+    return `${code} ${stderr}`;
+  };
+  assert.match(refused(photo), /^2 .*--orthophoto is missing/);
+  assert.match(refused('--orthophoto', join(OWN.at, 'orthophoto.tif')), /^2 .*name the images/);
+  assert.match(refused(photo, '--orthophoto', photo), /^1 .*does not say where it lies.*world file/);
+  assert.match(refused(photo, ...GROUND, '--level', '3'), /^2 .*--heights and --level/);
+  assert.match(refused(photo, ...GROUND, '--rectified'), /^2 .*--rectified needs --out/);
+  assert.match(refused(photo, ...GROUND, '--near-x', '3'), /near_x and near_y|--near-x/);
+  const grid = file(at, 'heights.asc', 'ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2 3 4 5 6\n');
+  assert.match(refused(photo, '--orthophoto', join(OWN.at, 'orthophoto.tif'), '--heights', grid), /^1 .*heights\.asc.*no cellsize/);
+  const bytes = readFileSync(join(OWN.at, 'orthophoto.tif'));
+  const cut = join(at, 'cut.tif');
+  writeFileSync(cut, bytes.subarray(0, bytes.length / 2));
+  assert.match(refused(photo, '--orthophoto', cut), /^1 .*cut\.tif/);
+  const world = file(at, 'a.pgw', '0.5\n0\n0\n');
+  writeFileSync(join(at, 'a.png'), readFileSync(photo));
+  assert.match(refused(photo, '--orthophoto', join(at, 'a.png')), /^1 .*world file/, world);
+});
+
+test('a block becomes an orthomosaic, on which its photos are placed again', () => {
+  const block = folder();
+  json('simulate', '--block', '--out', block, '--strips', '1', '--exposures', '3', '--width-px', '480', '--height-px', '360', '--pixel-mm', '0.075');
+  const run = json('block', join(block, 'photos'), '--out', join(block, 'out'), '--features', '3000');
+  assert.ok(run.orientation.oriented >= 2, JSON.stringify(run.verdict));
+  const picture = join(block, 'mosaic.tif');
+  const { code, stdout, stderr } = tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), join(block, 'photos'), '--out', picture);
+  assert.equal(`${code} ${stderr}`, '0 ');
+  assert.match(stdout, /written: .*mosaic\.tif/);
+  const placed = json('place', join(block, 'photos', 'photo_00001.png'), '--orthophoto', picture, '--level', '0', '--points', '3000');
+  assert.notEqual(placed.images[0].verdict.kind, 'not_placed', JSON.stringify(placed.images[0].verdict));
+  assert.match(tiepoint('mosaic', join(block, 'out', 'project.tiepoint'), folder(), '--out', picture).stderr, /none of the images/);
+  assert.match(tiepoint('mosaic', join(OWN.at, 'truth.json'), OWN.at, '--out', picture).stderr, /truth\.json/);
+});
