@@ -25,6 +25,16 @@ var BlockScene = class {
 		return this;
 	}
 	/**
+	* The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
+	* @param {number} gsd_m
+	* @returns {{ picture: Uint8Array; heights: Uint8Array }}
+	*/
+	orthophoto(gsd_m) {
+		const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
 	* Takes a photo.
 	* @param {number} index
 	* @returns {SampleImage}
@@ -211,6 +221,204 @@ var FinishedBlock = class FinishedBlock {
 	}
 };
 if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+/**
+* A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
+* `free` when it is no longer needed.
+*/
+var OrthoMosaic = class OrthoMosaic {
+	static __wrap(ptr) {
+		const obj = Object.create(OrthoMosaic.prototype);
+		obj.__wbg_ptr = ptr;
+		OrthoMosaicFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		OrthoMosaicFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_orthomosaic_free(ptr, 0);
+	}
+	/**
+	* Adds an image, by its index; one that is not oriented adds nothing.
+	* @param {number} index
+	* @param {Uint8Array | number[]} file
+	*/
+	add(index, file) {
+		const val2 = +index;
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* The mosaic, grey, as GeoTIFF.
+	* @returns {Uint8Array}
+	*/
+	finish() {
+		const ptr = this.__destroy_into_raw();
+		const ret = wasm.orthomosaic_finish(ptr);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v1;
+	}
+	/**
+	* The names of the block's images.
+	* @returns {string[]}
+	*/
+	get names() {
+		const ret = wasm.orthomosaic_names(this.__wbg_ptr);
+		var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+		wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+		return v1;
+	}
+	/**
+	* Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
+	* pixel; absent: that of the images.
+	* @param {Uint8Array | number[]} project
+	* @param {number | Uint8Array | null} heights
+	* @param {string | null} [heights_world_file]
+	* @param {number | null} [gsd]
+	* @returns {OrthoMosaic}
+	*/
+	static open(project, heights, heights_world_file, gsd) {
+		const val3 = +(isLikeNone(gsd) ? 0 : gsd);
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return OrthoMosaic.__wrap(ret[0]);
+	}
+};
+if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
+/**
+* An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
+*/
+var OrthophotoReference = class OrthophotoReference {
+	static __wrap(ptr) {
+		const obj = Object.create(OrthophotoReference.prototype);
+		obj.__wbg_ptr = ptr;
+		OrthophotoReferenceFinalization.register(obj, obj.__wbg_ptr, obj);
+		return obj;
+	}
+	__destroy_into_raw() {
+		const ptr = this.__wbg_ptr;
+		this.__wbg_ptr = 0;
+		OrthophotoReferenceFinalization.unregister(this);
+		return ptr;
+	}
+	free() {
+		const ptr = this.__destroy_into_raw();
+		wasm.__wbg_orthophotoreference_free(ptr, 0);
+	}
+	/**
+	* Size, place and heights.
+	* @returns {OrthophotoInfo}
+	*/
+	info() {
+		return wasm.orthophotoreference_info(this.__wbg_ptr);
+	}
+	/**
+	* Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
+	* @param {Uint8Array | number[]} file
+	* @param {string | null} [world_file]
+	* @returns {OrthophotoReference}
+	*/
+	static open(file, world_file) {
+		let ptr0, len0, ptr1, len1;
+		try {
+			ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len1 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return OrthophotoReference.__wrap(ret[0]);
+	}
+	/**
+	* Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
+	* of its EXIF and XMP, or a usual one.
+	* @param {string} name
+	* @param {Uint8Array | number[]} file
+	* @param {string | null} [cameras]
+	* @returns {PlacedImage}
+	*/
+	place(name, file, cameras) {
+		let ptr0, len0, ptr1, len1, ptr2, len2;
+		try {
+			ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len0 = WASM_VECTOR_LEN;
+			ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			len1 = WASM_VECTOR_LEN;
+			ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			len2 = WASM_VECTOR_LEN;
+		} catch (e) {
+			if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+			if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+			if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+			throw e;
+		}
+		const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return takeFromExternrefTable0(ret[0]);
+	}
+	/**
+	* A placed image resampled to the ground, grey, as GeoTIFF.
+	* @param {Uint8Array | number[]} file
+	* @param {Placement} placement
+	* @returns {Uint8Array}
+	*/
+	rectified(file, placement) {
+		const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+		const len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+		if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+		var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+		wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+		return v2;
+	}
+	/**
+	* How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
+	* gives how many they are.
+	* @param {Given<PlacingOptions>} options
+	* @returns {number}
+	*/
+	search(options) {
+		const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
+		if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+		return ret[0] >>> 0;
+	}
+	/**
+	* The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+	* @param {number | Uint8Array} heights
+	* @param {string | null} [world_file]
+	*/
+	set_heights(heights, world_file) {
+		var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+		var len0 = WASM_VECTOR_LEN;
+		const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+		if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+	}
+};
+if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
 /**
 * A grey image in wasm memory. Call `free` when it is no longer needed.
 */
@@ -1296,6 +1504,14 @@ var FinishedBlockFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
 	unregister: () => {}
 } : new FinalizationRegistry((ptr) => wasm.__wbg_finishedblock_free(ptr, 1));
+var OrthoMosaicFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_orthomosaic_free(ptr, 1));
+var OrthophotoReferenceFinalization = typeof FinalizationRegistry === "undefined" ? {
+	register: () => {},
+	unregister: () => {}
+} : new FinalizationRegistry((ptr) => wasm.__wbg_orthophotoreference_free(ptr, 1));
 var PhotoFinalization = typeof FinalizationRegistry === "undefined" ? {
 	register: () => {},
 	unregister: () => {}
@@ -1356,6 +1572,14 @@ function getArrayF64FromWasm0(ptr, len) {
 function getArrayI32FromWasm0(ptr, len) {
 	ptr = ptr >>> 0;
 	return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+}
+function getArrayJsValueFromWasm0(ptr, len) {
+	ptr = ptr >>> 0;
+	const mem = getDataViewMemory0();
+	const result = [];
+	for (let i = ptr; i < ptr + 4 * len; i += 4) result.push(wasm.__wbindgen_externrefs.get(mem.getUint32(i, true)));
+	wasm.__externref_drop_slice(ptr, len);
+	return result;
 }
 function getArrayU16FromWasm0(ptr, len) {
 	ptr = ptr >>> 0;
@@ -1626,6 +1850,65 @@ function markStale(element, stale) {
 /** A table row: a heading and cells. */
 function row(heading, ...cells) {
 	return h("tr", {}, h("th", { scope: "row" }, heading), ...cells.map((cell) => cell instanceof HTMLTableCellElement ? cell : h("td", {}, cell)));
+}
+// www/shared/state/choices.ts
+/** Choices of the page's looks that last from one visit to the next. */
+/** Storage may be switched off, or absent on file://: a choice then lasts as long as the page. */
+function keptChoice(name) {
+	try {
+		return localStorage.getItem(name);
+	} catch {
+		return null;
+	}
+}
+function keepChoice(name, value) {
+	try {
+		localStorage.setItem(name, value);
+	} catch {}
+}
+// www/shared/panel/drawers.ts
+/** What is closed at first and opened by a button: the settings, the details of the results, the settings that few need. It stays as it was left. */
+var NAME$2 = "tiepoint-open";
+var open$2 = new Set((keptChoice(NAME$2) ?? "").split(" "));
+var watchers = [];
+/** Calls back now and whenever a drawer is opened or closed. */
+function watchDrawers(callback) {
+	watchers.push(callback);
+	callback();
+}
+function isOpen(drawer) {
+	return open$2.has(drawer);
+}
+function setDrawer(drawer, wanted) {
+	if (isOpen(drawer) === wanted) return;
+	if (wanted) open$2.add(drawer);
+	else open$2.delete(drawer);
+	keepChoice(NAME$2, [...open$2].filter((name) => name !== "").join(" "));
+	for (const callback of watchers) callback();
+}
+/** A button that opens a drawer and closes it; the drawer itself gets a button that closes it. */
+function drawerButton(drawer, text, testid, element) {
+	const made = button(text, testid, () => {
+		setDrawer(drawer, !isOpen(drawer));
+		if (isOpen(drawer)) reveal(element);
+	});
+	const close = button("×", `close-${testid}`, () => {
+		setDrawer(drawer, false);
+		made.focus();
+	});
+	close.className = "icon close";
+	close.setAttribute("aria-label", `Close: ${text}`);
+	element.append(close);
+	watchDrawers(() => {
+		element.classList.toggle("is-closed", !isOpen(drawer));
+		made.setAttribute("aria-expanded", String(isOpen(drawer)));
+	});
+	return made;
+}
+/** Brings what lies below the picture into sight. */
+function reveal(element) {
+	const { top } = element.getBoundingClientRect();
+	if (top < 0 || top > .8 * window.innerHeight) element.scrollIntoView({ block: "start" });
 }
 // www/shared/panel/picker.ts
 /** A hidden field for files, and the button that opens it. */
@@ -2404,14 +2687,24 @@ var TEXTS = {
 	control: "Ground control points",
 	marks: "Image measurements"
 };
+var WAITS = "tiepoint-wait";
 var BlockFiles = class {
 	store;
 	engine;
 	openProject;
+	/** Images that are given wait until Run is pressed: large blocks have settings and files that come first. */
+	waiting = keptChoice(WAITS) === "yes";
 	constructor(store, engine, openProject) {
 		this.store = store;
 		this.engine = engine;
 		this.openProject = openProject;
+	}
+	get waits() {
+		return this.waiting;
+	}
+	set waits(waits) {
+		this.waiting = waits;
+		keepChoice(WAITS, waits ? "yes" : "no");
 	}
 	/** Takes what is dropped on the page while the block is shown. */
 	taker = {
@@ -2438,10 +2731,19 @@ var BlockFiles = class {
 		})), "More than two images are a block.");
 		if (masks.length > 0) this.takeMasks(masks);
 	}
-	/** Photographs the simulated block, in place of the images that are there. */
-	async simulate() {
+	/** Photographs a block and runs it, whatever waits. */
+	async sample(flight) {
+		if (await this.simulate(flight)) await this.engine.run();
+	}
+	/** Photographs the simulated block that is set and runs it. */
+	async photograph() {
 		const { flight } = this.store.state;
-		if (flight === null) return;
+		if (flight === null || !await this.simulate(flight)) return;
+		if (this.waits) this.say("info", `${String(this.store.state.files.length)} photos of a simulated block. Press Run.`);
+		else await this.engine.run();
+	}
+	/** Photographs a flight, in place of the images that are there; false where that failed. */
+	async simulate(flight) {
 		this.say("busy", "Building the synthetic scene …");
 		try {
 			const { files, truth } = await this.engine.photograph(flight, (count, of) => this.say("busy", `Photographing the simulated block: ${String(count)} of ${String(of)} …`));
@@ -2453,9 +2755,10 @@ var BlockFiles = class {
 				})),
 				truth
 			});
-			this.say("info", `${String(files.length)} photos of a simulated block. Press Run.`);
+			return true;
 		} catch (error) {
 			this.failed("The block could not be simulated", error);
+			return false;
 		}
 	}
 	/** Takes a file of text and says what is wrong with it; it stays beside its field until another is given or it is removed. */
@@ -2508,19 +2811,31 @@ var BlockFiles = class {
 		}
 		const twice = found.length - (files.size - before);
 		const sorted = [...files.values()].sort((a, b) => a.name < b.name ? -1 : 1);
-		if (sorted.length > before) this.store.dispatch({
-			type: "files",
-			files: sorted,
-			truth: this.store.state.truth
-		});
+		if (sorted.length > before) {
+			this.store.dispatch({
+				type: "files",
+				files: sorted,
+				truth: this.store.state.truth
+			});
+			if (sorted.length >= 2 && !this.waits) this.engine.run();
+		}
+		const runs = this.store.state.running.kind === "yes";
 		const notes = [
 			why,
-			`${images(sorted.length)} in the block.`,
+			runs ? "" : `${images(sorted.length)} in the block.`,
 			twice > 0 ? `${images(twice)} skipped: their names are in the block already.` : "",
 			aside > 0 ? `${String(aside)} ${aside === 1 ? "file" : "files"} skipped: not an image by name.` : "",
-			sorted.length >= 2 ? "Press Run." : "A block needs two images or more."
-		];
-		this.say("info", notes.filter((note) => note !== "").join(" "));
+			runs ? "" : sorted.length >= 2 ? "Press Run." : "A block needs two images or more."
+		].filter((note) => note !== "");
+		if (notes.length === 0 || this.store.state.notice?.kind === "problem") return;
+		this.store.dispatch({
+			type: "notice",
+			notice: {
+				kind: "info",
+				text: notes.join(" "),
+				beside: runs
+			}
+		});
 	}
 	say(kind, text) {
 		this.store.dispatch({
@@ -2578,14 +2893,14 @@ function orNull(value, read) {
 * The values of a kept object in the shape of another: fields that a later version added have their default, fields that it dropped are left
 * out. Where the default is null, or is a list, what was kept stands. @throws Error where a field is of another type
 */
-function fitted(value, defaults, name) {
+function fitted$1(value, defaults, name) {
 	const kept = objectOf(value, name);
 	const fields = Object.entries(defaults).map(([field, normal]) => {
 		const own = kept[field];
 		const path = `${name}.${field}`;
 		if (own === void 0) return [field, normal];
 		if (own === null || normal === null || Array.isArray(normal)) return [field, own];
-		if (typeof normal === "object") return [field, fitted(own, normal, path)];
+		if (typeof normal === "object") return [field, fitted$1(own, normal, path)];
 		return [field, likeOf(own, normal, path)];
 	});
 	return Object.fromEntries(fields);
@@ -2841,13 +3156,13 @@ function givenFrom$1(value, catalogue) {
 		files: listOf$1(kept["files"], "files", fileOf$1),
 		masks: listOf$1(kept["masks"], "masks", fileOf$1),
 		options: {
-			settings: orNull(options["settings"], (settings) => fitted(settings, catalogue.defaults, "options.settings")),
+			settings: orNull(options["settings"], (settings) => fitted$1(settings, catalogue.defaults, "options.settings")),
 			gps: options["gps"] === "ignore" ? "ignore" : "use",
 			cameras: text("cameras"),
 			control: text("control"),
 			marks: text("marks")
 		},
-		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flight, "flight")),
+		flight: orNull(kept["flight"], (flight) => fitted$1(flight, catalogue.flight, "flight")),
 		truth: orNull(kept["truth"], (name) => likeOf(name, "", "truth")),
 		opened: opened?.length === 2 ? opened : null
 	};
@@ -2893,7 +3208,9 @@ function makeControl(parameter, binding) {
 	const show = (value) => {
 		field.show(value);
 		problem.textContent = "";
-		reset.hidden = binding.standard() === value;
+		const changed = binding.standard() !== value;
+		reset.hidden = !changed;
+		element.classList.toggle("is-changed", changed);
 	};
 	field.onProblem((text) => {
 		problem.textContent = text;
@@ -3065,33 +3382,86 @@ function changed$1(at, [name = "", ...rest], value) {
 	};
 }
 // www/shared/panel/sections.ts
-function makeSections(parameters, { change, defaults, resolved, refused }) {
-	const controls = parameters.map((parameter) => makeControl(parameter, {
-		set: (value) => change(parameter.key, value),
-		standard: () => readSetting(defaults(), parameter.key),
-		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
-		refused: () => refused?.(parameter.label)
-	}));
-	const groups = [...new Set(parameters.map(({ section }) => section))].map((section) => {
-		const own = controls.filter(({ parameter }) => parameter.section === section);
-		return {
-			own,
-			element: h("fieldset", { class: "group" }, h("legend", {}, section), ...own.map(({ element }) => element))
-		};
-	});
-	const show = (settings, acting) => {
-		const used = ({ parameter }) => acting === void 0 || acting.includes(parameter.key);
-		for (const control of controls) {
-			control.show(readSetting(settings, control.parameter.key));
-			control.element.hidden = !used(control);
-		}
-		for (const { own, element } of groups) element.hidden = !own.some(used);
-	};
+function makeSections(parameters, bound) {
+	const controls = parameters.map((parameter) => controlOf(parameter, bound));
+	const groups = groupsOf(controls, (title, elements) => h("fieldset", { class: "group" }, h("legend", {}, title), ...elements));
+	const show = (settings, acting) => showAll(controls, groups, settings, acting);
 	return {
 		controls,
 		elements: groups.map(({ element }) => element),
 		show
 	};
+}
+/** The same with few settings in sight, the number of those that were changed, and one button that sets all back. */
+function makeFolded(parameters, bound, { title, first, reset, changed }) {
+	const controls = parameters.map((parameter) => controlOf(parameter, bound));
+	const ahead = controls.filter(({ parameter }) => first.includes(parameter.key));
+	const folds = [];
+	const groups = groupsOf(controls.filter((control) => !ahead.includes(control)), (name, elements) => {
+		const fold = h("details", { class: "group" }, h("summary", {}, name, " ", h("span", { class: "changed" })), ...elements);
+		folds.push(fold);
+		return fold;
+	});
+	const number = h("span", { testid: "changed-settings" });
+	const back = h("p", { class: "buttons" }, number, button("Set all back", "reset-settings", reset));
+	const unfold = button("", "all-settings", () => setDrawer("all-settings", !isOpen("all-settings")));
+	let unfolded = null;
+	watchDrawers(() => {
+		if (unfolded === isOpen("all-settings")) return;
+		unfolded = isOpen("all-settings");
+		for (const fold of folds) fold.open = unfolded;
+		unfold.textContent = unfolded ? "Fold all" : "Unfold all";
+	});
+	const show = (settings, acting) => {
+		showAll(controls, groups, settings, acting);
+		const all = controls.filter(({ element }) => element.classList.contains("is-changed")).length;
+		for (const { own, element } of groups) {
+			const here = own.filter((control) => control.element.classList.contains("is-changed")).length;
+			fill(element.querySelector(".changed") ?? element, here === 0 ? "" : `${String(here)} changed`);
+		}
+		back.hidden = all === 0;
+		number.textContent = all === 1 ? "1 setting differs from its default." : `${String(all)} settings differ from their defaults.`;
+		changed(all);
+	};
+	return {
+		controls,
+		elements: [
+			back,
+			h("fieldset", { class: "group" }, h("legend", {}, title), ...ahead.map(({ element }) => element)),
+			h("p", { class: "buttons folds" }, unfold),
+			...groups.map(({ element }) => element)
+		],
+		show
+	};
+}
+/** What a button says that opens settings. */
+function settingsText(changed) {
+	return changed === 0 ? "Settings" : `Settings · ${String(changed)}`;
+}
+function controlOf(parameter, { change, defaults, resolved, refused }) {
+	return makeControl(parameter, {
+		set: (value) => change(parameter.key, value),
+		standard: () => readSetting(defaults(), parameter.key),
+		whenEmpty: () => resolved === void 0 ? null : readSetting(resolved(), parameter.key),
+		refused: () => refused?.(parameter.label)
+	});
+}
+function groupsOf(controls, made) {
+	return [...new Set(controls.map(({ parameter }) => parameter.section))].map((section) => {
+		const own = controls.filter(({ parameter }) => parameter.section === section);
+		return {
+			own,
+			element: made(section, own.map(({ element }) => element))
+		};
+	});
+}
+function showAll(controls, groups, settings, acting) {
+	const used = ({ parameter }) => acting === void 0 || acting.includes(parameter.key);
+	for (const control of controls) {
+		control.show(readSetting(settings, control.parameter.key));
+		control.element.hidden = !used(control);
+	}
+	for (const { own, element } of groups) element.hidden = !own.some(used);
 }
 // www/block/panel/flight.ts
 /** The simulated block: a control for each parameter of its flight that photos depend on. */
@@ -3108,7 +3478,7 @@ function mountFlight(host, store, files) {
 			},
 			defaults: () => catalogue.flight
 		});
-		const take = button("Photograph this block", "block-photograph", () => void files.simulate());
+		const take = button("Photograph this block", "block-photograph", () => void files.photograph());
 		take.className = "primary";
 		fill(host, h("p", { class: "note" }, "A flight in strips over a made town. Larger photos take longer: 12 million pixels some seconds each."), h("div", { class: "buttons" }, take), ...sections.elements);
 		store.watch(["flight"], ([flight]) => {
@@ -3725,11 +4095,12 @@ function readCatalogue() {
 }
 // www/block/panel/settings.ts
 /** What the user chooses of a run: pairs, points, recorded positions, cameras. */
-function mountSettings(host, store, files) {
+/** `opener` opens the settings, and says how many were changed. */
+function mountSettings(host, store, files, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
 		const { defaults } = catalogue;
-		const sections = makeSections(catalogue.parameters, {
+		const sections = makeFolded(catalogue.parameters, {
 			change: (key, value) => {
 				const { settings } = store.state.options;
 				if (settings !== null) store.dispatch({
@@ -3742,8 +4113,17 @@ function mountSettings(host, store, files) {
 				type: "refused",
 				label
 			})
+		}, {
+			title: "Method",
+			first: ["pairs.rule", "refinement.method"],
+			reset: () => store.dispatch({
+				type: "options",
+				options: { settings: defaults }
+			}),
+			changed: (count) => fill(opener, settingsText(count))
 		});
-		fill(host, positions(store), ...sections.elements, besides(store, files));
+		const [back, method, ...others] = sections.elements;
+		fill(host, back ?? null, method ?? null, positions(store), waiting(files), besides(store, files), ...others);
 		store.watch((s) => [s.options.settings], ([settings]) => {
 			if (settings !== null) sections.show(settings, acting_block_parameters(settings));
 		});
@@ -3764,6 +4144,19 @@ function positions(store) {
 		input.checked = gps === "use";
 	});
 	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, "Use GNSS positions")), h("p", { class: "help" }, "They choose near pairs and georeference the block."));
+}
+/** Whether images that are given wait for Run. */
+function waiting(files) {
+	const input = h("input", {
+		id: "block-wait",
+		type: "checkbox",
+		testid: "block-wait"
+	});
+	input.checked = files.waits;
+	input.addEventListener("change", () => {
+		files.waits = input.checked;
+	});
+	return h("div", { class: "control" }, h("div", { class: "control-head" }, input, h("label", { for: input.id }, "Wait for Run")), h("p", { class: "help" }, "Images that are given wait until Run is pressed, so that settings and files come first. Otherwise they run at once."));
 }
 var CAMERAS = "From EXIF. A JSON file overrides it: {\"cameras\": [{\"images\": \"DJI_*.JPG\", \"focal_px\": 3666.7}]}, with principal_point_px, radial, tangential, fixed where known.";
 var CONTROL = "None. Two files georeference the block: ground control points (name, x, y, z, optionally two standard errors) and their image measurements (image, point, column, row), one per line.";
@@ -4013,7 +4406,7 @@ var LINE_PX = 24;
 /** Natural logarithm of the enlargement a px of wheel; a pinch on a touch pad comes as a wheel event with Ctrl and small steps. */
 var WHEEL_RATE = .0016;
 var PINCH_RATE = .01;
-var ARROWS = {
+var ARROWS$1 = {
 	ArrowLeft: [1, 0],
 	ArrowRight: [-1, 0],
 	ArrowUp: [0, 1],
@@ -4029,13 +4422,14 @@ var Gestures = class {
 	presses = /* @__PURE__ */ new Map();
 	target = null;
 	clicked = false;
+	encloses = false;
 	constructor(host, movable, keyHost) {
 		this.host = host;
 		this.movable = movable;
 		host.addEventListener("pointerdown", (event) => this.down(event));
 		host.addEventListener("pointermove", (event) => this.move(event));
 		host.addEventListener("pointerup", (event) => this.up(event));
-		host.addEventListener("pointercancel", (event) => this.presses.delete(event.pointerId));
+		host.addEventListener("pointercancel", (event) => this.leave(event));
 		host.addEventListener("pointerleave", () => movable.pointed(null, false));
 		host.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
 		keyHost.addEventListener("keydown", (event) => this.key(event));
@@ -4051,6 +4445,8 @@ var Gestures = class {
 		if (target === null) return;
 		this.host.setPointerCapture(event.pointerId);
 		this.clicked = this.presses.size === 0;
+		if (!this.clicked) this.giveUp();
+		this.encloses = this.clicked && this.movable.encloses?.(event.shiftKey) === true;
 		this.target = target;
 		this.presses.set(event.pointerId, {
 			x,
@@ -4067,6 +4463,10 @@ var Gestures = class {
 		if (press === void 0 || this.target === null) return;
 		if (this.clicked && Math.hypot(x - press.startX, y - press.startY) <= CLICK_SLACK) return;
 		this.clicked = false;
+		if (this.encloses) {
+			this.movable.enclosed?.(this.target, [press.startX, press.startY], [x, y], false);
+			return;
+		}
 		const still = [...this.presses].find(([id]) => id !== event.pointerId)?.[1];
 		if (still === void 0) this.movable.pan(this.target, x - press.x, y - press.y);
 		else this.pinch(this.target, press, still, x, y);
@@ -4081,7 +4481,20 @@ var Gestures = class {
 		if (before > 1 && after > 1) this.movable.zoom(target, after / before, (x + still.x) / 2, (y + still.y) / 2);
 	}
 	up(event) {
-		if (this.presses.delete(event.pointerId) && this.clicked) this.movable.pressed(...this.place(event));
+		const press = this.presses.get(event.pointerId);
+		if (press === void 0) return;
+		this.presses.delete(event.pointerId);
+		if (this.clicked) this.movable.pressed(...this.place(event), event.ctrlKey || event.metaKey);
+		else if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [press.startX, press.startY], this.place(event), true);
+		this.encloses = false;
+	}
+	leave(event) {
+		this.presses.delete(event.pointerId);
+		this.giveUp();
+	}
+	giveUp() {
+		if (this.encloses && this.target !== null) this.movable.enclosed?.(this.target, [0, 0], null, false);
+		this.encloses = false;
 	}
 	wheel(event) {
 		const [x, y] = this.place(event);
@@ -4093,11 +4506,12 @@ var Gestures = class {
 	}
 	key(event) {
 		if (event.ctrlKey || event.metaKey || event.altKey || event.target.closest("input, select, .welcome") !== null) return;
-		if (this.movable.command(event.key) || this.moved(event)) event.preventDefault();
+		if ((event.key === "Enter" || event.key === " ") && event.target.closest("button") !== null) return;
+		if (this.movable.command(event.key, event.shiftKey) || this.moved(event)) event.preventDefault();
 	}
 	/** The keys that move a picture; with Shift they pan farther. */
 	moved({ key, shiftKey }) {
-		const [dx, dy] = ARROWS[key] ?? [0, 0];
+		const [dx, dy] = ARROWS$1[key] ?? [0, 0];
 		const target = this.movable.focused();
 		if (dx !== 0 || dy !== 0) {
 			const step = KEY_PAN * (shiftKey ? 4 : 1);
@@ -4113,7 +4527,7 @@ var Gestures = class {
 };
 // www/block/view/looking.ts
 /** A press chooses; a press on the pair that is chosen opens it. */
-function press(store, looking, choice) {
+function press$1(store, looking, choice) {
 	const { choice: before } = store.state;
 	const again = choice?.kind === "pair" && before?.kind === "pair" && choice.images.every((image) => before.images.includes(image));
 	if (choice?.kind === "pair" && again && !isBusy$1(store.state)) looking.open(choice.images);
@@ -4145,7 +4559,7 @@ var Chart = class {
 			zoom: (view, factor, x, y) => this.zoom(view, factor, x, y),
 			zoomMiddle: (factor) => this.zoomMiddle(factor),
 			fit: () => this.fit(),
-			pressed: (x, y) => press(store, looking, this.choiceAt(x, y)),
+			pressed: (x, y) => press$1(store, looking, this.choiceAt(x, y)),
 			pointed: (at, dragging) => {
 				if (!dragging) this.hover(at === null ? null : this.choiceAt(...at));
 			},
@@ -4205,7 +4619,7 @@ var Chart = class {
 var LARGEST_WHOLE = 44;
 var LARGEST = 160;
 /** Room for the numbers of the images. */
-var HEAD$2 = 30;
+var HEAD$3 = 30;
 /** From this side on a cell holds the number of matches. */
 var NUMBERED = 30;
 var Matrix = class extends Chart {
@@ -4213,12 +4627,12 @@ var Matrix = class extends Chart {
 		super(host, "matrix", store, looking);
 	}
 	whole({ images: { length } }) {
-		const room = Math.min(this.layers.width, this.layers.height) - HEAD$2 - 4;
+		const room = Math.min(this.layers.width, this.layers.height) - HEAD$3 - 4;
 		const side = Math.min(LARGEST_WHOLE, room / Math.max(1, length));
 		return {
 			scale: side > 4 ? Math.floor(side) : side,
-			x: HEAD$2,
-			y: HEAD$2
+			x: HEAD$3,
+			y: HEAD$3
 		};
 	}
 	limits(whole) {
@@ -4229,7 +4643,7 @@ var Matrix = class extends Chart {
 	}
 	/** It leaves the heads only towards the upper left, and its last cell comes no farther than the middle. */
 	held({ images: { length } }, { scale, x, y }) {
-		const within = (shift, room) => Math.min(HEAD$2, Math.max(Math.min(HEAD$2, (HEAD$2 + room) / 2 - length * scale), shift));
+		const within = (shift, room) => Math.min(HEAD$3, Math.max(Math.min(HEAD$3, (HEAD$3 + room) / 2 - length * scale), shift));
 		return {
 			scale,
 			x: within(x, this.layers.width),
@@ -4239,7 +4653,7 @@ var Matrix = class extends Chart {
 	hit(view, t, x, y) {
 		const [column, row] = toPosition(t, x, y).map(Math.floor);
 		const inside = (index) => index >= 0 && index < view.images.length;
-		return x >= HEAD$2 && y >= HEAD$2 && inside(column) && inside(row) ? choiceOf([row, column]) : null;
+		return x >= HEAD$3 && y >= HEAD$3 && inside(column) && inside(row) ? choiceOf([row, column]) : null;
 	}
 	/** Arrows go from cell to cell. */
 	command(key) {
@@ -4262,7 +4676,7 @@ var Matrix = class extends Chart {
 	/** Brings a cell into sight. */
 	reveal(view, [row, column]) {
 		const t = this.current(view);
-		const brought = (index, shift, room) => Math.max(HEAD$2 - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
+		const brought = (index, shift, room) => Math.max(HEAD$3 - index * t.scale, Math.min(shift, room - (index + 1) * t.scale - 2));
 		this.move(view, {
 			scale: t.scale,
 			x: brought(column, t.x, this.layers.width),
@@ -4293,7 +4707,7 @@ var Matrix = class extends Chart {
 			const alpha = tried ? .15 + .85 * Math.sqrt(matches / most) : .6;
 			for (const [row, column] of [[a, b], [b, a]]) {
 				const [x, y] = toCanvas(t, column, row);
-				if (x > this.layers.width || y > this.layers.height || x + side < HEAD$2 || y + side < HEAD$2) continue;
+				if (x > this.layers.width || y > this.layers.height || x + side < HEAD$3 || y + side < HEAD$3) continue;
 				context.globalAlpha = alpha;
 				context.fillStyle = tried ? colours.bars : connection.outcome.kind === "failed" ? colours.problem : colours.muted;
 				paintCell(context, x, y, side, tried);
@@ -4370,9 +4784,51 @@ function paintHeads(context, colours, count, t, width, height) {
 	for (let i = 0; i < count; i += step) {
 		const [x, y] = toCanvas(t, i + .5, i + .5);
 		context.textAlign = "center";
-		if (x > HEAD$2 && x < width) context.fillText(String(i + 1), x, 24);
+		if (x > HEAD$3 && x < width) context.fillText(String(i + 1), x, 24);
 		context.textAlign = "right";
-		if (y > HEAD$2 && y < height) context.fillText(String(i + 1), 25, y + 3.5);
+		if (y > HEAD$3 && y < height) context.fillText(String(i + 1), 25, y + 3.5);
+	}
+}
+// www/block/view/thumbs.ts
+/** Longer side of a copy, px. */
+var SIDE$1 = 160;
+var Thumbs = class {
+	arrived;
+	/** By the file's number; null where the browser cannot decode it. */
+	made = /* @__PURE__ */ new Map();
+	waiting = [];
+	making = false;
+	constructor(arrived) {
+		this.arrived = arrived;
+	}
+	/** The copy; null while there is none. */
+	get(file) {
+		const found = this.made.get(file.id);
+		if (found === void 0 && !this.waiting.includes(file)) {
+			this.waiting.push(file);
+			this.make();
+		}
+		return found ?? null;
+	}
+	async make() {
+		if (this.making) return;
+		this.making = true;
+		for (let next = this.waiting[0]; next !== void 0; next = this.waiting[0]) {
+			this.made.set(next.id, await copyOf(next.file));
+			this.waiting.shift();
+			this.arrived();
+		}
+		this.making = false;
+	}
+};
+async function copyOf(file) {
+	try {
+		return await createImageBitmap(file, {
+			resizeWidth: SIDE$1,
+			resizeQuality: "medium"
+		});
+	} catch {
+		return null;
 	}
 }
 // www/block/view/plan.ts
@@ -4399,7 +4855,7 @@ function fitPlan({ layout: { places } }, width, height) {
 		x: 0,
 		y: 0
 	};
-	const room = (length) => Math.max(10, length - 96);
+	const room = (length) => Math.max(10, length - 124);
 	const spread = (low, high) => Math.max(high - low, 1e-9);
 	const scale = Math.min(room(width) / spread(box[0], box[2]), room(height) / spread(box[1], box[3]));
 	return {
@@ -4411,6 +4867,25 @@ function fitPlan({ layout: { places } }, width, height) {
 function placeOf$1(view, plan, image) {
 	const [x = 0, y = 0] = view.layout.places.subarray(2 * image, 2 * image + 2);
 	return toCanvas(plan, x, -y);
+}
+var SPACINGS = /* @__PURE__ */ new WeakMap();
+/** The least distance of two images, in units of the plan. */
+function spacingOf(view) {
+	const known = SPACINGS.get(view);
+	if (known !== void 0) return known;
+	const { places } = view.layout;
+	let least = Infinity;
+	for (let i = 0; i < places.length; i += 2) for (let j = 0; j < i; j += 2) least = Math.min(least, Math.hypot((places[i] ?? 0) - (places[j] ?? 0), (places[i + 1] ?? 0) - (places[j + 1] ?? 0)));
+	SPACINGS.set(view, least);
+	return least;
+}
+var WIDEST_THUMB = 110;
+var LEAST_THUMB = 26;
+/** How wide images are drawn, CSS px, so that they do not cover each other; 0 where they are too near to be more than dots. */
+function thumbWidth(view, plan) {
+	if (view.images.length > 150) return 0;
+	const width = Math.min(WIDEST_THUMB, .8 * spacingOf(view) * plan.scale);
+	return width < LEAST_THUMB ? 0 : width;
 }
 var LINES = /* @__PURE__ */ new WeakMap();
 /** The lines of a block, the weakest first, so that the strong ones lie on top. */
@@ -4434,7 +4909,7 @@ function linesOf(view) {
 /** The image at a place, else the pair whose line passes there. */
 function hitPlan(view, plan, x, y) {
 	let image = -1;
-	let least = MARK_REACH;
+	let least = Math.max(MARK_REACH, thumbWidth(view, plan) / 2);
 	view.images.forEach((_, i) => {
 		const [px, py] = placeOf$1(view, plan, i);
 		const distance = Math.hypot(px - x, py - y);
@@ -4469,6 +4944,7 @@ var NAME_BELOW = 19;
 var NAME_HEIGHT = 13;
 var NAME_GAP = 6;
 var Picture = class extends Chart {
+	thumbs = new Thumbs(() => this.layers.redraw());
 	constructor(host, store, looking) {
 		super(host, "plan", store, looking);
 	}
@@ -4528,9 +5004,37 @@ var Picture = class extends Chart {
 		const marked = [this.store.state.choice, this.hovered].filter((choice) => choice !== null);
 		paintLines(context, colours, view, plan, marked);
 		paintImages(context, colours, view, plan, marked);
-		paintNames(context, colours, view, plan, marked);
+		paintNames(context, colours, view, plan, marked, this.paintThumbs(context, colours, view, plan, marked));
+	}
+	/** Paints the photos over their dots once a run has ended; gives how far below the middle of an image its name stands. */
+	paintThumbs(context, colours, view, plan, marked) {
+		const width = thumbWidth(view, plan);
+		const { shown, files, running } = this.store.state;
+		if (width === 0 || shown === null || running.kind === "yes") return NAME_BELOW;
+		const ofName = new Map([...files, ...shown.files].map((file) => [file.name, file]));
+		const isSound = soundness(view);
+		let below = NAME_BELOW;
+		view.images.forEach(({ name }, i) => {
+			const file = ofName.get(name);
+			const thumb = file === void 0 ? null : this.thumbs.get(file);
+			if (thumb === null) return;
+			const height = width * thumb.height / thumb.width;
+			const [x, y] = placeOf$1(view, plan, i);
+			context.drawImage(thumb, x - width / 2, y - height / 2, width, height);
+			const on = marked.some((choice) => choice.kind === "image" ? choice.image === i : choice.images.includes(i));
+			context.lineWidth = on ? 3 : 1.5;
+			context.strokeStyle = on ? colours.accent : isSound(i) ? colours.surface : colours.problem;
+			context.strokeRect(x - width / 2, y - height / 2, width, height);
+			below = Math.max(below, height / 2 + NAME_HEIGHT);
+		});
+		return below;
 	}
 };
+/** Tells whether an image is oriented, or at least connected with most. While a run goes on nothing is said against an image. */
+function soundness(view) {
+	const largest = new Set(view.groups[0]);
+	return (image) => view.partial || (view.layout.kind === "oriented" ? view.images[image]?.oriented === true : largest.has(image));
+}
 function isOf(choice, images) {
 	return choice.kind === "image" ? images.includes(choice.image) : images.every((image) => choice.images.includes(image));
 }
@@ -4564,12 +5068,12 @@ function paintRefused(context, colours, view, plan, marked) {
 	context.setLineDash([]);
 }
 function paintImages(context, colours, view, plan, marked) {
-	const largest = new Set(view.groups[0]);
-	view.images.forEach(({ oriented }, i) => {
+	const isSound = soundness(view);
+	view.images.forEach((_, i) => {
 		const [x, y] = placeOf$1(view, plan, i);
 		const on = marked.some((choice) => choice.kind === "image" ? choice.image === i : choice.images.includes(i));
 		const radius = on ? 7 : view.images.length > 300 ? 3 : 5;
-		const sound = view.partial || (view.layout.kind === "oriented" ? oriented : largest.has(i));
+		const sound = isSound(i);
 		context.beginPath();
 		context.arc(x, y, radius, 0, 2 * Math.PI);
 		context.fillStyle = sound ? on ? colours.accent : colours.bars : colours.surface;
@@ -4580,7 +5084,7 @@ function paintImages(context, colours, view, plan, marked) {
 	});
 }
 /** Names below their images, as far as there is room beside each other: first those that are pointed at or chosen, which always stand. */
-function paintNames(context, colours, view, plan, marked) {
+function paintNames(context, colours, view, plan, marked, below) {
 	context.font = "11px system-ui, sans-serif";
 	context.textAlign = "center";
 	const isMarked = (image) => marked.some((choice) => choice.kind === "image" ? choice.image === image : choice.images.includes(image));
@@ -4590,7 +5094,7 @@ function paintNames(context, colours, view, plan, marked) {
 	for (const image of named) {
 		const text = (view.images[image]?.name ?? "").replace(/\.[^.]+$/u, "");
 		const [x, middle] = placeOf$1(view, plan, image);
-		const [y, half] = [middle + NAME_BELOW, .5 * context.measureText(text).width];
+		const [y, half] = [middle + below, .5 * context.measureText(text).width];
 		if (taken.some((other) => Math.abs(other.x - x) < other.half + half + NAME_GAP && Math.abs(other.y - y) < NAME_HEIGHT) && !isMarked(image)) continue;
 		taken.push({
 			x,
@@ -4614,7 +5118,7 @@ var LAYOUTS = {
 	recorded: "GNSS positions, from above",
 	connections: "Arranged by connections: positions have no meaning"
 };
-function mountStage(host, store, looking, files) {
+function mountStage(host, store, looking, invitation) {
 	const pictureHost = h("div", {
 		class: "view block-view",
 		id: "block-view",
@@ -4691,7 +5195,7 @@ function mountStage(host, store, looking, files) {
 		class: "toolbar",
 		role: "toolbar",
 		aria: { label: "View of the block" }
-	}, switched.element, tools, layout, cells), welcomed(pictureHost, store, files), matrixHost, h("div", { class: "said" }, h("div", {}, chosen, pointed), open), h("p", {
+	}, switched.element, tools, layout, cells), welcomed(pictureHost, store, invitation), matrixHost, h("div", { class: "said" }, h("div", {}, chosen, pointed), open), h("p", {
 		class: "keys",
 		id: "block-keys"
 	}, "Press an image, a line or a cell to choose it; press a pair again, or Enter, to open it. Drag pans · wheel and + − zoom · 0 fit. Picture: N P images · C pairs of an image · arrows pan. Matrix: arrows choose."));
@@ -4752,8 +5256,10 @@ function switcher(parts) {
 	};
 }
 /** The picture with the invitation over it while there is no block. */
-function welcomed(host, store, files) {
-	const simulate = button("Simulate a block", "block-simulate-first", () => void files.simulate());
+function welcomed(host, store, { sample, open }) {
+	const own = button("Open your photos …", "block-open-first", open);
+	own.className = "primary";
+	const simulate = button("Try a sample block", "block-simulate-first", sample);
 	const list = h("p", {
 		class: "note",
 		testid: "block-given"
@@ -4761,7 +5267,12 @@ function welcomed(host, store, files) {
 	const welcome = h("div", {
 		class: "welcome",
 		testid: "block-welcome"
-	}, h("h2", {}, "Match a block of photographs"), h("p", {}, "Drop the images of a block, or a folder of them. Tiepoint detects features in each image, matches pairs, checks them by their geometry, joins the matches to tie points, and adjusts the block."), h("p", { class: "buttons" }, simulate), list, h("p", { class: "note" }, "Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there. Nothing leaves this computer."));
+	}, h("h2", {}, "Where did each photo stand?"), h("p", {}, "Drop the photographs of a flight or of a walk around something, or a folder of them, anywhere on this page. You get:"), h("ul", {}, ...[
+		"where each photo was taken and how it was turned",
+		"points that several photos show, in space, and how precise they are",
+		"a plain word on whether the result can be trusted, and why",
+		"files for other programs: COLMAP, MicMac, OpenSfM, Agisoft and more"
+	].map((gain) => h("li", {}, gain))), h("p", { class: "buttons" }, own, simulate), list, h("p", { class: "note" }, "Nothing leaves this computer. Work is kept in this browser: a run that was cancelled, or ended with its tab, goes on from there."));
 	host.append(welcome);
 	store.watch([
 		"shown",
@@ -4771,11 +5282,36 @@ function welcomed(host, store, files) {
 		"catalogue"
 	], ([shown, given, , , catalogue]) => {
 		welcome.hidden = shown !== null;
-		simulate.disabled = catalogue === null || isBusy$1(store.state);
+		for (const press of [own, simulate]) press.disabled = catalogue === null || isBusy$1(store.state);
 		const names = given.map(({ name }) => name);
 		fill(list, names.length === 0 ? "" : `${String(names.length)} images: ${names.slice(0, 8).join(", ")}${names.length > 8 ? " …" : ""}`);
 	});
 	return host;
+}
+// www/shared/panel/answer.ts
+/** The answer: what came of a run in one sentence, the figures that decided, and what to do next. It stands beside the picture, where nothing has to be scrolled. */
+/** Shows answers in `host`, whose line for the sentence is `line`; the button for what is next comes before the others. */
+function answerCard(host, line, buttons, prefix) {
+	const figures = h("dl", {
+		class: "figures",
+		testid: `${prefix}figures`
+	});
+	let act = () => void 0;
+	const press = button("", `${prefix}next`, () => act());
+	press.className = "primary";
+	line.after(figures);
+	buttons.prepend(press);
+	return ({ kind, verdict, text, more = "", figures: found = [], next = null }) => {
+		host.dataset.kind = kind;
+		host.dataset.verdict = verdict ?? "";
+		line.dataset.kind = kind;
+		if (line.textContent !== (more === "" ? text : `${text} ${more}`)) fill(line, h("strong", {}, text), more === "" ? null : " ", more === "" ? null : h("span", {}, more));
+		fill(figures, ...found.map(({ value, label }) => h("div", {}, h("dt", {}, label), h("dd", {}, value))));
+		figures.hidden = found.length === 0;
+		act = next?.act ?? (() => void 0);
+		press.hidden = next === null;
+		if (press.textContent !== (next?.text ?? "")) press.textContent = next?.text ?? "";
+	};
 }
 // www/shared/text/names.ts
 /** What is no parameter of the crate's catalogue, but named in its messages. */
@@ -4808,8 +5344,9 @@ function page(kind, figures = {}) {
 	}).replace(/(?<!\w)-(?=\d)/gu, "−");
 }
 // www/block/panel/status.ts
-/** The status line of the block: what runs, how far it is, what went wrong, and what to do. */
-function mountBlockStatus(store, engine) {
+/** The answer of a block: what came of it; while there is none what runs, how far it is, what went wrong, and what to do. */
+/** `details`: the button that shows them. */
+function mountBlockStatus(store, engine, actions, details) {
 	const line = h("p", {
 		class: "status",
 		testid: "block-status",
@@ -4817,72 +5354,87 @@ function mountBlockStatus(store, engine) {
 		aria: { live: "polite" }
 	});
 	const run = button("Run", "block-run", () => void engine.run());
-	run.className = "primary";
 	const cancel = button("Cancel", "block-cancel", () => engine.cancel());
+	const buttons = h("div", { class: "answer-actions" }, run, cancel, details);
+	const card = h("div", {
+		class: "answer",
+		testid: "block-answer"
+	}, line, buttons);
+	const show = answerCard(card, line, buttons, "block-");
 	store.watch((s) => [s], ([state]) => {
-		const { text, kind } = lineOf$2(state);
-		line.dataset.kind = kind;
-		line.setAttribute("aria-live", kind === "busy" ? "off" : "polite");
-		fill(line, readable(state.catalogue?.labels ?? null, text));
+		const answer = answerOf$1(state, actions);
+		line.setAttribute("aria-live", answer.kind === "busy" ? "off" : "polite");
+		show({
+			...answer,
+			text: readable(state.catalogue?.labels ?? null, answer.text)
+		});
 		run.disabled = isBusy$1(state) || state.files.length < 2;
 		run.textContent = state.running.kind === "ended" ? "Go on" : "Run";
+		run.classList.toggle("primary", answer.next == null);
 		cancel.disabled = !isBusy$1(state);
 	});
-	return h("div", { class: "status-bar" }, line, run, cancel);
+	return card;
 }
-function lineOf$2(state) {
+function answerOf$1(state, actions) {
 	const { running, notice, shown, files } = state;
-	if (running.kind === "yes") return {
-		text: runText(running.steps),
-		kind: "busy"
-	};
+	const line = (kind, text) => ({
+		kind,
+		text,
+		verdict: null
+	});
+	if (running.kind === "yes") return line("busy", runText(running.steps));
 	if (notice?.beside === true) {
-		const line = lineOf$2({
+		const answer = answerOf$1({
 			...state,
 			notice: null
-		});
+		}, actions);
 		return {
-			...line,
-			text: `${line.text} ${notice.text}`
+			...answer,
+			more: `${answer.more ?? ""} ${notice.text}`.trimStart()
 		};
 	}
-	if (notice !== null) return {
-		text: notice.text,
-		kind: notice.kind === "info" ? "idle" : notice.kind
-	};
-	if (state.refused !== null) return {
-		text: refusedText(state.refused),
-		kind: "problem"
-	};
+	if (notice !== null) return line(notice.kind === "info" ? "idle" : notice.kind, notice.text);
+	if (state.refused !== null) return line("problem", refusedText(state.refused));
 	if (running.kind === "ended") {
 		const former = shown !== null && !shown.view.partial ? " The screen shows the former block." : "";
-		if (running.failure === null) return {
-			text: `Cancelled.${former} The work done is ${former === "" ? "shown and " : ""}kept: Go on continues from there.`,
-			kind: "idle"
+		if (running.failure === null) return line("idle", `Cancelled.${former} The work done is ${former === "" ? "shown and " : ""}kept: Go on continues from there.`);
+		return line("problem", `The block was not finished: ${sentence(running.failure)}${former === "" ? " The work done is kept." : former}`);
+	}
+	if (shown !== null && !shown.view.partial && !isOutdated(state)) return answered$1(state, shown, actions);
+	if (files.length >= 2) {
+		const why = shown === null || shown.view.partial ? "Press Run." : "Images or settings have changed: press Run.";
+		return line("idle", `${page("block_images", { images: files.length })} ${why}`);
+	}
+	return line("idle", "Open the images of a block: files, a folder, or a simulated block.");
+}
+function answered$1(state, shown, actions) {
+	const { view, files } = shown;
+	const why = {
+		text: "Show why",
+		act: actions.why
+	};
+	if (view.oriented > 0 || files.length === 0) {
+		const sound = view.verdict?.kind === "oriented";
+		const next = state.truth === null ? {
+			text: "Save the project",
+			act: actions.save
+		} : {
+			text: "Open your photos …",
+			act: actions.open
 		};
 		return {
-			text: `The block was not finished: ${sentence(running.failure)}${former === "" ? " The work done is kept." : former}`,
-			kind: "problem"
+			kind: sound ? "done" : "partial",
+			verdict: view.verdict?.kind ?? "weak",
+			text: view.verdict?.text ?? "",
+			more: countsOf$1(shown),
+			figures: figuresOf$1(view),
+			next: sound ? next : why
 		};
 	}
-	if (shown !== null && !shown.view.partial && !isOutdated(state)) return doneLine(shown);
-	if (files.length >= 2) return {
-		text: `${page("block_images", { images: files.length })} ${shown === null || shown.view.partial ? "Press Run." : "Images or settings have changed: press Run."}`,
-		kind: "idle"
-	};
-	return {
-		text: "Open the images of a block: files, a folder, or a simulated block.",
-		kind: "idle"
-	};
-}
-function doneLine(shown) {
-	const { view, files } = shown;
-	if (view.oriented > 0 || files.length === 0) return {
-		text: doneText(shown),
-		kind: view.verdict?.kind === "oriented" ? "done" : "partial"
-	};
 	const group = view.groups[0]?.length ?? 0;
 	return {
+		kind: "problem",
+		verdict: "not_oriented",
 		text: page("block_not_oriented", {
 			why: view.warnings[0] ?? message("overview_warning", { kind: "none_oriented" }),
 			group: group < view.images.length ? group : null,
@@ -4890,23 +5442,40 @@ function doneLine(shown) {
 			pairs: connectedPairs(view),
 			points: view.points.count
 		}),
-		kind: "problem"
+		next: why
 	};
+}
+function figuresOf$1(view) {
+	return [
+		{
+			value: `${count(view.oriented)} of ${count(view.images.length)}`,
+			label: "photos oriented"
+		},
+		{
+			value: count(view.points.count),
+			label: "points on several photos"
+		},
+		...view.sigma0Px === null ? [] : [{
+			value: `${fixed(view.sigma0Px, 2)} px`,
+			label: "precision (σ₀)"
+		}]
+	];
 }
 function connectedPairs({ connections }) {
 	return connections.filter(({ outcome }) => outcome.kind === "connected").length;
 }
-function doneText({ view, seconds }) {
+/** What there is of it, after its verdict. */
+function countsOf$1({ view, seconds }) {
 	return page("block_done", {
 		images: view.images.length,
-		verdict: view.verdict?.text ?? "",
+		verdict: "",
 		skipped: view.leftOut.length,
 		pairs: connectedPairs(view),
 		points: view.points.count,
 		found: view.found?.points ?? null,
 		time: seconds === 0 ? null : duration(seconds),
 		warnings: view.warnings.length
-	});
+	}).trim();
 }
 // www/shared/state/rows.ts
 /** The rows that are kept, in order of a column. Equal values keep their order. */
@@ -4930,7 +5499,7 @@ var ROW = 24;
 /** Rows beyond the ones in sight, so that a scroll shows no gap. */
 var MARGIN = 12;
 /** More columns than any table has. */
-var COLUMNS = 20;
+var COLUMNS$1 = 20;
 var RowsInSight = class {
 	row;
 	head = h("thead", {});
@@ -5006,7 +5575,7 @@ function sortHead(column, press) {
 	}, button);
 }
 function filler(rows) {
-	const cell = h("td", { colspan: COLUMNS });
+	const cell = h("td", { colspan: COLUMNS$1 });
 	cell.style.height = `${String(Math.max(0, rows) * ROW)}px`;
 	return h("tr", {
 		class: "filler",
@@ -5029,6 +5598,8 @@ var Table = class {
 		descending: false
 	};
 	marked = -1;
+	/** The row that was pressed last. */
+	anchor = -1;
 	constructor(host, options) {
 		this.options = options;
 		this.help = h("p", {
@@ -5072,6 +5643,22 @@ var Table = class {
 			this.sort();
 		});
 	}
+	press(row, event, choose) {
+		const { chooseMore } = this.options;
+		const [from, to] = [this.shown.indexOf(this.anchor), this.shown.indexOf(row)];
+		if (chooseMore !== void 0 && event.shiftKey && from >= 0) chooseMore(this.shown.slice(Math.min(from, to), Math.max(from, to) + 1));
+		else if (chooseMore !== void 0 && (event.ctrlKey || event.metaKey)) chooseMore([row]);
+		else choose(row);
+		if (!event.shiftKey || from < 0) this.anchor = row;
+	}
+	/** Draws the rows anew, as others are chosen. */
+	redraw() {
+		this.table.show(this.shown.length);
+	}
+	/** The rows that are shown, in their order. */
+	get listed() {
+		return this.shown;
+	}
 	sort() {
 		this.shown = ordered(this.count, this.columns, this.order, this.keep);
 		this.table.markOrder(this.order.key, this.order.descending);
@@ -5081,8 +5668,9 @@ var Table = class {
 	row(row) {
 		const { testid, choose, chooseLabel } = this.options;
 		const chosen = row === this.marked;
+		const together = this.options.isChosen?.(row) === true;
 		const line = h("tr", {
-			class: chosen ? "best" : "",
+			class: `${chosen ? "best" : ""} ${together ? "chosen" : ""}`.trim(),
 			testid: chosen ? `${testid}-selected` : `${testid}-row`
 		}, ...this.columns.map(({ value, text }, i) => {
 			const number = typeof value(row) === "number";
@@ -5094,7 +5682,7 @@ var Table = class {
 				...chooseLabel === void 0 ? {} : { aria: { label: chooseLabel(row) } }
 			}, text(row)));
 		}));
-		if (choose !== void 0) line.addEventListener("click", () => choose(row));
+		if (choose !== void 0) line.addEventListener("click", (event) => this.press(row, event, choose));
 		else line.classList.add("plain");
 		return line;
 	}
@@ -5106,14 +5694,14 @@ function mountImages(host, store, looking) {
 		kind: "image",
 		image
 	}));
-	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$1 : imageRows(shown.view)));
+	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$2 : imageRows(shown.view)));
 	store.watch(["choice"], ([choice]) => table.mark(choice?.kind === "image" ? choice.image : -1));
 }
 function mountPoints(host, store) {
 	const table = captioned(host, "block-points", "Points");
-	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$1 : pointRows(shown.view)));
+	store.watch(["shown"], ([shown]) => table.show(shown === null ? NONE$2 : pointRows(shown.view)));
 }
-var NONE$1 = {
+var NONE$2 = {
 	count: 0,
 	columns: []
 };
@@ -5190,6 +5778,11 @@ function pointRows({ points }) {
 	};
 }
 // www/block/mount.ts
+/** The sample has so few photos that it is done in half a minute. */
+var SAMPLE = {
+	strips: 3,
+	exposures: 4
+};
 /** `openPair` shows a pair of the block by itself; `openProject` opens a project of whatever kind where it belongs. */
 function mountBlock(catalogue, openPair, openProject) {
 	const store = new Holder(BLOCK_INITIAL, reduceBlock);
@@ -5212,7 +5805,6 @@ function mountBlock(catalogue, openPair, openProject) {
 		role: "group",
 		aria: { label: "Export of the block" }
 	});
-	const status = mountBlockStatus(store, engine);
 	const settings = tabbed("Settings", [["block-settings", "Settings"], ["block-flight", "Simulate"]]);
 	const results = tabbed("Results", [
 		["block-results", "Results"],
@@ -5224,12 +5816,18 @@ function mountBlock(catalogue, openPair, openProject) {
 		aria: { label: "Block" }
 	});
 	const main = h("main", { class: "block" }, settings.element, stage, results.element);
+	const opener = drawerButton("settings", "Settings", "block-settings", settings.element);
+	const drawers = h("div", {
+		class: "drawers",
+		role: "group",
+		aria: { label: "Settings of the block" }
+	}, opener);
 	const heading = document.querySelector(".bar h1");
-	const bar = heading?.parentElement;
-	if (heading == null || bar == null) throw new Error("the page has no bar");
-	const pairParts = [...bar.querySelectorAll(":scope > .actions"), ...document.querySelectorAll("body > main, body > .status-bar")];
+	if (heading === null) throw new Error("the page has no bar");
+	const pairParts = document.querySelectorAll(".bar .actions, .bar .drawers, body > main");
 	byId("page-actions").before(actions, exports);
-	document.querySelector("body > main")?.after(status, main);
+	byId("menu").before(drawers);
+	document.querySelector("body > main")?.after(main);
 	const back = mountBack(store);
 	document.querySelector("body > main")?.before(back);
 	heading.after(mountMode(store, {
@@ -5237,20 +5835,37 @@ function mountBlock(catalogue, openPair, openProject) {
 		block: [
 			actions,
 			exports,
-			status,
+			drawers,
 			main
 		]
 	}));
 	store.watch(["mode", "opened"], ([mode, opened]) => {
 		back.hidden = mode !== "pair" || opened === null;
 	});
-	mountActions(actions, store, files);
+	const pick = mountActions(actions, store, files);
 	mountExports(exports, store, engine);
-	mountSettings(settings.panels[0], store, files);
+	const status = mountBlockStatus(store, engine, {
+		why: () => {
+			showTab("tab-block-results");
+			setDrawer("details", true);
+			reveal(results.element);
+		},
+		save: () => void saveAs(store, engine, "project"),
+		open: pick
+	}, drawerButton("details", "Details", "block-details", results.element));
+	mountSettings(settings.panels[0], store, files, opener);
 	mountFlight(settings.panels[1], store, files);
 	mountProgress(results.panels[0], store);
 	mountResults(results.panels[0], store);
-	mountStage(stage, store, looking, files);
+	const sample = () => void files.sample({
+		...catalogue.flight,
+		...SAMPLE
+	});
+	mountStage(stage, store, looking, {
+		sample,
+		open: pick
+	});
+	stage.prepend(status);
 	mountImages(results.panels[1], store, {
 		...looking,
 		point: () => void 0
@@ -5264,10 +5879,11 @@ function mountBlock(catalogue, openPair, openProject) {
 		kept: new KeptBlocks(store, engine, catalogue),
 		taker: files.taker,
 		give: (given, masks) => void files.give(given, masks),
+		sample,
 		open: (file) => files.open(file)
 	};
 }
-/** The buttons that give images. */
+/** The buttons that give images; gives what asks for images. */
 function mountActions(host, store, files) {
 	const take = (given) => void files.take(given.map((file) => ({
 		file,
@@ -5287,7 +5903,7 @@ function mountActions(host, store, files) {
 	const buttons = [
 		images,
 		folder,
-		button("Simulated block", "block-simulate", () => void files.simulate(), "Photos of a synthetic scene, rendered in this tab"),
+		button("Simulated block", "block-simulate", () => void files.photograph(), "Photos of a synthetic scene, rendered in this tab"),
 		button("Clear", "block-clear", () => store.dispatch({ type: "clear" }), "Removes all images")
 	];
 	images.classList.add("primary");
@@ -5303,6 +5919,116 @@ function mountActions(host, store, files) {
 		const last = buttons.at(-1);
 		if (last !== void 0) last.disabled ||= given.length === 0 && shown === null;
 	});
+	return () => imagesInput.click();
+}
+// www/pair/state/edits.ts
+/** Edits of the matches by hand: records of what was done to which match, and what stands after some of them. */
+var NO_HISTORY = {
+	edits: [],
+	done: 0
+};
+var NOTHING = {
+	rejected: /* @__PURE__ */ new Map(),
+	placed: /* @__PURE__ */ new Map()
+};
+/** Keys that were made: an edit of many matches is looked at again and again. */
+var keys = /* @__PURE__ */ new WeakMap();
+function keyOfTarget(target) {
+	if (typeof target === "number") return `#${String(target)}`;
+	const key = keys.get(target) ?? target.join(" ");
+	keys.set(target, key);
+	return key;
+}
+/** What stands after the edits that hold; the same object where none does. */
+var standingOf = remember((edits, done) => {
+	if (done === 0) return NOTHING;
+	const rejected = /* @__PURE__ */ new Map();
+	const placed = /* @__PURE__ */ new Map();
+	for (const edit of edits.slice(0, done)) switch (edit.kind) {
+		case "reject":
+			for (const target of edit.of) rejected.set(keyOfTarget(target), target);
+			break;
+		case "restore":
+			for (const target of edit.of) rejected.delete(keyOfTarget(target));
+			break;
+		case "add":
+			placed.set(keyOfTarget(edit.id), {
+				target: edit.id,
+				at: edit.at
+			});
+			break;
+		case "move": placed.set(keyOfTarget(edit.of), {
+			target: edit.of,
+			at: edit.to
+		});
+	}
+	return rejected.size === 0 && placed.size === 0 ? NOTHING : {
+		rejected,
+		placed
+	};
+});
+function isNothing({ rejected, placed }) {
+	return rejected.size === 0 && placed.size === 0;
+}
+/** The history after one more edit: what was undone before is given up. */
+function recorded({ edits, done }, edit) {
+	return {
+		edits: [...edits.slice(0, done), edit],
+		done: done + 1
+	};
+}
+/** The history with the first `done` edits. */
+function wentTo({ edits }, done) {
+	return {
+		edits,
+		done: Math.min(edits.length, Math.max(0, done))
+	};
+}
+/** A number that no match measured by hand has yet. */
+function freshNumber({ edits }) {
+	return edits.reduce((most, edit) => edit.kind === "add" ? Math.max(most, edit.id) : most, 0) + 1;
+}
+/** What an edit did, as in "Undo: reject 14 matches". */
+function nameOfEdit(edit) {
+	switch (edit.kind) {
+		case "reject":
+		case "restore": return `${edit.kind} ${edit.of.length === 1 ? "1 match" : `${String(edit.of.length)} matches`}`;
+		case "add": return "add 1 match";
+		case "move": return "move 1 match";
+	}
+}
+/** The edits of exchanged images. */
+function exchanged({ edits, done }) {
+	if (edits.length === 0) return NO_HISTORY;
+	const place = ([xl, yl, xr, yr]) => [
+		xr,
+		yr,
+		xl,
+		yl
+	];
+	const target = (of) => typeof of === "number" ? of : place(of);
+	const other = (edit) => {
+		switch (edit.kind) {
+			case "reject":
+			case "restore": return {
+				kind: edit.kind,
+				of: edit.of.map(target)
+			};
+			case "add": return {
+				...edit,
+				at: place(edit.at)
+			};
+			case "move": return {
+				kind: "move",
+				of: target(edit.of),
+				to: place(edit.to)
+			};
+		}
+	};
+	return {
+		edits: edits.map(other),
+		done
+	};
 }
 // www/pair/state/state.ts
 var SIDES = ["left", "right"];
@@ -5316,6 +6042,13 @@ var TYPED_PARTS = [
 	"photos",
 	"offset"
 ];
+/** What belongs to the edits of a pair goes with its images. */
+var UNEDITED = {
+	history: NO_HISTORY,
+	chosen: [],
+	before: null,
+	draft: null
+};
 var INITIAL = {
 	catalogue: null,
 	settings: null,
@@ -5348,13 +6081,16 @@ var INITIAL = {
 	failures: {},
 	paused: false,
 	selection: null,
+	...UNEDITED,
+	shelf: /* @__PURE__ */ new Map(),
+	tool: "look",
 	activeSide: "left",
 	views: {
 		left: null,
 		right: null
 	},
 	display: {
-		points: "all",
+		points: "matched",
 		lines: "some",
 		vectors: 0,
 		linked: true,
@@ -5479,6 +6215,351 @@ function say(block, text) {
 		}
 	});
 }
+// www/pair/state/codes.ts
+var RULES = [
+	"matched",
+	"no_descriptor",
+	"no_candidate",
+	"threshold",
+	"ambiguous",
+	"many_to_one",
+	"parallax",
+	"border",
+	"left_right",
+	"not_converged",
+	"imprecise",
+	"frame"
+];
+/**
+* After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses; what the
+* user rejected and measured.
+*/
+var CODES = [
+	...RULES,
+	"gross_error",
+	"undecided",
+	"rejected_by_hand",
+	"manual"
+];
+function codeOf(name) {
+	return CODES.indexOf(name);
+}
+var MATCHED = codeOf("matched");
+var GROSS_ERROR = codeOf("gross_error");
+var UNDECIDED = codeOf("undecided");
+var BY_HAND = codeOf("rejected_by_hand");
+var MANUAL = codeOf("manual");
+/** Codes of matches: whatever became of them, a user looks for them among the matches. */
+var OF_MATCHES = [
+	MATCHED,
+	GROSS_ERROR,
+	BY_HAND,
+	MANUAL
+];
+/** The rules that refuse, in the order in which the panel lists them. */
+var REFUSALS = RULES.filter((rule) => rule !== "matched");
+/** Throws where the page and the crate disagree on the rules: they are of different builds. */
+function checkRules(names) {
+	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
+}
+// www/pair/state/edited.ts
+/** The pair with the edits by hand: a pure function of what the matching found and of what stands after the edits. */
+/** Stands for the right point of a match whose place is none. */
+var NO_POINT = 4294967295;
+/** A new run finds the place of an edit again where a left point lies this near, px. */
+var SAME_PLACE_PX = .5;
+/** Whether the place of a match was measured by hand. */
+function isManual({ matches }, row) {
+	return matches[5 * row + 4] === -1;
+}
+/** Rows of matches by the whole px that holds their left position. */
+var rowsByPixel = remember((matches) => {
+	const cells = /* @__PURE__ */ new Map();
+	for (let row = 0; 5 * row < matches.length; row++) {
+		const cell = pixelOf(matches[5 * row] ?? NaN, matches[5 * row + 1] ?? NaN);
+		const rows = cells.get(cell);
+		if (rows === void 0) cells.set(cell, [row]);
+		else rows.push(row);
+	}
+	return cells;
+});
+/** More columns than any image has. */
+var COLUMNS = 2 ** 24;
+function pixelOf(x, y) {
+	return Math.floor(y) * COLUMNS + Math.floor(x);
+}
+var HERE = [[0, 0]];
+var AROUND = [
+	-1,
+	0,
+	1
+].flatMap((dy) => [
+	-1,
+	0,
+	1
+].map((dx) => [dx, dy]));
+/** Squares of the distances of a match from a place, in the left and in the right image. */
+function distances(matches, row, [xl, yl, xr, yr]) {
+	const [ul = NaN, vl = NaN, ur = NaN, vr = NaN] = matches.subarray(5 * row, 5 * row + 4);
+	return [(ul - xl) ** 2 + (vl - yl) ** 2, (ur - xr) ** 2 + (vr - yr) ** 2];
+}
+/** The row of each target that has one: the very match where it is there, else the nearest one at the same place of the left image. */
+function rowsOf(matches, targets) {
+	const cells = rowsByPixel(matches);
+	const taken = /* @__PURE__ */ new Set();
+	const rows = /* @__PURE__ */ new Map();
+	const claim = (key, place, around, accepts) => {
+		let best = null;
+		for (const [dx, dy] of around) for (const row of cells.get(pixelOf(place[0] + dx, place[1] + dy)) ?? []) {
+			const [left, right] = distances(matches, row, place);
+			if (taken.has(row) || !accepts(left, right)) continue;
+			if (best === null || left < best[1] || left === best[1] && right < best[2]) best = [
+				row,
+				left,
+				right
+			];
+		}
+		if (best === null) return;
+		taken.add(best[0]);
+		rows.set(key, best[0]);
+	};
+	for (const [key, place] of targets) claim(key, place, HERE, (left, right) => left === 0 && right === 0);
+	for (const [key, place] of targets) if (!rows.has(key)) claim(key, place, AROUND, (left) => left <= SAME_PLACE_PX ** 2);
+	return rows;
+}
+/** Rows of matches that are gathered. */
+var Rows = class {
+	found;
+	matches;
+	fits;
+	indices;
+	count = 0;
+	constructor(found, most) {
+		this.found = found;
+		this.matches = new Float64Array(5 * most);
+		this.fits = new Float64Array(5 * most);
+		this.indices = new Uint32Array(2 * most);
+	}
+	keep(row) {
+		for (let k = 0; k < 5; k++) {
+			this.matches[5 * this.count + k] = this.found.matches[5 * row + k] ?? NaN;
+			this.fits[5 * this.count + k] = this.found.fits[5 * row + k] ?? NaN;
+		}
+		this.indices[2 * this.count] = this.found.indices[2 * row] ?? 0;
+		this.indices[2 * this.count + 1] = this.found.indices[2 * row + 1] ?? 4294967295;
+		this.count += 1;
+	}
+	place(left, at) {
+		this.matches.set([...at, -1], 5 * this.count);
+		this.fits.fill(NaN, 5 * this.count, 5 * this.count + 5);
+		this.indices.set([left, NO_POINT], 2 * this.count);
+		this.count += 1;
+	}
+	get all() {
+		const { matches, fits, indices, count } = this;
+		return {
+			matches: matches.slice(0, 5 * count),
+			fits: fits.slice(0, 5 * count),
+			indices: indices.slice(0, 2 * count)
+		};
+	}
+};
+/** An array with room for more at its end. */
+function longer(values, more) {
+	const copy = new values.constructor(values.length + more);
+	copy.set(values);
+	return copy;
+}
+/** What each edit did to the matches that were found. The same objects where nothing stands. */
+function applied(left, found, standing) {
+	return isNothing(standing) ? {
+		left,
+		match: found,
+		found,
+		appended: [],
+		lost: 0
+	} : new Applying(left, found, standing).edited();
+}
+/** The places by which the matches of edits are found. */
+function placesOf({ rejected, placed }) {
+	const places = /* @__PURE__ */ new Map();
+	for (const [key, { target }] of placed) if (typeof target !== "number") places.set(key, target);
+	for (const [key, target] of rejected) if (typeof target !== "number") places.set(key, target);
+	for (const [key, { target, at }] of placed) if (typeof target === "number" && !rejected.has(key)) places.set(key, at);
+	return places;
+}
+/** Goes through the matches that were found, then through those that have a place of their own. */
+var Applying = class {
+	left;
+	found;
+	standing;
+	count;
+	rows;
+	points;
+	rules;
+	best;
+	places;
+	measures;
+	appended = [];
+	constructor(left, found, standing) {
+		this.left = left;
+		this.found = found;
+		this.standing = standing;
+		this.count = left.length / 3;
+		const most = standing.placed.size;
+		this.rows = new Rows(found, found.matches.length / 5 + most);
+		this.points = longer(left, 3 * most);
+		this.rules = longer(found.rules, most);
+		this.best = longer(found.best, most);
+		this.places = longer(found.places, 2 * most);
+		this.measures = longer(found.measures, 2 * most);
+	}
+	edited() {
+		const { found, left, standing, appended } = this;
+		const rowOf = rowsOf(found.matches, placesOf(standing));
+		const keyOfRow = new Map([...rowOf].map(([key, row]) => [row, key]));
+		const handled = /* @__PURE__ */ new Set();
+		for (let row = 0; 5 * row < found.matches.length; row++) {
+			const key = keyOfRow.get(row);
+			if (key === void 0) this.rows.keep(row);
+			else if (this.change(row, key)) handled.add(key);
+		}
+		for (const [key, { target, at }] of standing.placed) if (!handled.has(key)) this.append(key, target, at);
+		const lost = [...standing.rejected.keys()].filter((key) => !rowOf.has(key) && !standing.placed.has(key)).length;
+		const all = this.count + appended.length;
+		return {
+			left: appended.length === 0 ? left : this.points.slice(0, 3 * all),
+			match: this.match(all),
+			found,
+			appended,
+			lost
+		};
+	}
+	/** Does to a match that was found what stands of it; false where its place is another one in the left image, which is appended. */
+	change(row, key) {
+		const { found, standing } = this;
+		const own = found.indices[2 * row] ?? 0;
+		const { target, at } = standing.placed.get(key) ?? {};
+		if (!(at === void 0 || typeof target !== "number" && at[0] === found.matches[5 * row] && at[1] === found.matches[5 * row + 1])) {
+			this.rules[own] = UNDECIDED;
+			this.decide(own, NaN, NaN);
+			return false;
+		}
+		if (at !== void 0) this.decide(own, at[2], at[3]);
+		if (standing.rejected.has(key)) this.rules[own] = BY_HAND;
+		else if (at === void 0) this.rows.keep(row);
+		else this.rows.place(own, at);
+		return true;
+	}
+	/** A left point of its own, with the verdict on it. */
+	append(key, target, at) {
+		const index = this.count + this.appended.length;
+		const rejected = this.standing.rejected.has(key);
+		this.appended.push(target);
+		this.points.set([
+			at[0],
+			at[1],
+			0
+		], 3 * index);
+		this.rules[index] = rejected ? BY_HAND : MATCHED;
+		this.decide(index, at[2], at[3]);
+		if (!rejected) this.rows.place(index, at);
+	}
+	/** Of a left point of which nothing was compared, where it lies in the right image. */
+	decide(index, x, y) {
+		this.best[index] = -1;
+		this.places.set([x, y], 2 * index);
+		this.measures.fill(Infinity, 2 * index, 2 * index + 2);
+	}
+	/** `all`: so many left points. */
+	match(all) {
+		const used = this.rows.all;
+		return {
+			...this.found,
+			...used,
+			counts: {
+				...this.found.counts,
+				matches: used.matches.length / 5
+			},
+			rules: this.rules.slice(0, all),
+			best: this.best.slice(0, all),
+			places: this.places.slice(0, 2 * all),
+			measures: this.measures.slice(0, 2 * all)
+		};
+	}
+};
+/** How many matches were rejected and measured by hand. */
+function countsByHand(match) {
+	let manual = 0;
+	for (let row = 0; 5 * row < match.matches.length; row++) manual += Number(isManual(match, row));
+	return {
+		rejected: match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND), 0),
+		manual
+	};
+}
+/** What a run of the matching has of the edits by hand; null where there are none. */
+function keptText({ match, found, lost }) {
+	if (match === found && lost === 0) return null;
+	const { rejected, manual } = countsByHand(match);
+	const of = (number, one, more) => number === 0 ? [] : [`${String(number)} ${number === 1 ? one : more}`];
+	const kept = [...of(rejected, "match rejected by hand", "matches rejected by hand"), ...of(manual, "match measured by hand", "matches measured by hand")];
+	const none = lost === 0 ? "" : ` Of ${String(lost)} more ${lost === 1 ? "rejection" : "rejections"} there is no match at the same place.`;
+	return `${kept.length === 0 ? "No edits by hand apply to this result." : `Kept: ${kept.join(", ")}.`}${none}`;
+}
+var remembered = remember(applied);
+/** The pair with its edits; null while there are no matches of the points that are there. */
+function editedPair({ results, history }) {
+	const left = results.pointsLeft?.value.points;
+	const match = results.match?.value;
+	if (left === void 0 || match === void 0 || match.rules.length * 3 !== left.length) return null;
+	return remembered(left, match, standingOf(history.edits, history.done));
+}
+/** What an edit of the match at a left point is about; null where there is no match. */
+function targetOfLeft({ found, match, appended }, left) {
+	const rule = match.rules[left];
+	if (rule !== MATCHED && rule !== BY_HAND) return null;
+	const count = found.rules.length;
+	if (left >= count) return appended[left - count] ?? null;
+	const row = rowOfLeft(found)[left] ?? -1;
+	if (row < 0) return null;
+	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = found.matches.subarray(5 * row, 5 * row + 4);
+	return [
+		xl,
+		yl,
+		xr,
+		yr
+	];
+}
+/** The row of the match of each left point; -1 where it has none. */
+function rowsOfLefts(match) {
+	const rows = new Int32Array(match.rules.length).fill(-1);
+	for (let i = 0; i < match.indices.length; i += 2) rows[match.indices[i] ?? 4294967295] = i / 2;
+	return rows;
+}
+var rowOfLeft = remember(rowsOfLefts);
+/** The left points that have a match, or had one that was rejected by hand, by the keys of its target. */
+var leftsByTarget = remember((edited) => {
+	const lefts = /* @__PURE__ */ new Map();
+	edited.match.rules.forEach((rule, left) => {
+		if (rule !== MATCHED && rule !== BY_HAND) return;
+		const target = targetOfLeft(edited, left);
+		if (target !== null) lefts.set(keyOfTarget(target), left);
+	});
+	return lefts;
+});
+/** Where the match of a left point lies, or lay until it was rejected by hand. */
+function placeOfLeft({ left, match }, index) {
+	const [x = NaN, y = NaN] = left.subarray(3 * index, 3 * index + 2);
+	const row = rowOfEdited(match)[index] ?? -1;
+	const [xr = NaN, yr = NaN] = row >= 0 ? match.matches.subarray(5 * row + 2, 5 * row + 4) : match.places.subarray(2 * index, 2 * index + 2);
+	return [
+		x,
+		y,
+		xr,
+		yr
+	];
+}
+var rowOfEdited = remember(rowsOfLefts);
 // www/pair/state/truth.ts
 /** The truth of the images on the screen; null where they are not a simulated pair in its own order. */
 function truthOf(state) {
@@ -5509,6 +6590,16 @@ function shortName(parts) {
 		numbers$1.set(text, name);
 	}
 	return name;
+}
+var standings = /* @__PURE__ */ new WeakMap();
+var lastStanding = 0;
+/** What is made of the matches depends on the edits by hand too; without any it is what it would be without editing. */
+function withEdits({ history }, match) {
+	const standing = standingOf(history.edits, history.done);
+	if (isNothing(standing)) return match;
+	const number = standings.get(standing) ?? ++lastStanding;
+	standings.set(standing, number);
+	return keyOf("edited", [match], number);
 }
 /** The key of a stage from its inputs; null where one of them is missing. */
 function keyOf(kind, inputs, options = null) {
@@ -5597,6 +6688,10 @@ function ofCameras(settings, interiors) {
 	if (comparesGradients(settings)) return [...interiors, settings.geometry];
 	return settings.matching.epipolar ? [...interiors, settings.orientation] : [];
 }
+/** The point whose place in the other image is looked for. */
+function knownOfDraft({ draft }) {
+	return draft === null ? null : [draft.side, draft.places[otherSide(draft.side)]];
+}
 function compute(state) {
 	const { settings } = state;
 	const openLeft = openKey(state, "left");
@@ -5628,6 +6723,8 @@ function compute(state) {
 	const interiors = "missing" in cameras ? [unknown] : [interiorLeft, interiorRight];
 	const orientable = fromOnePlace(state, match) ? null : "";
 	const truth = truthOf(state);
+	const edited = withEdits(state, match);
+	const placed = standingOf(state.history.edits, state.history.done).placed.size > 0;
 	return {
 		openLeft,
 		openRight,
@@ -5640,12 +6737,13 @@ function compute(state) {
 		interiorLeft,
 		interiorRight,
 		orientation: keyOf("orientation", [
-			match,
+			edited,
 			orientable,
 			...interiors
 		], settings?.orientation),
-		score: keyOf("score", [match, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
-		inspection: keyOf("inspection", [match, state.selection === null ? null : ""], [state.selection, settings?.window])
+		score: keyOf("score", [edited, truth === null ? null : ""], [truth?.leftId, truth?.rightId]),
+		line: keyOf("line", [match, state.draft === null ? null : ""], knownOfDraft(state)),
+		inspection: keyOf("inspection", [placed ? edited : match, state.selection === null ? null : ""], [state.selection, settings?.window])
 	};
 }
 var last = null;
@@ -5735,6 +6833,11 @@ var STAGES = {
 	},
 	score: {
 		label: "comparing with the truth",
+		worker: "pair",
+		needs: ["match"]
+	},
+	line: {
+		label: "looking where the point may lie",
 		worker: "pair",
 		needs: ["match"]
 	},
@@ -5837,13 +6940,14 @@ function matchInput(state) {
 	};
 }
 // www/pair/state/selected.ts
+/** Which left point a selection is about, and where its best place lies. */
 /** Where the best place of a left point lies in the right image; null where it has none. */
 function placeOf(places, index) {
 	if (index < 0) return null;
 	const [x = NaN, y = NaN] = places.subarray(2 * index, 2 * index + 2);
 	return Number.isNaN(x) || Number.isNaN(y) ? null : [x, y];
 }
-/** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate. */
+/** The left point that a selection is about: itself, or the one that has the selected right point as its best candidate; a match of them before others. */
 function leftIndexOf(state, best, rules) {
 	const { selection } = state;
 	if (selection === null) return -1;
@@ -5851,8 +6955,8 @@ function leftIndexOf(state, best, rules) {
 	let found = -1;
 	for (let i = 0; i < best.length; i++) {
 		if (best[i] !== selection.index) continue;
-		if (rules[i] === 0) return i;
-		if (found < 0) found = i;
+		if (rules[i] === MATCHED) return i;
+		if (found < 0 || rules[i] === BY_HAND && rules[found] !== BY_HAND) found = i;
 	}
 	return found;
 }
@@ -5868,13 +6972,17 @@ function comparedWindow(state) {
 		shape: "square"
 	} : settings.window;
 }
+/** The matches with what was done to them by hand. */
+function matchOf$1(state) {
+	return editedPair(state)?.match ?? needed(state, "match");
+}
 function pointsOf(state, side) {
 	return needed(state, side === "left" ? "pointsLeft" : "pointsRight");
 }
 /** A position of an image, as its points give it; null where there is no such point. */
 function pointAt(state, side, index) {
 	if (index < 0) return null;
-	const [x, y] = pointsOf(state, side).points.subarray(3 * index, 3 * index + 2);
+	const [x, y] = ((side === "left" ? editedPair(state)?.left : void 0) ?? pointsOf(state, side).points).subarray(3 * index, 3 * index + 2);
 	return x === void 0 || y === void 0 ? null : [x, y];
 }
 async function windowAt(workers, state, side, at) {
@@ -5907,6 +7015,7 @@ async function featureAt(workers, state, side, index) {
 	const at = pointAt(state, side, index);
 	if (at === null) return null;
 	const { frames, gradients } = pointsOf(state, side);
+	if (128 * index >= gradients.length) return null;
 	const [scale = 1, direction = 0] = frames.subarray(2 * index, 2 * index + 2);
 	const reach = 4 * settingsOf(state).gradient.cell * scale;
 	const worker = await workers.withImage(side, state);
@@ -5928,17 +7037,21 @@ async function featureAt(workers, state, side, index) {
 	};
 }
 /** The epipolar line of the selected point in the other image, where a geometry of the two views is known. */
-async function lineOf$1(workers, state) {
-	const { geometry } = needed(state, "match");
+async function lineOf(workers, state) {
 	const { selection } = state;
 	const at = selection === null ? null : pointAt(state, selection.side, selection.index);
-	if (geometry === null || selection === null || at === null) return null;
-	const side = otherSide(selection.side);
+	return selection === null || at === null ? null : seenFrom(workers, state, selection.side, at);
+}
+/** Where a place of one image may be seen in the other one; null where no geometry of the two views is known. */
+async function seenFrom(workers, state, from, at) {
+	const { geometry } = needed(state, "match");
+	if (geometry === null) return null;
+	const side = otherSide(from);
 	const { width, height } = needed(state, side === "left" ? "openLeft" : "openRight").info;
 	return {
 		side,
 		positions: await workers.client("pair").call("epipolarLine", {
-			from: selection.side,
+			from,
 			x: at[0],
 			y: at[1],
 			model: geometry.model,
@@ -5950,7 +7063,7 @@ async function lineOf$1(workers, state) {
 }
 async function candidatesOf(workers, state, left) {
 	const settings = settingsOf(state);
-	if (left < 0 || comparesGreyValues(settings)) return /* @__PURE__ */ new Float64Array();
+	if (left < 0 || 3 * left >= pointsOf(state, "left").points.length || comparesGreyValues(settings)) return /* @__PURE__ */ new Float64Array();
 	const worker = workers.client("pair");
 	if (!comparesGradients(settings)) return worker.call("candidates", {
 		...matchInput(state),
@@ -5967,7 +7080,7 @@ async function candidatesOf(workers, state, left) {
 }
 /** Windows of moments or grey values; for gradients the features. */
 async function comparedOf(workers, state, left) {
-	const { best, places } = needed(state, "match");
+	const { best, places } = matchOf$1(state);
 	const { selection } = state;
 	const right = selection?.side === "right" ? selection.index : best[left] ?? -1;
 	if (comparesGradients(settingsOf(state))) {
@@ -5990,18 +7103,25 @@ async function comparedOf(workers, state, left) {
 	};
 }
 var inspection = async (state, workers) => {
-	const { best, rules } = needed(state, "match");
+	const { best, rules } = matchOf$1(state);
 	const left = leftIndexOf(state, best, rules);
 	const [compared, candidates, line] = await Promise.all([
 		comparedOf(workers, state, left),
 		candidatesOf(workers, state, left),
-		lineOf$1(workers, state)
+		lineOf(workers, state)
 	]);
 	return {
 		...compared,
 		candidates,
 		line
 	};
+};
+/** Where the point that is measured may lie. */
+var line = async (state, workers) => {
+	const { draft } = state;
+	const from = draft === null ? null : otherSide(draft.side);
+	const at = from === null ? null : draft?.places[from];
+	return from === null || at == null ? null : seenFrom(workers, state, from, [at[0], at[1]]);
 };
 // www/pair/engine/runs.ts
 /** How each stage is computed: which calls, on which worker, from which results. */
@@ -6014,7 +7134,7 @@ function open(side) {
 		return workers.open(side, image);
 	};
 }
-var NONE = {
+var NONE$1 = {
 	moments: /* @__PURE__ */ new Float64Array(),
 	gradients: /* @__PURE__ */ new Uint8Array()
 };
@@ -6030,7 +7150,7 @@ function points(side) {
 		if (comparesGradients(settings)) return worker.call("features", input);
 		return {
 			...await worker.call("detect", input),
-			gradients: NONE.gradients
+			gradients: NONE$1.gradients
 		};
 	};
 }
@@ -6039,13 +7159,13 @@ function descriptors(side) {
 		const found = needed(state, side === "left" ? "pointsLeft" : "pointsRight");
 		const settings = settingsOf(state);
 		if (!comparesMoments(settings)) return {
-			...NONE,
+			...NONE$1,
 			gradients: found.gradients
 		};
 		const { window, matching } = settings;
 		const worker = await workers.withImage(side, state);
 		return {
-			...NONE,
+			...NONE$1,
 			moments: await worker.call("describe", {
 				points: found.points,
 				window,
@@ -6073,8 +7193,8 @@ var match = async (state, workers) => {
 	const settings = settingsOf(state);
 	const ofPair = (settings.matching.epipolar || comparesGradients(settings)) && isCurrent(state, "interiorLeft") && isCurrent(state, "interiorRight") ? knownInterior(state) : null;
 	const input = matchInput(state);
-	const { gradients: ofLeft = NONE.gradients } = input.left;
-	const { gradients: ofRight = NONE.gradients } = input.right;
+	const { gradients: ofLeft = NONE$1.gradients } = input.left;
+	const { gradients: ofRight = NONE$1.gradients } = input.right;
 	const [worker, nearest] = await Promise.all([workers.withPair(state), comparesGradients(settings) ? workers.nearest(ofLeft, ofRight) : null]);
 	return worker.call("match", {
 		...input,
@@ -6100,12 +7220,18 @@ function interior(side) {
 		});
 	};
 }
+/** The matches with what was done to them by hand. */
+function edited(state) {
+	const pair = editedPair(state);
+	if (pair === null) throw new Error("the matches are of other points");
+	return pair;
+}
 var orientation = async (state, workers) => {
-	const { matches, fits } = needed(state, "match");
+	const { left, match: used } = edited(state);
+	const { matches, fits } = used;
 	const ofPair = interiorInUse(state);
 	if (ofPair === null) throw new Error("no interior orientation is known");
-	const count = (name) => needed(state, name).points.length / 3;
-	const points = [count("pointsLeft"), count("pointsRight")];
+	const points = [left.length / 3, needed(state, "pointsRight").points.length / 3];
 	return workers.client("pair").call("orient", {
 		matches,
 		fits,
@@ -6119,8 +7245,8 @@ var score = async (state, workers) => {
 	if (truth === null) throw new Error("these images have no truth");
 	const { info } = needed(state, "openRight");
 	return workers.client("pair").call("score", {
-		matches: needed(state, "match").matches,
-		leftPoints: needed(state, "pointsLeft").points,
+		matches: edited(state).match.matches,
+		leftPoints: edited(state).left,
 		rightPosition: truth.rightPosition,
 		left: {
 			width: truth.leftWidth,
@@ -6145,7 +7271,8 @@ var RUNS = {
 	interiorRight: interior("right"),
 	orientation,
 	score,
-	inspection
+	inspection,
+	line
 };
 // www/pair/engine/engine.ts
 /** Starts what is wanted and not there, one call a stage at a time, and reports to the store. */
@@ -6182,6 +7309,8 @@ var Engine = class {
 		store.watch([
 			"images",
 			"selection",
+			"history",
+			"draft",
 			"paused",
 			"failures"
 		], () => this.update());
@@ -6290,14 +7419,17 @@ var Engine = class {
 		const { state } = this.store;
 		try {
 			const value = await RUNS[stage](state, this);
+			const of = stage === "orientation" ? editedPair(state) : null;
+			const result = {
+				key,
+				value,
+				milliseconds: performance.now() - started,
+				...of === null ? {} : { of }
+			};
 			this.store.dispatch({
 				type: "stageDone",
 				stage,
-				result: {
-					key,
-					value,
-					milliseconds: performance.now() - started
-				}
+				result
 			});
 		} catch (error) {
 			this.failed(stage, key, error);
@@ -6336,6 +7468,60 @@ function isReady(state, stage) {
 	const current = (input) => state.results[input]?.key === keys[input];
 	return needs.every((input) => keys[input] === null || current(input)) && uses.every((input) => keys[input] === null || current(input) || state.failures[input]?.key === keys[input]);
 }
+// www/pair/engine/fit.ts
+/** Least squares matching of one place that was measured by hand. */
+/** How far around the given place is searched: a window of so many px. */
+var SEARCH_PX = 9;
+/** The place in the right image that least squares matching finds near a given one; null where it confirms none. */
+async function fitted(state, workers, left, right) {
+	const settings = settingsOf(state);
+	const { matches } = await (await workers.withPair(state)).call("match", {
+		left: { points: Float64Array.of(...left, 0) },
+		right: { points: /* @__PURE__ */ new Float64Array() },
+		offset: constant_offset(right[0] - left[0], right[1] - left[1]),
+		interior: null,
+		settings: {
+			...settings,
+			matching: {
+				...settings.matching,
+				strategy: "least-squares",
+				refine: null,
+				epipolar: false,
+				search: SEARCH_PX,
+				left_right: false
+			}
+		},
+		nearest: null
+	});
+	const [, , x, y] = matches;
+	return x === void 0 || y === void 0 ? null : [x, y];
+}
+// www/pair/state/shelf.ts
+/** The same for the same two files, in this order; null where an image is no file. */
+function keyOfPair(images) {
+	const parts = [images.left, images.right].map((image) => {
+		if (image?.source.kind !== "file") return null;
+		const { file } = image.source;
+		return [
+			image.name,
+			file.size,
+			file instanceof File ? file.lastModified : 0
+		];
+	});
+	return parts.includes(null) ? null : JSON.stringify(parts);
+}
+/** The edits of a pair that leaves go to the shelf, those of the one that comes leave it. */
+function exchangedPair(state, images) {
+	const [before, next] = [keyOfPair(state.images), keyOfPair(images)];
+	const shelf = new Map(state.shelf);
+	if (before !== null && state.history.edits.length > 0) shelf.set(before, state.history);
+	const history = (next === null ? void 0 : shelf.get(next)) ?? NO_HISTORY;
+	if (next !== null) shelf.delete(next);
+	return {
+		history,
+		shelf: shelf.size === 0 && state.shelf.size === 0 ? state.shelf : shelf
+	};
+}
 // www/pair/state/project.ts
 /** All that is known of the pair on the screen; null while parts of it are missing or out of date. `contents`: digests of the image files. */
 function projectOf(state, contents) {
@@ -6346,7 +7532,8 @@ function projectOf(state, contents) {
 		"pointsRight",
 		"match"
 	].every((stage) => isCurrent(state, stage)) || settings === null || openLeft === void 0 || openRight === void 0) return null;
-	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0) return null;
+	const edited = editedPair(state);
+	if (pointsLeft === void 0 || pointsRight === void 0 || match === void 0 || edited === null) return null;
 	const opened = {
 		left: openLeft,
 		right: openRight
@@ -6389,10 +7576,13 @@ function projectOf(state, contents) {
 		},
 		settings,
 		output: {
-			left: points(pointsLeft.value),
+			left: points({
+				...pointsLeft.value,
+				...appendedTo(pointsLeft.value, edited.left)
+			}),
 			right: points(pointsRight.value),
 			offset: isCurrent(state, "offset") ? results.offset?.value ?? null : null,
-			match: match.value,
+			match: filed(edited.match),
 			interior,
 			pixel_mm: null,
 			orientation: oriented,
@@ -6404,6 +7594,56 @@ function projectOf(state, contents) {
 		},
 		truth: truthFor$1(state)
 	};
+}
+/** Points with those measured by hand, at the one scale of points that have none. */
+function appendedTo({ points, frames }, left) {
+	const more = (left.length - points.length) / 3;
+	if (more === 0) return {
+		points,
+		frames
+	};
+	const own = Array.from({ length: frames.length === 0 ? 0 : more }, () => [1, 0]).flat();
+	return {
+		points: left,
+		frames: Float64Array.from([...frames, ...own])
+	};
+}
+var NO_CANDIDATE = codeOf("no_candidate");
+/**
+* Matches as a file holds them, which knows the rules of the crate alone. What was rejected by hand has no candidate there, but keeps its place:
+* a point without a candidate has none.
+*/
+function filed(match) {
+	const own = match.rules.reduce((sum, rule) => sum + Number(rule === BY_HAND || rule === UNDECIDED), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule) => rule === BY_HAND || rule === UNDECIDED ? NO_CANDIDATE : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate + own
+		}
+	};
+}
+/** The opposite of `filed`. */
+function unfiled(match) {
+	const byHand = (rule, left) => rule === NO_CANDIDATE && !Number.isNaN(match.places[2 * left]);
+	const own = match.rules.reduce((sum, rule, left) => sum + Number(byHand(rule, left)), 0);
+	if (own === 0) return match;
+	const rules = match.rules.map((rule, left) => byHand(rule, left) ? BY_HAND : rule);
+	return {
+		...match,
+		rules,
+		counts: {
+			...match.counts,
+			no_candidate: match.counts.no_candidate - own
+		}
+	};
+}
+/** How many matches of a file were rejected and measured by hand. */
+function editsOfFile({ output }) {
+	return countsByHand(unfiled(output.match));
 }
 /** Why there is no orientation, in the order in which the crate's `match_pair` asks. */
 function whyNone(state) {
@@ -6470,6 +7710,8 @@ function withProject(state, { project, images, overviews, masks, estimated }) {
 		failures: {},
 		paused: false,
 		selection: null,
+		...UNEDITED,
+		...exchangedPair(state, images),
 		views: {
 			left: null,
 			right: null
@@ -6511,7 +7753,7 @@ function withResults(state, { project, estimated }, beside, times) {
 		...state,
 		results: {}
 	};
-	const put = (stage, value) => {
+	const put = (stage, value, of) => {
 		const key = wantedKeys(next)[stage];
 		if (value != null && key !== null) next = {
 			...next,
@@ -6520,7 +7762,8 @@ function withResults(state, { project, estimated }, beside, times) {
 				[stage]: {
 					key,
 					value,
-					milliseconds: times[stage] ?? 0
+					milliseconds: times[stage] ?? 0,
+					...of === void 0 ? {} : { of }
 				}
 			}
 		};
@@ -6541,11 +7784,15 @@ function withResults(state, { project, estimated }, beside, times) {
 	put("offset", output.offset);
 	put("interiorLeft", beside.interiorLeft);
 	put("interiorRight", beside.interiorRight);
-	put("match", {
-		...output.match,
+	const match = {
+		...unfiled(output.match),
 		estimated
+	};
+	put("match", match);
+	put("orientation", output.orientation, {
+		match,
+		found: match
 	});
-	put("orientation", output.orientation);
 	put("score", truth?.score);
 	return next;
 }
@@ -6586,61 +7833,59 @@ var OF_IMAGE = {
 		"descriptorsRight"
 	]
 };
-// www/pair/state/codes.ts
-var RULES = [
-	"matched",
-	"no_descriptor",
-	"no_candidate",
-	"threshold",
-	"ambiguous",
-	"many_to_one",
-	"parallax",
-	"border",
-	"left_right",
-	"not_converged",
-	"imprecise",
-	"frame"
-];
-/** After the rules: a match that the adjustment rejected; a point that nothing was decided about, or a right point that no match uses. */
-var CODES = [
-	...RULES,
-	"gross_error",
-	"undecided"
-];
-function codeOf(name) {
-	return CODES.indexOf(name);
-}
-var MATCHED = codeOf("matched");
-var GROSS_ERROR = codeOf("gross_error");
-var UNDECIDED = codeOf("undecided");
-/** The rules that refuse, in the order in which the panel lists them. */
-var REFUSALS = RULES.filter((rule) => rule !== "matched");
-/** Throws where the page and the crate disagree on the rules: they are of different builds. */
-function checkRules(names) {
-	if (names.length !== RULES.length || RULES.some((rule, i) => names[i] !== rule)) throw new Error(`the page and the program do not fit each other: rules ${names.join(", ")}`);
-}
 // www/pair/state/select.ts
-/** Stands for the right point of a match whose place is none. */
-var NO_POINT = 4294967295;
 /**
 * The points, matches and orientation that fit each other and the images on the screen. Matches refer to points by index: once points are
 * newer than the matches, the matches are no longer shown on them. An orientation is shown while another is on its way, and not where
 * none will come.
 */
 function shownPair(state) {
-	const left = pointsOfShownImage(state, "left");
+	const found = pointsOfShownImage(state, "left");
 	const right = pointsOfShownImage(state, "right");
-	const match = state.results.match?.value ?? null;
-	const fits = match !== null && left !== null && right !== null && match.rules.length * 3 === left.length && matchIsOf(match, left, right);
-	const orientation = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation?.value ?? null : null;
-	const oriented = fits && orientation !== null && orientation.residuals_mm.length * 5 === match.matches.length;
+	const made = state.results.match?.value ?? null;
+	const edited = made !== null && found !== null && right !== null && made.rules.length * 3 === found.length && matchIsOf(made, found, right) ? editedPair(state) : null;
+	const result = wantedKeys(state).orientation !== null && !isBarred(state, "orientation") ? state.results.orientation : void 0;
+	const orientation = edited === null || result === void 0 ? null : orientationOf(result.value, result.of ?? null, edited);
 	return {
-		left,
+		left: edited?.left ?? found,
 		right,
-		match: fits ? match : null,
-		orientation: oriented ? orientation : null
+		match: edited?.match ?? null,
+		orientation,
+		edited
 	};
 }
+/** The orientation of the matches as they are now. One that was made before the latest edit is shown of the matches that it knows. */
+var orientationOf = remember((orientation, of, { match, found }) => {
+	if (of === null || of.match === match) return orientation.residuals_mm.length * 5 === match.matches.length ? orientation : null;
+	if (of.found !== found) return null;
+	const rowThen = new Map(Array.from({ length: of.match.indices.length / 2 }, (_, row) => [of.match.indices[2 * row] ?? 4294967295, row]));
+	const unknown = -1;
+	const thenOf = Array.from({ length: match.indices.length / 2 }, (_, row) => {
+		const then = rowThen.get(match.indices[2 * row] ?? 4294967295) ?? unknown;
+		return [
+			0,
+			1,
+			2,
+			3
+		].every((k) => of.match.matches[5 * then + k] === match.matches[5 * row + k]) ? then : unknown;
+	});
+	const rejected = new Set(orientation.rejected);
+	const points = new Float64Array(9 * thenOf.length).fill(NaN);
+	thenOf.forEach((then, row) => {
+		if (then !== unknown) points.set(orientation.points.subarray(9 * then, 9 * then + 9), 9 * row);
+	});
+	return {
+		...orientation,
+		points,
+		residuals_mm: thenOf.map((then) => orientation.residuals_mm[then] ?? [
+			NaN,
+			NaN,
+			NaN,
+			NaN
+		]),
+		rejected: thenOf.flatMap((then, row) => rejected.has(then) ? [row] : [])
+	};
+});
 function pointsOfShownImage(state, side) {
 	const opened = side === "left" ? "openLeft" : "openRight";
 	if (state.results[opened] === void 0 || state.results[opened].key !== wantedKeys(state)[opened]) return null;
@@ -6661,33 +7906,49 @@ var leftCodes = remember((left, match, orientation) => {
 	const codes = new Uint8Array((left?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
 	codes.set(match.rules);
+	for (let row = 0; 5 * row < match.matches.length; row++) if (isManual(match, row)) codes[match.indices[2 * row] ?? 4294967295] = MANUAL;
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i] ?? 0] = GROSS_ERROR;
 	return codes;
 });
-/** The code of each right point: matched, rejected by the adjustment, or unused. */
+/** The code of each right point: matched, rejected by hand or by the adjustment, or unused. */
 var rightCodes = remember((right, match, orientation) => {
 	const codes = new Uint8Array((right?.length ?? 0) / 3).fill(UNDECIDED);
 	if (match === null) return codes;
+	match.rules.forEach((rule, left) => {
+		if (rule === BY_HAND) codes[match.best[left] ?? -1] = BY_HAND;
+	});
 	for (let i = 1; i < match.indices.length; i += 2) codes[match.indices[i] ?? 4294967295] = MATCHED;
 	for (const i of orientation?.rejected ?? []) codes[match.indices[2 * i + 1] ?? 4294967295] = GROSS_ERROR;
 	return codes;
 });
-/** The code of each match: `MATCHED`, or `GROSS_ERROR`. */
+/** The code of each match: `MATCHED`, `MANUAL` or `GROSS_ERROR`. */
 var matchCodes = remember((match, orientation) => {
-	const codes = new Uint8Array((match?.matches.length ?? 0) / 5);
+	const codes = Uint8Array.from({ length: (match?.matches.length ?? 0) / 5 }, (_, row) => match !== null && isManual(match, row) ? MANUAL : MATCHED);
 	for (const i of orientation?.rejected ?? []) codes[i] = GROSS_ERROR;
 	return codes;
 });
 var loosePlaces = remember((match, codes) => {
-	const matches = match === null ? /* @__PURE__ */ new Uint32Array() : Uint32Array.from(codes, (_, i) => i).filter((i) => match.indices[2 * i + 1] === NO_POINT);
-	const points = new Float64Array(3 * matches.length);
-	matches.forEach((at, i) => {
-		points.set(match?.matches.subarray(5 * at + 2, 5 * at + 5) ?? [], 3 * i);
+	const [points, ofPlaces, lefts] = [
+		[],
+		[],
+		[]
+	];
+	const put = (left, code, place) => {
+		points.push(...place);
+		ofPlaces.push(code);
+		lefts.push(left);
+	};
+	match?.rules.forEach((rule, left) => {
+		const at = match.places.subarray(2 * left, 2 * left + 2);
+		if (rule === BY_HAND && (match.best[left] ?? -1) < 0 && !Number.isNaN(at[0])) put(left, BY_HAND, [...at, 0]);
+	});
+	codes.forEach((code, row) => {
+		if (match?.indices[2 * row + 1] === 4294967295) put(match.indices[2 * row] ?? 0, code, match.matches.subarray(5 * row + 2, 5 * row + 5));
 	});
 	return {
-		points,
-		codes: Uint8Array.from(matches, (at) => codes[at] ?? MATCHED),
-		matches
+		points: Float64Array.from(points),
+		codes: Uint8Array.from(ofPlaces),
+		lefts: Uint32Array.from(lefts)
 	};
 });
 /** The match of each left point; -1 where it has none. */
@@ -6729,7 +7990,11 @@ function progress(state) {
 /** The first failure that stands for what is wanted now. */
 function currentFailure(state) {
 	const keys = wantedKeys(state);
-	for (const stage of [...RUN_STAGES, "inspection"]) {
+	for (const stage of [
+		...RUN_STAGES,
+		"inspection",
+		"line"
+	]) {
 		const failure = state.failures[stage];
 		if (failure !== void 0 && failure.key === keys[stage]) return {
 			stage,
@@ -6788,25 +8053,44 @@ function besideOf(state) {
 		times: Object.fromEntries(times)
 	};
 }
+/** The pair as it would be without what was done to it by hand. */
+function unedited(state) {
+	return {
+		...state,
+		history: NO_HISTORY
+	};
+}
+function isEdited({ history }) {
+	return !isNothing(standingOf(history.edits, history.done));
+}
+/** In place of the results that edits change: what is kept of them are those without edits. */
+var OF_EDITS = "edits";
 /** The results by which what is kept of them is known to be the latest. */
 function resultsOf(state) {
 	const keys = wantedKeys(state);
+	const changes = isEdited(state) ? /* @__PURE__ */ new Set(["orientation", "score"]) : /* @__PURE__ */ new Set();
+	const stages = [
+		"pointsLeft",
+		"pointsRight",
+		"offset",
+		"match",
+		"orientation",
+		"score",
+		...BESIDE
+	];
+	const value = (stage) => changes.has(stage) ? OF_EDITS : state.results[stage]?.value;
 	return [
-		...[
-			"pointsLeft",
-			"pointsRight",
-			"offset",
-			"match",
-			"orientation",
-			"score",
-			...BESIDE
-		].map((stage) => keys[stage] === null ? null : state.results[stage]?.value),
+		...stages.map((stage) => keys[stage] === null ? null : value(stage)),
 		state.images,
 		state.masks
 	];
 }
+/** Whether what is kept of these results is still what they are. Edits leave it as it is. */
+function areSame(kept, now) {
+	return now.every((value, i) => value === OF_EDITS || value === kept[i]);
+}
 /** The state that shows a pair as it was. Results that other settings made stay so: what is out of date is computed again. */
-function withKept(state, { typed, display, flight, paused, images, masks, truth, opened, result }) {
+function withKept(state, { typed, display, flight, paused, images, masks, truth, history, shelf, opened, result }) {
 	const fresh = {
 		...INITIAL,
 		catalogue: state.catalogue,
@@ -6817,18 +8101,25 @@ function withKept(state, { typed, display, flight, paused, images, masks, truth,
 		paused,
 		images,
 		masks,
-		truth
+		truth,
+		shelf
 	};
-	if (result === null) return fresh;
+	if (result === null) return {
+		...fresh,
+		history
+	};
+	const made = withResults({
+		...fresh,
+		...result.typed
+	}, result, {
+		...result.beside,
+		...opened
+	}, result.times);
 	return {
-		...withResults({
-			...fresh,
-			...result.typed
-		}, result, {
-			...result.beside,
-			...opened
-		}, result.times),
-		...typed
+		...made,
+		...typed,
+		history,
+		before: history.done === 0 ? null : made.results.orientation?.value ?? null
 	};
 }
 /** The same of both sides. */
@@ -6838,6 +8129,128 @@ function bothSides(of) {
 		left,
 		right
 	};
+}
+// www/pair/files/journal.ts
+var HEAD$2 = "pair/edits";
+var PIECE = "pair/edits/";
+/** Edits of pairs that are not on the page. */
+var SHELF = "pair/shelf";
+/** Edits of a piece. */
+var SIDE = 64;
+/** About what a match takes in an edit, in bytes. */
+var OF_MATCH = 40;
+var Journal = class {
+	head = {
+		done: 0,
+		pieces: 0
+	};
+	pieces = [];
+	/** What is kept of the edits; what has not changed is the same value as before. Nothing where there are none. */
+	parts({ history: { edits, done }, shelf }) {
+		const parts = /* @__PURE__ */ new Map();
+		if (shelf.size > 0) parts.set(SHELF, {
+			value: shelf,
+			bytes: [...shelf.values()].reduce((sum, other) => sum + bytesOf$2(other.edits), 0)
+		});
+		const pieces = Math.ceil(edits.length / SIDE);
+		this.pieces = Array.from({ length: pieces }, (_, i) => same(this.pieces[i], edits, i * SIDE));
+		if (this.head.done !== done || this.head.pieces !== pieces) this.head = {
+			done,
+			pieces
+		};
+		if (pieces === 0) return parts;
+		parts.set(HEAD$2, {
+			value: this.head,
+			bytes: OF_MATCH
+		});
+		for (const [i, piece] of this.pieces.entries()) parts.set(PIECE + String(i), {
+			value: piece,
+			bytes: bytesOf$2(piece)
+		});
+		return parts;
+	}
+	/** @throws Error naming what is damaged */
+	read(parts) {
+		return {
+			history: historyFrom(parts),
+			shelf: shelfFrom(parts.get(SHELF))
+		};
+	}
+};
+function historyFrom(parts) {
+	const value = parts.get(HEAD$2);
+	if (value === void 0) return NO_HISTORY;
+	const { done, pieces } = objectOf(value, "edits");
+	const edits = Array.from({ length: likeOf(pieces, 0, "edits.pieces") }, (_, i) => parts.get(PIECE + String(i))).flatMap((piece, i) => listOf$1(piece, `edits[${String(i)}]`, editFrom));
+	return {
+		edits,
+		done: doneFrom(done, edits, "edits.done")
+	};
+}
+function doneFrom(value, edits, name) {
+	return Math.min(edits.length, Math.max(0, Math.trunc(likeOf(value, 0, name))));
+}
+function shelfFrom(value) {
+	if (value === void 0) return /* @__PURE__ */ new Map();
+	if (!(value instanceof Map)) throw new Error("the edits of other pairs are damaged");
+	const entry = ([key, kept]) => {
+		const { edits, done } = objectOf(kept, "shelf");
+		const list = listOf$1(edits, "shelf.edits", editFrom);
+		return [likeOf(key, "", "shelf"), {
+			edits: list,
+			done: doneFrom(done, list, "shelf.done")
+		}];
+	};
+	return new Map([...value].map(entry));
+}
+/** The piece that begins at an edit; the earlier one where it holds the same edits. */
+function same(earlier, edits, from) {
+	const length = Math.min(SIDE, edits.length - from);
+	return earlier?.length === length && earlier.every((edit, i) => edit === edits[from + i]) ? earlier : edits.slice(from, from + length);
+}
+function bytesOf$2(piece) {
+	return piece.reduce((sum, edit) => sum + OF_MATCH * (edit.kind === "reject" || edit.kind === "restore" ? edit.of.length : 2), 0);
+}
+/** @throws Error naming the field that is damaged */
+function editFrom(value, name) {
+	const edit = objectOf(value, name);
+	const kind = likeOf(edit["kind"], "", `${name}.kind`);
+	switch (kind) {
+		case "reject":
+		case "restore": return {
+			kind,
+			of: listOf$1(edit["of"], `${name}.of`, targetFrom)
+		};
+		case "add": return {
+			kind,
+			id: likeOf(edit["id"], 0, `${name}.id`),
+			at: placeFrom(edit["at"], `${name}.at`)
+		};
+		case "move": return {
+			kind,
+			of: targetFrom(edit["of"], `${name}.of`),
+			to: placeFrom(edit["to"], `${name}.to`)
+		};
+		default: throw new Error(`the field ${name}.kind is damaged`);
+	}
+}
+function targetFrom(value, name) {
+	return typeof value === "number" ? likeOf(value, 0, name) : placeFrom(value, name);
+}
+function placeFrom(value, name) {
+	const [xl = NaN, yl = NaN, xr = NaN, yr = NaN, ...more] = listOf$1(value, name, (number, at) => likeOf(number, 0, at));
+	if (more.length > 0 || [
+		xl,
+		yl,
+		xr,
+		yr
+	].some(Number.isNaN)) throw new Error(`the field ${name} is damaged`);
+	return [
+		xl,
+		yl,
+		xr,
+		yr
+	];
 }
 // www/pair/view/geometry.ts
 /** Where the panes lie, and how image positions become canvas positions. Lengths are CSS px; image positions are px with the centre of the top-left pixel at (0.5, 0.5). */
@@ -6950,9 +8363,8 @@ function framesOf(state, side) {
 function verdicts(state) {
 	const { match } = shownPair(state);
 	if (match === null) return null;
-	const names = state.catalogue?.rules ?? [];
 	return Array.from(match.rules, (rule, i) => ({
-		rule: names[rule] ?? String(rule),
+		rule: CODES[rule] ?? String(rule),
 		best: match.best[i] === -1 ? null : match.best[i] ?? null,
 		place: rows(match.places.subarray(2 * i, 2 * i + 2), 2).map((place) => place.map(finite))[0] ?? null,
 		measure: finite(match.measures[2 * i]),
@@ -6964,7 +8376,7 @@ function finite(value) {
 	return value !== void 0 && Number.isFinite(value) ? value : null;
 }
 function countsOf(state) {
-	const match = state.results.match?.value.counts;
+	const match = (editedPair(state)?.match ?? state.results.match?.value)?.counts;
 	const { matches, ...rejected } = match ?? { matches: null };
 	return {
 		left: state.results.pointsLeft?.value.counts ?? null,
@@ -6981,6 +8393,19 @@ function verdictOf$1(state) {
 		text: message("pair_verdict", verdict)
 	};
 }
+/** What was done by hand; null where nothing was. */
+function editsOf(state) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const { rules, matches } = edited.match;
+	const off = Array.from(rules, (_, left) => left).filter((left) => rules[left] === BY_HAND);
+	const manual = Array.from({ length: matches.length / 5 }, (_, row) => row).filter((row) => isManual(edited.match, row));
+	if (off.length + manual.length === 0) return null;
+	return {
+		rejected_by_hand: off.map((left) => placeOfLeft(edited, left)),
+		measured_by_hand: manual
+	};
+}
 /** Everything on the page as one object; fields named as in the command's JSON. Positions in px, the top-left pixel's centre at (0.5, 0.5). */
 function everything(state) {
 	const { left, right, match, orientation } = shownPair(state);
@@ -6992,10 +8417,11 @@ function everything(state) {
 			photo: "mm, x to the right, y up, origin at the principal point",
 			points: "[x, y, interest value]",
 			frames: "for points of many scales: [scale in px, direction in rad from x towards y]",
-			matches: "[x left, y left, x right, y right, measure]",
+			matches: "[x left, y left, x right, y right, measure]; the measure of one that was measured by hand is -1",
 			match_indices: "[index of the left point, index of the right point], the right one null where the place found is no interest point",
 			fits: "least squares matching of each match: [correlation, covariance xx, xy, yy of the right position in px², iterations], null for one that it did not confirm",
 			orientation_points: "a match: [residual y-parallax mm, redundancy number, standardised residual, detectable blunder mm, external reliability, weight, X, Y, Z mm]",
+			edits: "rejected_by_hand: [x left, y left, x right, y right] of each match; measured_by_hand: indices of matches; left points measured by hand follow those that were found",
 			verdicts: "one a left point: the rule that decided, the index of the best right point and its place, the best and the second best measure"
 		},
 		verdict: verdictOf$1(state),
@@ -7023,6 +8449,7 @@ function everything(state) {
 		},
 		matches: match === null ? null : rows(match.matches, 5),
 		match_indices: match === null ? null : rows(match.indices, 2).map((pair) => pair.map((index) => index === 4294967295 ? null : index)),
+		edits: editsOf(state),
 		fits: match === null || match.fits.every(Number.isNaN) ? null : rows(match.fits, 5).map((fit) => fit.every(Number.isNaN) ? null : fit.map(finite)),
 		verdicts: verdicts(state),
 		geometry: match?.geometry ?? null,
@@ -7225,6 +8652,13 @@ var info = (text) => ({
 	kind: "info",
 	text
 });
+/** A file holds the matches as the edits left them, and not the edits. */
+function editsToldOf({ project }) {
+	const { rejected, manual } = editsOfFile(project);
+	const of = (number, what) => number === 0 ? [] : [`${String(number)} ${number === 1 ? "match" : "matches"} ${what} by hand`];
+	const said = [...of(rejected, "rejected"), ...of(manual, "measured")];
+	return said.length === 0 ? null : info(`It holds ${said.join(" and ")}; the history of these edits is not in the file, so they cannot be undone.`);
+}
 var Files = class {
 	store;
 	engine;
@@ -7292,7 +8726,11 @@ var Files = class {
 				type: "opened",
 				opened
 			});
-			this.tell([info(`${file.name} was opened. The file does not hold its images: open them too to see them.`), aside]);
+			this.tell([
+				info(`${file.name} was opened. The file does not hold its images: open them too to see them.`),
+				editsToldOf(opened),
+				aside
+			]);
 		} catch (error) {
 			this.tell([this.failed(`${file.name} cannot be opened`, error)]);
 		}
@@ -7525,6 +8963,8 @@ var WATCHED = [
 	"flight",
 	"display",
 	"results",
+	"history",
+	"shelf",
 	"running",
 	"paused"
 ];
@@ -7534,6 +8974,7 @@ var KeptPairs = class {
 	catalogue;
 	made = null;
 	making = false;
+	journal = new Journal();
 	timer;
 	changed = () => void 0;
 	constructor(store, engine, catalogue) {
@@ -7562,6 +9003,7 @@ var KeptPairs = class {
 			value: given,
 			bytes: SMALL
 		});
+		for (const [part, kept] of this.journal.parts(state)) parts.set(part, kept);
 		for (const given of [...Object.values(state.images), ...Object.values(state.masks)]) if (given !== null) parts.set(FILE + nameOf(given.source), {
 			value: given.source,
 			bytes: bytesOf$1(given.source),
@@ -7594,6 +9036,7 @@ var KeptPairs = class {
 			name,
 			source: sourceFrom(parts, file)
 		})));
+		const { history, shelf } = this.journal.read(parts);
 		const result = await this.result(parts, kept);
 		const masks = await this.masks(kept, parts, result?.masks ?? {
 			left: null,
@@ -7616,13 +9059,15 @@ var KeptPairs = class {
 					images,
 					masks,
 					truth,
+					history,
+					shelf,
 					opened,
 					result
 				}
 			});
 			if (result !== null) this.made = {
 				kept: result.kept,
-				results: resultsOf(this.store.state)
+				results: resultsOf(unedited(this.store.state))
 			};
 			const names = this.images();
 			if (names.length === 0) return;
@@ -7650,10 +9095,10 @@ var KeptPairs = class {
 		if (this.making || !isWhole(state)) return;
 		const results = resultsOf(state);
 		const typed = typedOf(state);
-		if (typed === null || this.made?.results.every((value, i) => value === results[i]) === true) return;
+		if (typed === null || this.made !== null && areSame(this.made.results, results)) return;
 		this.making = true;
 		try {
-			const project = await projectText(state, this.engine);
+			const project = await projectText(unedited(state), this.engine);
 			if (project !== null) this.made = {
 				results,
 				kept: {
@@ -7782,8 +9227,8 @@ function givenFrom(value, catalogue) {
 	};
 	return {
 		typed: typedFrom(kept["typed"], catalogue, "typed"),
-		display: fitted(kept["display"], INITIAL.display, "display"),
-		flight: orNull(kept["flight"], (flight) => fitted(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
+		display: fitted$1(kept["display"], INITIAL.display, "display"),
+		flight: orNull(kept["flight"], (flight) => fitted$1(flight, catalogue.flights[0]?.flight ?? {}, "flight")) ?? null,
 		paused: kept["paused"] === true,
 		images: files("images"),
 		masks: files("masks"),
@@ -7793,7 +9238,7 @@ function givenFrom(value, catalogue) {
 /** What was typed, judged as it is where it is typed. @throws Error naming what is damaged */
 function typedFrom(value, { defaults }, name) {
 	const kept = objectOf(value, name);
-	const settings = fitted(kept["settings"], defaults, `${name}.settings`);
+	const settings = fitted$1(kept["settings"], defaults, `${name}.settings`);
 	resolved(settings);
 	const camera = orNull(kept["camera"], (given) => objectOf(given, `${name}.camera`));
 	if (camera !== null) parse_camera(JSON.stringify(camera));
@@ -7852,19 +9297,126 @@ function bytesOf$1(source) {
 		case "project": return 0;
 	}
 }
+// www/pair/state/labels.ts
+/** What is said of a point by its code. */
+/** What the crate's catalogue does not know: edits are the page's. */
+var EDITED = {
+	rejected_by_hand: {
+		text: "Matched, then rejected by hand.",
+		label: "Rejected by hand"
+	},
+	manual: {
+		text: "Measured by hand.",
+		label: "Measured by hand"
+	}
+};
+/** What a code says of a point: a sentence, or its label. */
+function textOfCode(code, part = "text") {
+	const name = CODES[code] ?? "undecided";
+	if (name === "rejected_by_hand" || name === "manual") return EDITED[name][part];
+	return message("verdict", name, part === "label" ? part : null);
+}
+// www/pair/panel/verdict.ts
+/** Why a point was matched or refused, with the numbers that its rule compared. */
+/** The rule that decided about the selected point, in words. */
+function verdictOf(state, shown, match) {
+	const { selection, settings } = state;
+	const leftIndex = leftIndexOf(state, match.best, match.rules);
+	if (selection === null || settings === null) return {
+		code: MATCHED,
+		text: ""
+	};
+	if (leftIndex < 0) return {
+		code: UNDECIDED,
+		text: comparesGreyValues(settings) ? "No left point was matched to this one: this strategy searches the right image itself, at the left points." : "No left point has this point as its best candidate."
+	};
+	const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
+	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
+	return {
+		code,
+		text: `${selection.side === "right" && own === UNDECIDED ? `${page("candidate_of", { point: leftIndex + 1 })} ` : ""}${textOfCode(code)} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
+	};
+}
+function numbers(code, index, match, settings) {
+	const { matching } = settings;
+	const gradients = comparesGradients(settings);
+	const byGrey = comparesGreyValues(settings);
+	const largest = resolved(settings).matching.ambiguity ?? 1;
+	const best = match.measures[2 * index] ?? Infinity;
+	const second = match.measures[2 * index + 1] ?? Infinity;
+	const compared = {
+		best,
+		second,
+		ratio: best / second,
+		correlation: 1 - best,
+		largest
+	};
+	switch (code) {
+		case "matched":
+		case "gross_error":
+			if (!Number.isFinite(best)) return "";
+			if (gradients) return page(agreeing(best, second, largest), compared);
+			return byGrey ? page("correlation", compared) : page("good_measure", {
+				...compared,
+				most: matching.max_measure
+			});
+		case "threshold":
+			if (!Number.isFinite(best)) return "";
+			return byGrey ? page("low_correlation", {
+				...compared,
+				least: matching.min_correlation
+			}) : page("large_measure", {
+				...compared,
+				most: matching.max_measure
+			});
+		case "ambiguous": return page("ambiguous", compared);
+		case "parallax": return gradients ? outOfGeometry(match, compared) : page("parallax", { tolerance: matching.parallax_tolerance });
+		case "border":
+		case "left_right":
+			if (byGrey && Number.isFinite(best)) return page("correlation", compared);
+			return gradients ? page("distance", compared) : "";
+		case "imprecise": return page("imprecise", { most: matching.max_standard_error });
+		default: return "";
+	}
+}
+/** A verified match: where its descriptor alone would not have decided, the geometry did. */
+function agreeing(best, second, largest) {
+	if (!Number.isFinite(second)) return "only_candidate";
+	return best > largest * second ? "agreeing_candidate" : "clear_candidate";
+}
+/** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
+function outOfGeometry({ geometry, no_geometry }, compared) {
+	if (geometry === null) return page("no_geometry", {
+		...compared,
+		no_geometry
+	});
+	return page("fundamental" in geometry.model ? "off_line" : "off_place", {
+		...compared,
+		threshold_px: geometry.threshold_px
+	});
+}
 // www/pair/panel/announce.ts
-/** Announces the selected point to screen readers. */
-function mountAnnouncements(host, store) {
+/** Says beside the picture what became of the selected point, and why. */
+/** `details` shows all that is known of it. */
+function mountAnnouncements(host, store, details) {
+	const keys = byId("keys");
+	const text = h("span", {});
+	fill(host, text, " ", button("Details", "selected-details", details));
 	store.watch(["selection"], ([selection]) => {
+		const { state } = store;
+		host.hidden = selection === null;
+		keys.hidden = selection !== null;
 		if (selection === null) {
-			host.textContent = "";
+			text.textContent = "";
 			return;
 		}
-		const shown = shownPair(store.state);
+		const shown = shownPair(state);
 		const points = shown[selection.side];
 		const codes = selection.side === "left" ? leftCodes(shown.left, shown.match, shown.orientation) : rightCodes(shown.right, shown.match, shown.orientation);
 		const [x, y] = points?.subarray(3 * selection.index, 3 * selection.index + 2) ?? [];
-		host.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${message("verdict", CODES[codes[selection.index] ?? UNDECIDED] ?? "undecided", "label")}.`;
+		const label = textOfCode(codes[selection.index] ?? UNDECIDED, "label");
+		const why = shown.match === null ? "" : verdictOf(state, shown, shown.match).text;
+		text.textContent = `${selection.side} point ${count(selection.index + 1)} at ${fixed(x, 1)}, ${fixed(y, 1)}. ${why === "" ? `${label}.` : why}`;
 	});
 }
 // www/pair/engine/checks.ts
@@ -8248,23 +9800,31 @@ function offsetGroup(store) {
 }
 // www/pair/panel/controls.ts
 /** The settings of the run: a control for each, in the order of the pipeline; those without effect under the others are hidden. */
-/** Fills the settings panel once the crate's catalogue is there. */
-function mountControls(host, store) {
+/** Fills the settings panel once the crate's catalogue is there; `opener` opens it, and says how many settings were changed. */
+function mountControls(host, store, opener) {
 	store.watch(["catalogue"], ([catalogue]) => {
 		if (catalogue === null) return;
 		let acts = resolved(catalogue.defaults);
-		const { elements, show } = makeSections(catalogue.parameters, {
+		const { elements, show } = makeFolded(catalogue.parameters, {
 			change: (key, value) => change(store, key, value),
-			defaults: () => catalogue.defaults,
+			defaults: () => standardOf(store.state, catalogue),
 			resolved: () => acts,
 			refused: (label) => store.dispatch({
 				type: "refused",
 				part: "settings",
 				label
 			})
+		}, {
+			title: "Method",
+			first: ["matching.strategy", "matching.refine"],
+			reset: () => store.dispatch({
+				type: "settings",
+				settings: standardOf(store.state, catalogue)
+			}),
+			changed: (count) => fill(opener, settingsText(count))
 		});
-		fill(host, ...elements, button("Reset to the paper's values", "reset-settings", () => resetAll(store, catalogue)));
-		store.watch(["settings"], ([settings]) => {
+		fill(host, ...elements);
+		store.watch(["settings", "truth"], ([settings]) => {
 			if (settings === null) return;
 			acts = resolved(settings);
 			show(settings, acting_parameters(settings));
@@ -8286,19 +9846,15 @@ function change(store, key, value) {
 		settings: withSetting(free, key, value)
 	});
 }
-function resetAll(store, { defaults }) {
-	const { settings, truth } = store.state;
-	const orientation = truth === null || settings === null ? defaults.orientation : {
-		...defaults.orientation,
-		base_mm: settings.orientation.base_mm
-	};
-	store.dispatch({
-		type: "settings",
-		settings: {
-			...defaults,
-			orientation
+/** The defaults. The base belongs to the simulated pair, as its camera does: without it by and bz would have another scale than the truth. */
+function standardOf({ truth }, { defaults }) {
+	return truth === null ? defaults : {
+		...defaults,
+		orientation: {
+			...defaults.orientation,
+			base_mm: truth.baseMm === 0 ? null : truth.baseMm
 		}
-	});
+	};
 }
 // www/pair/state/paper.ts
 /** Whether what the paper printed of its own pair can be set beside the results. */
@@ -8307,6 +9863,34 @@ function hasPaperCamera(state) {
 	const paper = state.catalogue?.flights.find(({ name }) => name === "paper");
 	const cameras = pairCameras(state);
 	return paper !== void 0 && !("missing" in cameras) && cameras.left.focal_mm === paper.flight.focal_mm;
+}
+// www/pair/state/display.ts
+/** Which points the picture shows. */
+/** Shown at first: accepted matches, and those that the user rejected, who may want them back. */
+var MATCHES = [
+	MATCHED,
+	MANUAL,
+	BY_HAND
+];
+/** Whether points of a code are shown: the others than these only where they are asked for. */
+function isCodeShown({ points, hidden }, code) {
+	if (hidden.includes(code)) return false;
+	return points === "all" || points === "matched" && MATCHES.includes(code);
+}
+/** Codes of all other points. */
+var REJECTED = [
+	...REFUSALS.map(codeOf),
+	GROSS_ERROR,
+	UNDECIDED
+];
+/** Shows or hides the points of one code. Where only matches were shown, those of other codes stay hidden. */
+function withCode(display, code, on) {
+	const { points } = display;
+	const others = (points === "all" ? display.hidden : [...points === "none" ? MATCHES : display.hidden, ...REJECTED]).filter((other) => other !== code);
+	return {
+		points: on ? "all" : points,
+		hidden: on ? others : [...display.hidden.filter((other) => other !== code), code]
+	};
 }
 // www/pair/view/palette.ts
 /** Colours and shapes of points. Okabe and Ito's colours, told apart with any colour vision; shapes differ as well. */
@@ -8377,6 +9961,14 @@ var STYLE_OF = {
 	undecided: {
 		colour: "#56b4e9",
 		shape: SHAPES.plus
+	},
+	rejected_by_hand: {
+		colour: "#ff3b30",
+		shape: SHAPES.cross
+	},
+	manual: {
+		colour: "#9cff57",
+		shape: SHAPES.square
 	}
 };
 /** By code. */
@@ -8390,8 +9982,10 @@ function styleOf(code) {
 var DRAWN = [
 	UNDECIDED,
 	...REFUSALS.map(codeOf),
+	BY_HAND,
 	GROSS_ERROR,
-	MATCHED
+	MATCHED,
+	MANUAL
 ];
 var SELECTED = "#ffd400";
 var CANDIDATE = "#56b4e9";
@@ -8465,9 +10059,10 @@ function mountCounts(host, store) {
 	host.append(points, matches);
 	store.watch((s) => [
 		s.results,
+		s.history,
 		s.settings,
 		s.images,
-		s.display.hidden,
+		s.display,
 		s.camera,
 		s.photos,
 		s.offset,
@@ -8493,7 +10088,7 @@ function cell(testid, text) {
 function phaseTable(state) {
 	const left = state.results.pointsLeft?.value;
 	const right = state.results.pointsRight?.value;
-	const matches = state.results.match?.value.counts.matches;
+	const matches = matchOf(state)?.counts.matches;
 	const printed = hasPaperCamera(state) && countsAsPaper(state) ? state.catalogue?.paper : void 0;
 	const paper = (text) => printed === void 0 ? [] : [h("td", { class: "number paper" }, text(printed))];
 	const counted = (place) => paper(({ points }) => place === null ? "–" : points[place].map(count).join(" / "));
@@ -8505,35 +10100,52 @@ function phaseTable(state) {
 		title: "The paper's Table 1, for its own pair"
 	}, "Paper, l / r") : null)), h("tbody", {}, ...body, markStale(row("Matching", cell("count-left-matches", count(matches)), cell("count-right-matches", count(matches)), ...counted(PAPER_MATCHES)), isStale(state, "match") && !pointsAreStale(state)), row("Threshold", cell("threshold-left", threshold(left?.threshold)), cell("threshold-right", threshold(right?.threshold)), ...paper((of) => [of.threshold, of.threshold].map(count).join(" / ")))));
 }
+/** The matches with what was done to them by hand. */
+function matchOf(state) {
+	return editedPair(state)?.match ?? state.results.match?.value;
+}
 function ruleTable(state, store) {
-	const result = state.results.match?.value;
+	const result = matchOf(state);
 	const total = result?.rules.length ?? 0;
 	const share = (n) => n === void 0 || total === 0 ? "–" : percent(n / total);
 	const refused = REFUSALS.filter((rule) => !RARE.has(rule) || (result?.counts[rule] ?? 0) > 0).map((rule) => ruleRow(codeOf(rule), `refused-${rule}`, result?.counts[rule], share, state, store));
 	const gross = shownPair(state).orientation?.rejected.length;
-	return h("table", { aria: { label: "What became of the left points" } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Left points"), h("th", { scope: "col" }, "Number"), h("th", { scope: "col" }, "Share"), h("th", { scope: "col" }, "Show"))), h("tbody", {}, ruleRow(MATCHED, "count-matches", result?.counts.matches, share, state, store), markStale(ruleRow(GROSS_ERROR, "count-gross-errors", gross, share, state, store, "of these, gross errors"), gross !== void 0 && isStale(state, "orientation") && !isStale(state, "match")), h("tr", { class: "subhead" }, h("th", {
+	return h("table", { aria: { label: "What became of the left points" } }, h("thead", {}, h("tr", {}, h("th", { scope: "col" }, "Left points"), h("th", { scope: "col" }, "Number"), h("th", { scope: "col" }, "Share"), h("th", { scope: "col" }, "Show"))), h("tbody", {}, ruleRow(MATCHED, "count-matches", result?.counts.matches, share, state, store), markStale(ruleRow(GROSS_ERROR, "count-gross-errors", gross, share, state, store, "of these, gross errors"), gross !== void 0 && isStale(state, "orientation") && !isStale(state, "match")), ...byHand(result).map(([code, testid, value, label]) => ruleRow(code, testid, value, share, state, store, label)), h("tr", { class: "subhead" }, h("th", {
 		scope: "rowgroup",
 		colspan: 4
 	}, "Rejected by")), ...refused));
 }
+/** What was done by hand, where anything was. */
+function byHand(result) {
+	if (result === void 0) return [];
+	const { rejected, manual } = countsByHand(result);
+	return [[
+		MANUAL,
+		"count-manual",
+		manual,
+		"of these, measured by hand"
+	], [
+		BY_HAND,
+		"count-rejected-by-hand",
+		rejected
+	]].filter(([, , value]) => value > 0);
+}
 function ruleRow(code, testid, value, share, state, store, label) {
-	const verdict = CODES[code] ?? "undecided";
-	const own = message("verdict", verdict, "label");
+	const own = textOfCode(code, "label");
 	const toggle = h("input", {
 		type: "checkbox",
 		testid: `show-${String(code)}`,
 		aria: { label: `Show: ${own}` }
 	});
-	toggle.checked = !state.display.hidden.includes(code);
+	toggle.checked = isCodeShown(state.display, code);
 	toggle.addEventListener("change", () => {
-		const hidden = toggle.checked ? store.state.display.hidden.filter((c) => c !== code) : [...store.state.display.hidden, code];
 		store.dispatch({
 			type: "display",
-			display: { hidden }
+			display: withCode(store.state.display, code, toggle.checked)
 		});
 		document.querySelector(`[data-testid="show-${String(code)}"]`)?.focus();
 	});
-	const name = h("span", { title: message("verdict", verdict) }, label ?? own);
+	const name = h("span", { title: textOfCode(code) }, label ?? own);
 	return row(h("span", { class: "legend" }, swatch(code), name), cell(testid, count(value)), h("td", { class: "number" }, share(value)), h("td", { class: "centre" }, toggle));
 }
 /** How many matches are right, where the truth is known. */
@@ -8556,6 +10168,538 @@ function summary(state) {
 	return page("matched", {
 		matches: shown.match.counts.matches,
 		points: codes.length
+	});
+}
+// www/pair/state/draft.ts
+/** A match that is measured by hand: where it lies so far, and where its other point may be. */
+/** Matches around a place that say where it lies in the other image. */
+var NEIGHBOURS = 12;
+/** Fewer of them say only how far things move. */
+var LEAST_OF_MAP = 6;
+/** Places are kept to so many parts of a px: nobody measures better. */
+var STEPS_OF_PX = 100;
+/** The places of a side, then of the other, of the matches nearest to a place; nearest first. */
+function nearest({ match }, side, [x, y]) {
+	const first = side === "left" ? 0 : 2;
+	const rows = Array.from({ length: match.matches.length / 5 }, (_, row) => {
+		const [u = NaN, v = NaN] = match.matches.subarray(5 * row + first, 5 * row + first + 2);
+		return {
+			row,
+			distance: (u - x) ** 2 + (v - y) ** 2
+		};
+	});
+	rows.sort((a, b) => a.distance - b.distance);
+	return rows.slice(0, NEIGHBOURS).map(({ row }) => {
+		const [xl = NaN, yl = NaN, xr = NaN, yr = NaN] = match.matches.subarray(5 * row, 5 * row + 4);
+		return side === "left" ? [
+			xl,
+			yl,
+			xr,
+			yr
+		] : [
+			xr,
+			yr,
+			xl,
+			yl
+		];
+	});
+}
+/** The median of some values; NaN of none. */
+function middle(values) {
+	const sorted = [...values].sort((a, b) => a - b);
+	return sorted[Math.floor(sorted.length / 2)] ?? NaN;
+}
+/** How one coordinate of the other image follows from a place, by least squares about the neighbours' middle; null where they lie along a line. */
+function mapped$1(places, at, k) {
+	const mean = (of) => places.reduce((sum, place) => sum + of(place), 0) / places.length;
+	const [mx, my, mv] = [
+		mean((p) => p[0]),
+		mean((p) => p[1]),
+		mean((p) => p[k])
+	];
+	let [xx, xy, yy, xv, yv] = [
+		0,
+		0,
+		0,
+		0,
+		0
+	];
+	for (const place of places) {
+		const [x, y, v] = [
+			place[0] - mx,
+			place[1] - my,
+			place[k] - mv
+		];
+		xx += x * x;
+		xy += x * y;
+		yy += y * y;
+		xv += x * v;
+		yv += y * v;
+	}
+	const determinant = xx * yy - xy * xy;
+	if (!(determinant > .001 * xx * yy)) return null;
+	return mv + ((yy * xv - xy * yv) * (at[0] - mx) + (xx * yv - xy * xv) * (at[1] - my)) / determinant;
+}
+/** Where the ground at a place of one image lies in the other, by the matches around it; null without matches. */
+function byNeighbours(edited, side, at) {
+	const places = nearest(edited, side, at);
+	if (places.length === 0) return null;
+	const [x, y] = places.length < LEAST_OF_MAP ? [null, null] : [mapped$1(places, at, 2), mapped$1(places, at, 3)];
+	if (x !== null && y !== null) return [x, y];
+	return [at[0] + middle(places.map((p) => p[2] - p[0])), at[1] + middle(places.map((p) => p[3] - p[1]))];
+}
+/** The place nearest to another one along a line of positions (stride 2); the one place where there is only one, and the same without any. */
+function onLine({ positions }, [x, y]) {
+	let best = null;
+	for (let i = 0; i + 3 < positions.length; i += 2) {
+		const [ax = NaN, ay = NaN, bx = NaN, by = NaN] = positions.subarray(i, i + 4);
+		const [dx, dy] = [bx - ax, by - ay];
+		const share = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
+		const place = [ax + share * dx, ay + share * dy];
+		const distance = (place[0] - x) ** 2 + (place[1] - y) ** 2;
+		if (best === null || distance < best[1]) best = [place, distance];
+	}
+	if (best !== null) return best[0];
+	const [px, py] = positions;
+	return px === void 0 || py === void 0 ? [x, y] : [px, py];
+}
+var predicted = remember((edited, draft, line) => {
+	const place = draft.places[otherSide(draft.side)];
+	if (place === null) return null;
+	const known = [place[0], place[1]];
+	const around = byNeighbours(edited, otherSide(draft.side), known);
+	return around === null || line?.side !== draft.side ? around : onLine(line, around);
+});
+/** Where the point that is placed now is expected: by the matches around it, on its epipolar line where one is known. */
+function expectedPlace(state) {
+	const edited = editedPair(state);
+	if (edited === null || state.draft === null) return null;
+	return predicted(edited, state.draft, lineOfDraft(state));
+}
+/** Where the point may lie in the image in which it is placed now. */
+function lineOfDraft(state) {
+	return state.draft !== null && isCurrent(state, "line") ? state.results.line?.value ?? null : null;
+}
+/** Where the match lies in an image: where it was placed, else where it is expected; null where neither is known. */
+function placeOfDraft(state, side) {
+	const { draft } = state;
+	if (draft === null) return null;
+	const own = draft.places[side];
+	if (own !== null) return [own[0], own[1]];
+	return side === draft.side ? expectedPlace(state) : null;
+}
+var rounded = (value) => Math.round(value * STEPS_OF_PX) / STEPS_OF_PX;
+/** The size of an image; null while it is not open. */
+function sizeOf({ results }, side) {
+	return results[side === "left" ? "openLeft" : "openRight"]?.value.info ?? null;
+}
+/** The draft with its point of a side at a place, within the image. */
+function placed(state, draft, side, [x, y]) {
+	const { width, height } = sizeOf(state, side) ?? {
+		width: Infinity,
+		height: Infinity
+	};
+	const at = [rounded(Math.min(width, Math.max(0, x))), rounded(Math.min(height, Math.max(0, y)))];
+	return {
+		...draft,
+		places: {
+			...draft.places,
+			[side]: at
+		}
+	};
+}
+/** A new match whose first point lies at a place of an image; its other point comes next. */
+function begun(state, side, at) {
+	return {
+		...placed(state, {
+			of: null,
+			places: {
+				left: null,
+				right: null
+			},
+			side
+		}, side, at),
+		side: otherSide(side)
+	};
+}
+/** The match of the selected point, to be moved; null where there is none. */
+function moving(state) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+	const target = left < 0 ? null : targetOfLeft(edited, left);
+	const rule = edited.match.rules[left];
+	if (target === null || rule !== MATCHED && rule !== BY_HAND) return null;
+	const [xl, yl, xr, yr] = placeOfLeft(edited, left);
+	return {
+		of: target,
+		places: {
+			left: [xl, yl],
+			right: [xr, yr]
+		},
+		side: state.selection?.side === "left" ? "right" : state.selection?.side ?? "right"
+	};
+}
+/** The edit that a draft becomes; null while a point of it is not placed. */
+function editOfDraft(state) {
+	const { draft, history } = state;
+	const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
+	if (draft === null || left === null || right === null) return null;
+	const at = [
+		rounded(left[0]),
+		rounded(left[1]),
+		rounded(right[0]),
+		rounded(right[1])
+	];
+	if (draft.of === null) return {
+		kind: "add",
+		id: freshNumber(history),
+		at
+	};
+	const own = (k, side, value) => draft.places[side]?.[k] ?? value;
+	return {
+		kind: "move",
+		of: draft.of,
+		to: [
+			own(0, "left", at[0]),
+			own(1, "left", at[1]),
+			own(0, "right", at[2]),
+			own(1, "right", at[3])
+		]
+	};
+}
+// www/pair/panel/draft.ts
+/** While a match is measured by hand: what to do next, where its points lie, and buttons for each key. */
+/** In the bar above the pictures. `follow` shows the points that are measured. */
+function mountDraft(host, store, editing, follow) {
+	const tool = button("Add match", "tool-measure", () => editing.toggle("measure"), "Measure a match by hand (A)");
+	const text = h("span", {
+		testid: "draft-text",
+		role: "status"
+	});
+	const accept = button("Accept", "draft-accept", () => editing.accept(), "The match is measured (Enter)");
+	const fit = button("Fit", "draft-fit", () => void editing.fit(), "Move the right point to where least squares matching finds it (F)");
+	const exchange = button("Other image", "draft-exchange", () => {
+		editing.exchange();
+		follow();
+	}, "Go on with the point in the other image (O)");
+	const bar = h("div", {
+		class: "drafting",
+		testid: "draft",
+		role: "group",
+		aria: { label: "Match measured by hand" }
+	}, text, accept, exchange, fit, button("Cancel", "draft-cancel", () => editing.leave(), "Give this match up (Escape)"));
+	host.append(tool, bar);
+	store.watch((s) => [
+		s.tool,
+		s.draft,
+		s.results,
+		s.history,
+		s.images
+	], () => {
+		const { state } = store;
+		tool.setAttribute("aria-pressed", String(state.tool === "measure"));
+		tool.disabled = editedPair(state) === null;
+		bar.hidden = state.tool !== "measure";
+		accept.disabled = editOfDraft(state) === null;
+		exchange.disabled = state.draft === null;
+		fit.disabled = accept.disabled;
+		const now = textOf$1(state);
+		if (text.textContent !== now) text.textContent = now;
+	});
+}
+function textOf$1(state) {
+	const { draft } = state;
+	if (draft === null) return "New match: press a point in either picture, or Enter for the middle of the active one.";
+	const place = (side) => {
+		const at = placeOfDraft(state, side);
+		return at === null ? `${side} –` : `${side} ${fixed(at[0], 2)}, ${fixed(at[1], 2)}`;
+	};
+	return `${draft.of === null ? "New match" : "Moved match"}: ${place("left")} · ${place("right")} px. Place the ${draft.side} point: press, or arrows by 0.1 px, with Shift by 1 px.`;
+}
+// www/pair/state/choice.ts
+/** The matches that an edit would change: those chosen together, else that of the selected point. */
+var NONE = [];
+var leftsOf = remember((edited, chosen) => {
+	const lefts = leftsByTarget(edited);
+	return chosen.flatMap((key) => lefts.get(key) ?? []);
+});
+/** The left points of the matches that are chosen together. */
+function chosenLefts(state) {
+	const edited = editedPair(state);
+	return edited === null || state.chosen.length === 0 ? NONE : leftsOf(edited, state.chosen);
+}
+/** The left points whose matches an edit would change. */
+function concerned(state, edited) {
+	const chosen = chosenLefts(state);
+	if (chosen.length > 0) return chosen;
+	const left = leftIndexOf(state, edited.match.best, edited.match.rules);
+	return left < 0 ? NONE : [left];
+}
+/** What rejects or restores the chosen matches; null where none of them is there for it. */
+function editOfChoice(state, kind) {
+	const edited = editedPair(state);
+	if (edited === null) return null;
+	const rule = kind === "reject" ? MATCHED : BY_HAND;
+	const of = concerned(state, edited).flatMap((left) => {
+		const target = edited.match.rules[left] === rule ? targetOfLeft(edited, left) : null;
+		return target === null ? [] : [target];
+	});
+	return of.length === 0 ? null : {
+		kind,
+		of
+	};
+}
+/** The keys of the matches of left points; points without one have none. */
+function keysOfLefts(edited, lefts) {
+	return [...lefts].flatMap((left) => {
+		const target = targetOfLeft(edited, left);
+		return target === null ? [] : [keyOfTarget(target)];
+	});
+}
+/** The keys of matches whose point of a side lies in a rectangle of its image. */
+function keysWithin(edited, side, [left, top, right, bottom], isShown) {
+	const inside = [];
+	const first = side === "left" ? 0 : 2;
+	edited.match.rules.forEach((rule, index) => {
+		if (rule !== MATCHED && rule !== BY_HAND || !isShown(index)) return;
+		const place = placeOfLeft(edited, index);
+		const [x, y] = [place[first] ?? NaN, place[first + 1] ?? NaN];
+		if (x >= left && x <= right && y >= top && y <= bottom) inside.push(index);
+	});
+	return keysOfLefts(edited, inside);
+}
+/** The choice with matches added, or taken out where all of them were in it. */
+function toggled(chosen, keys) {
+	const own = new Set(chosen);
+	const all = keys.every((key) => own.has(key));
+	for (const key of keys) if (all) own.delete(key);
+	else own.add(key);
+	return [...own];
+}
+// www/pair/panel/unknowns.ts
+var UNKNOWNS = [
+	{
+		field: "omega_deg",
+		symbol: "ω",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "phi_deg",
+		symbol: "φ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "kappa_deg",
+		symbol: "κ",
+		unit: "°",
+		digits: 4
+	},
+	{
+		field: "by_mm",
+		symbol: "by",
+		unit: "mm",
+		digits: 4
+	},
+	{
+		field: "bz_mm",
+		symbol: "bz",
+		unit: "mm",
+		digits: 4
+	}
+];
+// www/pair/panel/edits.ts
+/** What is done to the matches by hand: reject, restore, undo, redo, the history, and what became of the orientation. */
+/** The name of the edit that undo takes back, and of the one that redo makes again; null where there is none. */
+function steps({ history: { edits, done } }) {
+	const [last, next] = [edits[done - 1], edits[done]];
+	return {
+		undo: last === void 0 ? null : nameOfEdit(last),
+		redo: next === void 0 ? null : nameOfEdit(next)
+	};
+}
+/** How many matches an edit is about, where it is more than one. */
+function several(edit) {
+	return edit !== null && edit.of.length > 1 ? ` ${count(edit.of.length)}` : "";
+}
+/** A button that says what it would do, and cannot be pressed where that is nothing. */
+function set(made, text, disabled) {
+	if (made.textContent !== text) made.textContent = text;
+	made.disabled = disabled;
+}
+/** In the panel of the matches. */
+function mountEdits(host, store, editing, follow) {
+	const reject = button("Reject", "reject", () => editing.edit("reject"), "Take the chosen matches out of the orientation (Delete)");
+	const restore = button("Restore", "restore", () => editing.edit("restore"), "Use the chosen matches again (R)");
+	const move = button("Move", "move", () => {
+		editing.move();
+		follow();
+	}, "Measure the selected match anew, in either image (E)");
+	const undo = button("Undo", "undo", () => editing.step(-1), "Take back the last edit (Ctrl+Z)");
+	const redo = button("Redo", "redo", () => editing.step(1), "Make the edit again that was undone (Ctrl+Shift+Z or Ctrl+Y)");
+	const hint = h("p", {
+		class: "note",
+		testid: "edit-hint"
+	}, "To reject wrong matches, choose them: press a row or a point, with Ctrl for more of them, or draw a rectangle in a picture with Shift. Then press Delete.");
+	const compared = h("div", {
+		testid: "edit-compared",
+		role: "status"
+	});
+	const history = h("ol", {
+		class: "history",
+		testid: "history"
+	});
+	const unfold = h("summary", {}, "");
+	const details = h("details", { testid: "history-section" }, unfold, history);
+	const panel = h("section", {
+		class: "edits",
+		testid: "edits",
+		aria: { label: "Edits by hand" }
+	});
+	panel.append(h("div", { class: "buttons" }, reject, restore, move, undo, redo), hint, compared, details);
+	host.append(panel);
+	store.watch((s) => [
+		s.results,
+		s.history,
+		s.chosen,
+		s.selection,
+		s.before,
+		s.images
+	], () => {
+		const { state } = store;
+		panel.hidden = editedPair(state) === null;
+		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
+		set(reject, `Reject${several(off)}`, off === null);
+		set(restore, `Restore${several(on)}`, on === null);
+		move.disabled = moving(state) === null;
+		const { edits } = state.history;
+		const names = steps(state);
+		set(undo, names.undo === null ? "Undo" : `Undo: ${names.undo}`, names.undo === null);
+		set(redo, names.redo === null ? "Redo" : `Redo: ${names.redo}`, names.redo === null);
+		undo.hidden = edits.length === 0;
+		redo.hidden = names.redo === null;
+		hint.hidden = edits.length > 0 || chosenLefts(state).length > 0;
+		details.hidden = edits.length === 0;
+		unfold.textContent = `History: ${count(edits.length)} ${edits.length === 1 ? "edit" : "edits"}`;
+		fill(compared, ...comparison(state));
+	});
+	store.watch(["history"], () => showHistory(history, store.state, store));
+}
+/** Every state can be gone to by a press. */
+function showHistory(host, { history: { edits, done } }, store) {
+	const focused = host.contains(document.activeElement);
+	const entry = (place, name) => {
+		const go = button(name, `history-${String(place)}`, () => store.dispatch({
+			type: "goto",
+			done: place
+		}));
+		go.className = "link";
+		if (place === done) go.setAttribute("aria-current", "step");
+		return h("li", { class: place > done ? "undone" : "" }, go);
+	};
+	fill(host, entry(0, "as matched"), ...edits.map((edit, i) => entry(i + 1, nameOfEdit(edit))));
+	if (focused) host.querySelector("[aria-current]")?.focus({ preventScroll: true });
+}
+var ANGLES = [
+	"omega_deg",
+	"phi_deg",
+	"kappa_deg"
+];
+/** The figures of the orientation before the latest edit and now. */
+function comparison(state) {
+	const { before, history } = state;
+	if (history.edits.length === 0 || before === null) return [];
+	const now = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : null;
+	const interior = interiorInUse(state)?.left;
+	const pixel = interior === void 0 ? NaN : pixelMm(interior);
+	const used = ({ residuals_mm, rejected }) => count(residuals_mm.length - rejected.length);
+	const sigma = ({ sigma0_mm }) => fixed(sigma0_mm === null ? null : sigma0_mm / pixel, 3);
+	const error = (field) => (of) => fixed((of.total_standard_errors ?? of.standard_errors)?.[field], 4);
+	const line = (name, testid, text) => row(name, h("td", {
+		class: "number",
+		testid: `${testid}-before`
+	}, text(before)), h("td", {
+		class: "number",
+		testid: `${testid}-now`
+	}, now === null ? "…" : text(now)));
+	const head = h("tr", {}, h("th", { scope: "col" }, "Orientation"), h("th", { scope: "col" }, "before"), h("th", { scope: "col" }, "now"));
+	const angles = ANGLES.map((field) => {
+		const symbol = UNKNOWNS.find((unknown) => unknown.field === field)?.symbol ?? field;
+		return line(`standard error of ${symbol}, °`, `compared-${field}`, error(field));
+	});
+	const body = h("tbody", {}, line("σ₀, px", "compared-sigma0", sigma), line("points used", "compared-points", used), ...angles);
+	return [h("table", {
+		class: "tight",
+		aria: { label: "Orientation before and after the edit" }
+	}, h("thead", {}, head), body)];
+}
+/** With the pictures: the tool that chooses, undo and redo; in the bar itself, which is always in sight, what is done to the choice. */
+function mountEditTools(host, bar, store, editing) {
+	const choose = button("Choose", "tool-choose", () => editing.toggle("choose"));
+	choose.title = "Choose matches by a rectangle, to reject or restore them (S; or Shift with a drag)";
+	const undo = button("↶", "tool-undo", () => editing.step(-1));
+	const redo = button("↷", "tool-redo", () => editing.step(1));
+	const reject = button("Reject", "tool-reject", () => editing.edit("reject"), "Take the chosen matches out of the orientation (Delete)");
+	const restore = button("Restore", "tool-restore", () => editing.edit("restore"), "Use the chosen matches again (R)");
+	host.append(h("span", { class: "divider" }), choose, undo, redo);
+	bar.append(reject, restore);
+	store.watch((s) => [
+		s.tool,
+		s.history,
+		s.chosen,
+		s.selection,
+		s.results.match
+	], () => {
+		const { state } = store;
+		choose.setAttribute("aria-pressed", String(state.tool === "choose"));
+		byId("view").dataset.tool = state.tool;
+		const [off, on] = [editOfChoice(state, "reject"), editOfChoice(state, "restore")];
+		set(reject, `Reject${several(off)}`, off === null);
+		set(restore, `Restore${several(on)}`, on === null);
+		reject.hidden = state.tool !== "choose" && state.chosen.length === 0;
+		restore.hidden = reject.hidden || on === null;
+		const names = steps(state);
+		for (const [made, name, keys] of [[
+			undo,
+			names.undo === null ? "Undo" : `Undo: ${names.undo}`,
+			"Ctrl+Z"
+		], [
+			redo,
+			names.redo === null ? "Redo" : `Redo: ${names.redo}`,
+			"Ctrl+Shift+Z"
+		]]) {
+			made.title = `${name} (${keys})`;
+			made.setAttribute("aria-label", name);
+			made.hidden = state.history.edits.length === 0;
+		}
+		undo.disabled = names.undo === null;
+		redo.disabled = names.redo === null;
+	});
+}
+/** Undo and redo by their keys, wherever the keyboard is but in a field that has an undo of its own; the others in the list of matches. */
+function mountEditKeys(list, store, editing) {
+	document.addEventListener("keydown", (event) => {
+		const { target, key } = event;
+		if (!(event.ctrlKey || event.metaKey) || event.altKey || target instanceof Element && target.closest("input, textarea, select, dialog") !== null) return;
+		if (byId("view").offsetParent === null || store.state.history.edits.length === 0) return;
+		const letter = key.toLowerCase();
+		if (letter === "z") editing.step(event.shiftKey ? 1 : -1);
+		else if (letter === "y") editing.step(1);
+		else return;
+		event.preventDefault();
+	});
+	list.addEventListener("keydown", (event) => {
+		const { target, key } = event;
+		if (event.ctrlKey || event.metaKey || event.altKey || target instanceof Element && target.closest("input, select") !== null) return;
+		if (key === "Delete" || key === "Backspace") editing.edit("reject");
+		else if (key === "r" || key === "R") editing.edit("restore");
+		else if (key === "x" || key === "X") editing.choose(store.state.selection);
+		else if (key === "e" || key === "E") editing.move();
+		else if (key === "Escape") editing.leave();
+		else return;
+		event.preventDefault();
 	});
 }
 // www/pair/panel/fiducials.ts
@@ -8788,6 +10932,30 @@ function figures(match, { model: { kind }, sigma_px: sigma, threshold_px: thresh
 		}]
 	];
 }
+// www/shared/panel/menu.ts
+/** A menu: a button, and what it unfolds. A press elsewhere, a choice or Escape folds it again. On wide screens a style may show it unfolded. */
+function mountMenu(press, panel) {
+	const show = (unfolded) => {
+		panel.classList.toggle("is-open", unfolded);
+		press.setAttribute("aria-expanded", String(unfolded));
+	};
+	const isUnfolded = () => panel.classList.contains("is-open");
+	press.setAttribute("aria-controls", panel.id);
+	press.addEventListener("click", () => show(!isUnfolded()));
+	document.addEventListener("pointerdown", ({ target }) => {
+		if (isUnfolded() && target instanceof Node && !panel.contains(target) && !press.contains(target)) show(false);
+	});
+	panel.addEventListener("click", ({ target }) => {
+		if (target instanceof Element && target.closest("button:not([aria-expanded])") !== null) show(false);
+	});
+	document.addEventListener("keydown", ({ key }) => {
+		if (key !== "Escape" || !isUnfolded()) return;
+		const held = panel.contains(document.activeElement);
+		show(false);
+		if (held) press.focus();
+	});
+	show(false);
+}
 // www/pair/files/report.ts
 /** The report of the pair on the screen: made in a worker of its own, step by step, and saved as one file. */
 /** What the report is made of; null where an image is missing. */
@@ -8841,7 +11009,10 @@ async function exportReport(store, engine) {
 		save(new Blob([page], { type: "text/html" }), `${baseName(store.state)}-report.html`);
 		store.dispatch({
 			type: "notice",
-			notice: null
+			notice: isEdited(store.state) ? {
+				kind: "info",
+				text: "The report was saved. It matches by every strategy anew: edits by hand are not in it."
+			} : null
 		});
 	} catch (error) {
 		if (!(error instanceof Cancelled)) throw error;
@@ -8856,39 +11027,6 @@ async function exportReport(store, engine) {
 		client.cancel();
 	}
 }
-// www/pair/panel/unknowns.ts
-var UNKNOWNS = [
-	{
-		field: "omega_deg",
-		symbol: "ω",
-		unit: "°",
-		digits: 4
-	},
-	{
-		field: "phi_deg",
-		symbol: "φ",
-		unit: "°",
-		digits: 4
-	},
-	{
-		field: "kappa_deg",
-		symbol: "κ",
-		unit: "°",
-		digits: 4
-	},
-	{
-		field: "by_mm",
-		symbol: "by",
-		unit: "mm",
-		digits: 4
-	},
-	{
-		field: "bz_mm",
-		symbol: "bz",
-		unit: "mm",
-		digits: 4
-	}
-];
 // www/pair/panel/matrix.ts
 var CELL = 44;
 var HEAD = 26;
@@ -9222,12 +11360,145 @@ function pictures(state, result) {
 	const ellipse = result.base_ellipse_mm;
 	return h("div", { class: "precision-pictures" }, correlationPicture(result), ellipse === null ? null : ellipsePicture(ellipse, deviation));
 }
+// www/pair/panel/answer.ts
+/** What came of a pair: its verdict, the figures that decided, and what to do next. */
+/** The answer while nothing runs; `waiting`: something is about to. */
+function resting(state, waiting, actions) {
+	const { images } = state;
+	const line = (kind, text, next = null) => ({
+		kind,
+		text,
+		verdict: null,
+		next
+	});
+	if (state.catalogue === null) return line("busy", "Loading the program …");
+	if (images.left === null && images.right === null) return line("idle", "Ready. Open two overlapping images, or use the sample pair.");
+	const missing = SIDES.find((side) => images[side] === null);
+	if (missing !== void 0) return line("idle", `One image is open. Open the ${missing} one.`, {
+		text: `Open the ${missing} image …`,
+		act: () => actions.open(missing)
+	});
+	return waiting ? line("busy", "Waiting …") : answered(state, actions);
+}
+function answered(state, actions) {
+	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" || stage === "line" ? 0 : result.milliseconds), 0);
+	const matched = milliseconds === 0 ? `${summary(state)}.` : page("worked", {
+		matched: summary(state),
+		seconds: milliseconds / 1e3
+	});
+	const reason = whyNotOriented(state);
+	const oriented = reason === null && isCurrent(state, "orientation") ? state.results.orientation?.value : void 0;
+	const verdict = oriented?.verdict;
+	const hint = state.settings === null ? null : pair_hint(verdict ?? {
+		kind: "not_oriented",
+		no_orientation: whyNone(state)
+	}, state.settings);
+	const more = `${matched}${hint === null ? "" : ` ${message("pair_hint", hint)}`}`;
+	if (oriented === void 0 || verdict === void 0) {
+		const next = hint === null ? nextWithout(state, actions) : {
+			text: "Use “auto”",
+			act: actions.otherStrategy
+		};
+		if (reason === null) return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: more,
+			next
+		};
+		return {
+			kind: "partial",
+			verdict: "not_oriented",
+			text: reason,
+			more,
+			figures: figuresWithout(state),
+			next
+		};
+	}
+	const answer = {
+		text: message("pair_verdict", verdict),
+		more,
+		figures: figuresOf(state, oriented)
+	};
+	if (verdict.kind === "oriented") return {
+		...answer,
+		kind: "done",
+		verdict: "oriented",
+		next: nextAfter(state, actions)
+	};
+	const next = verdict.kind === "weak" && asksForCamera(verdict.warning) ? {
+		text: "Give the camera",
+		act: actions.camera
+	} : {
+		text: "Show why",
+		act: actions.why
+	};
+	return {
+		...answer,
+		kind: "partial",
+		verdict: verdict.kind,
+		next
+	};
+}
+function figuresOf(state, result) {
+	const used = result.residuals_mm.length - result.rejected.length;
+	const interior = interiorInUse(state)?.left;
+	const half = result.half_widths_95?.kappa_deg;
+	return [
+		{
+			value: count(used),
+			label: "points on both photos"
+		},
+		...interior === void 0 || result.sigma0_mm == null ? [] : [{
+			value: `${fixed(result.sigma0_mm / pixelMm(interior), 2)} px`,
+			label: "precision (σ₀)"
+		}],
+		...half == null ? [] : [{
+			value: `${fixed(result.kappa_deg, 2)}° ± ${half < 99 ? half.toPrecision(2) : fixed(half, 0)}°`,
+			label: "right photo turned"
+		}]
+	];
+}
+function figuresWithout(state) {
+	const { match, left } = shownPair(state);
+	if (match === null || left === null) return [];
+	return [{
+		value: count(match.counts.matches),
+		label: "points on both photos"
+	}, {
+		value: count(left.length / 3),
+		label: "points tried"
+	}];
+}
+/** Warnings that another camera would answer. */
+function asksForCamera({ kind }) {
+	return kind === "unknown_camera" || kind === "focal_length" || kind === "wide_angle";
+}
+function nextWithout(state, actions) {
+	const { kind } = whyNone(state);
+	return kind === "no_camera" || kind === "no_focal_length" || kind === "no_pixel_size" ? {
+		text: "Give the camera",
+		act: actions.camera
+	} : {
+		text: "Show why",
+		act: actions.why
+	};
+}
+/** A sound result is saved; after a simulated one come photos of one's own. */
+function nextAfter({ images }, { open, save }) {
+	return SIDES.some((side) => images[side]?.source.kind === "grey") ? {
+		text: "Open your photos …",
+		act: () => open(null)
+	} : {
+		text: "Save the project",
+		act: save
+	};
+}
 // www/pair/panel/status.ts
-/** The status line: what runs, how far it is, what went wrong, and what to do. */
+/** What the answer says while nothing is answered yet: what runs, how far it is, what went wrong, and what to do. */
 /** A run shorter than this shows no bar: it would only flicker. */
 var PATIENCE_MS$1 = 250;
 function mountStatus(store, actions) {
-	const line = byId("status");
+	const show = answerCard(byId("answer"), byId("status"), byId("answer-actions"), "");
 	const bar = byId("progress");
 	const cancel = byId("cancel");
 	const run = byId("run");
@@ -9241,7 +11512,7 @@ function mountStatus(store, actions) {
 		bar.value = done;
 		cancel.disabled = !busy;
 		run.hidden = !(state.paused && state.images.left !== null) && currentFailure(state)?.ended !== true;
-		show(line, lineOf(state));
+		show(answerOf(state, actions));
 		document.body.classList.toggle("is-pending", anyStale(state));
 		if (!busy) {
 			window.clearTimeout(timer);
@@ -9253,88 +11524,31 @@ function mountStatus(store, actions) {
 function isBusy(state) {
 	return Object.keys(state.running).length > 0 || state.notice?.kind === "busy";
 }
-function show(line, { text, kind }) {
-	line.dataset.kind = kind;
-	if (line.textContent !== text) line.textContent = text;
-}
-function lineOf(state) {
-	const failure = currentFailure(state);
-	if (state.notice?.kind === "problem") return {
-		text: state.notice.text,
-		kind: "problem"
-	};
-	const { running, wanted, done } = progress(state);
-	if (running.length > 0) return {
-		text: page("step", {
-			step: Math.min(done + 1, wanted),
-			steps: wanted,
-			stages: running.map((stage) => STAGES[stage].label).join("; ")
-		}),
-		kind: "busy"
-	};
-	if (state.notice?.kind === "busy") return {
-		text: state.notice.text,
-		kind: "busy"
-	};
-	if (state.paused) return {
-		text: "Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.",
-		kind: "idle"
-	};
-	if (failure !== null && !isOrientation(failure)) return {
-		text: `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd(),
-		kind: "problem"
-	};
-	const [refused] = Object.values(state.refused);
-	if (refused !== void 0) return {
-		text: refusedText(refused),
-		kind: "problem"
-	};
-	const line = resting(state, wanted, done);
-	if (state.notice === null) return line;
-	return line.kind === "done" || line.kind === "partial" ? {
-		...line,
-		text: `${line.text} ${state.notice.text}`
-	} : {
-		text: state.notice.text,
-		kind: "idle"
-	};
-}
-function resting(state, wanted, done) {
-	if (state.catalogue === null) return {
-		text: "Loading the program …",
-		kind: "busy"
-	};
-	if (state.images.left === null && state.images.right === null) return {
-		text: "Ready. Open two overlapping images, or use the sample pair.",
-		kind: "idle"
-	};
-	if (state.images.left === null || state.images.right === null) return {
-		text: `One image is open. Open the ${state.images.left === null ? "left" : "right"} one.`,
-		kind: "idle"
-	};
-	if (done < wanted) return {
-		text: "Waiting …",
-		kind: "busy"
-	};
-	const milliseconds = Object.entries(state.results).reduce((sum, [stage, result]) => sum + (stage === "inspection" ? 0 : result.milliseconds), 0);
-	const matched = milliseconds === 0 ? `${summary(state)}.` : page("worked", {
-		matched: summary(state),
-		seconds: milliseconds / 1e3
+function answerOf(state, actions) {
+	const line = (kind, text) => ({
+		kind,
+		text,
+		verdict: null
 	});
-	const reason = whyNotOriented(state);
-	const verdict = isCurrent(state, "orientation") ? state.results.orientation?.value.verdict : void 0;
-	const hint = state.settings === null ? null : pair_hint(verdict ?? {
-		kind: "not_oriented",
-		no_orientation: whyNone(state)
-	}, state.settings);
-	const more = hint === null ? "" : ` ${message("pair_hint", hint)}`;
-	if (reason !== null || verdict === void 0) return {
-		text: `${matched} ${reason ?? ""}`.trimEnd() + more,
-		kind: "partial"
-	};
+	const failure = currentFailure(state);
+	if (state.notice?.kind === "problem") return line("problem", state.notice.text);
+	const { running, wanted, done } = progress(state);
+	if (running.length > 0) return line("busy", page("step", {
+		step: Math.min(done + 1, wanted),
+		steps: wanted,
+		stages: running.map((stage) => STAGES[stage].label).join("; ")
+	}));
+	if (state.notice?.kind === "busy") return line("busy", state.notice.text);
+	if (state.paused) return line("idle", "Cancelled. Results on the screen are kept. Press Run, or change a setting, to go on.");
+	if (failure !== null && !isOrientation(failure)) return line("problem", `${failure.message} ${matchedAllTheSame(state, failure.stage)}`.trimEnd());
+	const [refused] = Object.values(state.refused);
+	if (refused !== void 0) return line("problem", refusedText(refused));
+	const answer = resting(state, done < wanted, actions);
+	if (state.notice === null) return answer;
+	if (answer.verdict === null) return line("idle", state.notice.text);
 	return {
-		text: `${message("pair_verdict", verdict)} ${matched}${more}`,
-		kind: verdict.kind === "oriented" ? "done" : "partial"
+		...answer,
+		more: `${answer.more ?? ""} ${state.notice.text}`.trimStart()
 	};
 }
 /** Matches that determine no orientation are a result all the same. */
@@ -9379,12 +11593,14 @@ function pickerOf(files) {
 		input.click();
 	};
 }
-function mountHeader({ store, engine, view, files, pick, attempt }) {
+function mountHeader({ store, engine, view, files, pick, attempt, sampleBlock }) {
 	const on = (id, action) => {
 		byId(id).addEventListener("click", () => void attempt(action));
 	};
 	for (const id of ["open", "open-first"]) on(id, () => pick(null));
 	for (const id of ["sample", "sample-first"]) on(id, () => files.takeSample());
+	on("sample-block-first", sampleBlock);
+	mountMenu(byId("export-menu"), byId("exports"));
 	on("swap", () => swap(store, engine));
 	on("export-csv", () => exportMatches(store.state, engine));
 	on("export-json", () => exportEverything(store.state));
@@ -9406,6 +11622,7 @@ function mountHeader({ store, engine, view, files, pick, attempt }) {
 		set("swap", none);
 		set("sample", catalogue === null);
 		set("sample-first", catalogue === null);
+		set("sample-block-first", catalogue === null);
 		set("export-csv", !both || shownPair(store.state).match === null);
 		set("export-json", !both || store.state.results.pointsLeft === void 0);
 		set("export-project", !both || isBusy(store.state) || !isCurrent(store.state, "match"));
@@ -9431,7 +11648,11 @@ function swap(store, engine) {
 function leaveWelcome(left) {
 	const welcome = byId("welcome");
 	const { activeElement } = document;
-	const focused = welcome.contains(activeElement) || !welcome.hidden && [byId("open"), byId("sample")].some((press) => press === activeElement);
+	const focused = welcome.contains(activeElement) || !welcome.hidden && [
+		byId("open"),
+		byId("sample"),
+		byId("menu")
+	].some((press) => press === activeElement);
 	welcome.hidden = left;
 	if (left && focused) byId("view").focus();
 }
@@ -9489,7 +11710,9 @@ function histogram(values, bins, { symmetric = false, from } = {}) {
 var BINS = 40;
 var WIDTH = 320;
 var HEIGHT = 84;
-var measures = remember((matches) => histogram(columnOf(matches, 5, 4), BINS, { from: 0 }));
+var measures = remember((matches) => {
+	return histogram(columnOf(matches, 5, 4).filter((measure) => measure !== -1), BINS, { from: 0 });
+});
 var residuals = remember((values) => histogram(values, BINS, { symmetric: true }));
 var interestLeft = remember((points) => histogram(columnOf(points, 3, 2), BINS));
 var interestRight = remember((points) => histogram(columnOf(points, 3, 2), BINS));
@@ -9500,6 +11723,7 @@ function mountHistograms(host, store) {
 	let round = 0;
 	store.watch([
 		"results",
+		"history",
 		"images",
 		"settings",
 		"camera",
@@ -9592,6 +11816,7 @@ function mountPanes(view, store, actions) {
 			});
 		}
 	};
+	place();
 	new ResizeObserver(place).observe(view.host);
 	store.watch((s) => [
 		s.images,
@@ -9742,23 +11967,32 @@ var ADJUSTED = [
 ];
 /** The larger semi-axis of the error ellipse of a fit, in px. */
 function worstError(fits, match) {
+	if (5 * match >= fits.length) return NaN;
 	const [xx = NaN, xy = NaN, yy = NaN] = fits.subarray(5 * match + 1, 5 * match + 4);
 	return Math.sqrt(.5 * (xx + yy) + Math.hypot(.5 * (xx - yy), xy));
 }
-/** The statistics of a pair's matches; those of the adjustment where there is one. */
-var statisticsOf = remember((match, orientation, score, pixel) => {
-	const count = match.matches.length / 5;
+/** The statistics of a pair's matches, then of those that were rejected by hand; those of the adjustment where there is one. */
+var statisticsOf = remember((left, match, orientation, score, pixel) => {
+	const used = match.matches.length / 5;
+	const off = Uint32Array.from(match.rules, (_, left) => left).filter((left) => match.rules[left] === BY_HAND);
+	const count = used + off.length;
+	const lefts = Uint32Array.from({ length: count }, (_, i) => i < used ? match.indices[2 * i] ?? 0 : off[i - used] ?? 0);
+	const at = (i, k) => (i < used ? match.matches[5 * i + k] : left?.[3 * (lefts[i] ?? 0) + k]) ?? NaN;
+	const measure = (i) => {
+		const own = (i < used ? match.matches[5 * i + 4] : match.measures[2 * (lefts[i] ?? 0)]) ?? NaN;
+		return own === -1 || !Number.isFinite(own) ? NaN : own;
+	};
 	const figure = (described, value) => ({
 		...described,
 		value,
 		text: (i) => fixed(value(i), described.digits)
 	});
-	const columns = POSITION.map((column, k) => figure(column, (i) => match.matches[5 * i + k] ?? NaN));
-	columns.push(figure(MEASURE, (i) => match.matches[5 * i + 4] ?? NaN));
+	const columns = POSITION.map((column, k) => figure(column, (i) => at(i, k)));
+	columns.push(figure(MEASURE, measure));
 	if (!match.fits.every(Number.isNaN)) columns.push(figure(FIT, (i) => worstError(match.fits, i)));
-	const rejected = new Uint8Array(count);
+	const codes = new Uint8Array(count).fill(BY_HAND);
+	codes.set(matchCodes(match, orientation));
 	if (orientation !== null) {
-		for (const i of orientation.rejected) rejected[i] = 1;
 		const { points } = orientation;
 		ADJUSTED.forEach(({ inPixels = false, ...column }, k) => {
 			const scale = inPixels ? pixel ?? NaN : 1;
@@ -9768,16 +12002,18 @@ var statisticsOf = remember((match, orientation, score, pixel) => {
 	return {
 		count,
 		columns,
-		rejected,
-		rightness: score !== null && score.rightness.length === count ? score.rightness : null
+		codes,
+		lefts,
+		rightness: score !== null && score.rightness.length === used ? score.rightness : null
 	};
 });
 /** Whether a filter keeps a match. */
-function isKept({ rejected, rightness }, filter, match) {
+function isKept({ codes, rightness }, filter, match) {
 	switch (filter) {
 		case "all": return true;
-		case "used": return rejected[match] === 0;
-		case "rejected": return rejected[match] === 1;
+		case "used": return codes[match] === MATCHED || codes[match] === MANUAL;
+		case "rejected": return codes[match] === GROSS_ERROR;
+		case "by-hand": return codes[match] === BY_HAND || codes[match] === MANUAL;
 		case "wrong": return rightness?.[match] === 0;
 	}
 }
@@ -9873,84 +12109,6 @@ function drawStars(context, side, descriptor) {
 	});
 	context.stroke();
 }
-// www/pair/panel/verdict.ts
-/** Why a point was matched or refused, with the numbers that its rule compared. */
-/** The rule that decided about the selected point, in words. */
-function verdictOf(state, shown, match) {
-	const { selection, settings } = state;
-	const leftIndex = leftIndexOf(state, match.best, match.rules);
-	if (selection === null || settings === null) return {
-		code: MATCHED,
-		text: ""
-	};
-	if (leftIndex < 0) return {
-		code: UNDECIDED,
-		text: comparesGreyValues(settings) ? "No left point was matched to this one: this strategy searches the right image itself, at the left points." : "No left point has this point as its best candidate."
-	};
-	const code = leftCodes(shown.left, match, shown.orientation)[leftIndex] ?? UNDECIDED;
-	const own = selection.side === "left" ? code : rightCodes(shown.right, match, shown.orientation)[selection.index] ?? UNDECIDED;
-	return {
-		code,
-		text: `${selection.side === "right" && own === UNDECIDED ? `${page("candidate_of", { point: leftIndex + 1 })} ` : ""}${message("verdict", CODES[code] ?? "undecided")} ${numbers(CODES[code] ?? "undecided", leftIndex, match, settings)}`.trimEnd()
-	};
-}
-function numbers(code, index, match, settings) {
-	const { matching } = settings;
-	const gradients = comparesGradients(settings);
-	const byGrey = comparesGreyValues(settings);
-	const largest = resolved(settings).matching.ambiguity ?? 1;
-	const best = match.measures[2 * index] ?? Infinity;
-	const second = match.measures[2 * index + 1] ?? Infinity;
-	const compared = {
-		best,
-		second,
-		ratio: best / second,
-		correlation: 1 - best,
-		largest
-	};
-	switch (code) {
-		case "matched":
-		case "gross_error":
-			if (gradients) return page(agreeing(best, second, largest), compared);
-			return byGrey ? page("correlation", compared) : page("good_measure", {
-				...compared,
-				most: matching.max_measure
-			});
-		case "threshold":
-			if (!Number.isFinite(best)) return "";
-			return byGrey ? page("low_correlation", {
-				...compared,
-				least: matching.min_correlation
-			}) : page("large_measure", {
-				...compared,
-				most: matching.max_measure
-			});
-		case "ambiguous": return page("ambiguous", compared);
-		case "parallax": return gradients ? outOfGeometry(match, compared) : page("parallax", { tolerance: matching.parallax_tolerance });
-		case "border":
-		case "left_right":
-			if (byGrey && Number.isFinite(best)) return page("correlation", compared);
-			return gradients ? page("distance", compared) : "";
-		case "imprecise": return page("imprecise", { most: matching.max_standard_error });
-		default: return "";
-	}
-}
-/** A verified match: where its descriptor alone would not have decided, the geometry did. */
-function agreeing(best, second, largest) {
-	if (!Number.isFinite(second)) return "only_candidate";
-	return best > largest * second ? "agreeing_candidate" : "clear_candidate";
-}
-/** Its descriptor is like enough, but it lies elsewhere than the geometry has it; or there is no geometry. */
-function outOfGeometry({ geometry, no_geometry }, compared) {
-	if (geometry === null) return page("no_geometry", {
-		...compared,
-		no_geometry
-	});
-	return page("fundamental" in geometry.model ? "off_line" : "off_place", {
-		...compared,
-		threshold_px: geometry.threshold_px
-	});
-}
 // www/pair/panel/window.ts
 /** The pixels of the window about the pixel `col`, `row`, the ones outside a circular window darkened; the ring marks the centroid, the line the axis. */
 function windowPicture(report, col, row, axis) {
@@ -9997,6 +12155,7 @@ function mountPoint(host, store, select) {
 	store.watch([
 		"selection",
 		"results",
+		"history",
 		"images",
 		"settings",
 		"failures"
@@ -10087,7 +12246,7 @@ function matchStatistics(state, shown, match) {
 	const index = matchOfLeft(match)[leftIndexOf(state, match.best, match.rules)] ?? -1;
 	if (index < 0) return [];
 	const interior = interiorInUse(state)?.left;
-	const { columns } = statisticsOf(match, shown.orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+	const { columns } = statisticsOf(shown.left, match, shown.orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
 	const right = match.matches.subarray(5 * index + 2, 5 * index + 4);
 	const list = [{
 		name: "Right position",
@@ -10295,14 +12454,21 @@ var FILTERS = [
 	["all", "all matches"],
 	["used", "used"],
 	["rejected", "gross errors"],
+	["by-hand", "by hand"],
 	["wrong", "wrong by the truth"]
 ];
+/** What became of a match, in a word. */
+var STATES = {
+	[GROSS_ERROR]: "gross error",
+	[BY_HAND]: "rejected by hand",
+	[MANUAL]: "by hand"
+};
 var RIGHTNESS = [
 	"wrong",
 	"at an edge",
 	"right"
 ];
-function mountStatistics(host, store, select) {
+function mountStatistics(host, store, editing, select) {
 	const filter = h("select", {
 		testid: "statistics-filter",
 		aria: { label: "Matches to show" }
@@ -10316,7 +12482,8 @@ function mountStatistics(host, store, select) {
 		hidden: true,
 		testid: "statistics-sideways"
 	}, "Scroll sideways for more columns →");
-	host.append(h("div", { class: "statistics-head" }, filter, caption), sideways);
+	const all = button("Choose all", "choose-listed", () => chooseListed(), "Choose the matches that the list shows, to reject or restore them");
+	host.append(h("div", { class: "statistics-head" }, filter, caption, all), sideways);
 	const table = new Table(host, {
 		testid: "statistics",
 		words: {
@@ -10324,23 +12491,34 @@ function mountStatistics(host, store, select) {
 			region: "Table of matches"
 		},
 		choose: (match) => {
-			const left = shownPair(store.state).match?.indices[2 * match];
+			const left = statistics?.lefts[match];
+			editing.chooseNone();
 			if (left !== void 0) select("left", left);
 		},
+		chooseMore: (rows) => editing.chooseLefts(leftsOf(rows)),
+		isChosen: (match) => chosen.has(statistics?.lefts[match] ?? -1),
 		chooseLabel: (match) => `Select match ${String(match + 1)}`
 	});
 	new ResizeObserver(() => {
 		sideways.hidden = table.scroller.scrollWidth <= table.scroller.clientWidth;
 	}).observe(table.head);
+	let chosen = /* @__PURE__ */ new Set();
 	let statistics = null;
 	let columns = [];
+	const leftsOf = (rows) => rows.flatMap((row) => statistics?.lefts[row] ?? []);
+	const chooseListed = () => {
+		editing.chooseNone();
+		editing.chooseLefts(leftsOf(table.listed));
+	};
 	const show = () => {
 		const shown = table.show(statistics?.count ?? 0, columns, (match) => statistics !== null && isKept(statistics, filter.value, match));
+		all.disabled = shown === 0;
 		fill(caption, statistics === null ? "No matches yet." : `${count(shown)} of ${count(statistics.count)} matches`);
 	};
 	filter.addEventListener("change", show);
 	store.watch([
 		"results",
+		"history",
 		"images",
 		"settings",
 		"camera",
@@ -10360,9 +12538,19 @@ function mountStatistics(host, store, select) {
 		fill(filter, ...offered.map(([kind, text]) => new Option(text, kind, false, kind === value)));
 		show();
 	});
-	store.watch(["selection", "results"], () => table.mark(selectedMatch(store.state)));
+	store.watch(["selection", "results"], () => table.mark(selectedMatch(store.state, statistics)));
+	store.watch([
+		"chosen",
+		"history",
+		"results"
+	], () => {
+		const lefts = chosenLefts(store.state);
+		if (lefts.length === 0 && chosen.size === 0) return;
+		chosen = new Set(lefts);
+		table.redraw();
+	});
 }
-function columnsOf({ columns, rejected, rightness }) {
+function columnsOf({ columns, codes, rightness }) {
 	const word = (key, help, text) => ({
 		key,
 		label: key,
@@ -10381,87 +12569,21 @@ function columnsOf({ columns, rejected, rightness }) {
 			text: (match) => count(match + 1)
 		},
 		...columns,
-		word("state", "Whether the adjustment used the match.", (match) => rejected[match] === 1 ? "gross error" : "used"),
+		word("state", "Whether the adjustment used the match, and what was done to it by hand.", (match) => STATES[codes[match] ?? 0] ?? "used"),
 		...rightness === null ? [] : [word("truth", "Whether the match is right: within 1.5 px of where the surface is seen, there or at a neighbouring pixel.", (match) => RIGHTNESS[rightness[match] ?? 0] ?? "")]
 	];
 }
 function statisticsOfState(state) {
-	const { match, orientation } = shownPair(state);
-	if (match === null || match.counts.matches === 0) return null;
+	const { left, match, orientation, edited } = shownPair(state);
+	if (match === null || edited?.found.counts.matches === 0) return null;
 	const interior = interiorInUse(state)?.left;
-	return statisticsOf(match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
+	return statisticsOf(left, match, orientation, state.results.score?.value ?? null, interior === void 0 ? null : pixelMm(interior));
 }
 /** The match of the selected point; -1 where it has none. */
-function selectedMatch(state) {
+function selectedMatch(state, statistics) {
 	const { match } = shownPair(state);
-	const { selection } = state;
-	if (match === null || selection === null) return -1;
-	if (selection.side === "left") return matchOfLeft(match)[selection.index] ?? -1;
-	return match.indices.findIndex((index, i) => i % 2 === 1 && index === selection.index) >> 1;
-}
-// www/pair/view/scene.ts
-function pictureOf(state, side) {
-	const stage = side === "left" ? "openLeft" : "openRight";
-	const image = state.images[side];
-	const opened = state.results[stage];
-	if (image === null || opened === void 0 || opened.key !== wantedKeys(state)[stage]) return null;
-	const { info, overview } = opened.value;
-	return {
-		imageId: image.id,
-		width: info.width,
-		height: info.height,
-		overview
-	};
-}
-/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
-function sceneOf(state, width, height) {
-	const rects = panesOf(width, height);
-	const shown = shownPair(state);
-	const codes = {
-		left: leftCodes(shown.left, shown.match, shown.orientation),
-		right: rightCodes(shown.right, shown.match, shown.orientation)
-	};
-	const pane = (side) => {
-		const picture = pictureOf(state, side);
-		const view = state.views[side] ?? (picture === null ? {
-			x: 0,
-			y: 0,
-			scale: 1
-		} : fitView(rects[side], picture.width, picture.height));
-		const interior = interiorInUse(state)?.[side];
-		const vectors = shown.match !== null && shown.orientation !== null && interior !== void 0 ? residualVectors[side](shown.match, shown.orientation, interior) : null;
-		return {
-			side,
-			rect: rects[side],
-			transform: transformOf(rects[side], view),
-			picture,
-			points: picture === null ? null : shown[side],
-			frames: state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.frames ?? null,
-			codes: codes[side],
-			vectors
-		};
-	};
-	const ofMatches = matchCodes(shown.match, shown.orientation);
-	return {
-		panes: {
-			left: pane("left"),
-			right: pane("right")
-		},
-		match: shown.match,
-		orientation: shown.orientation,
-		matchCodes: ofMatches,
-		places: loosePlaces(shown.match, ofMatches)
-	};
-}
-/** Codes of points that the layer settings show. */
-function isShown({ points, hidden }, code) {
-	if (hidden.includes(code)) return false;
-	return points === "all" || points === "matched" && (code === MATCHED || code === GROSS_ERROR);
-}
-/** The pane at a canvas position. */
-function paneAt(scene, x, y) {
-	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
-	return side === void 0 ? null : scene.panes[side];
+	if (match === null || statistics === null || state.selection === null) return -1;
+	return statistics.lefts.indexOf(leftIndexOf(state, match.best, match.rules));
 }
 // www/pair/view/frames.ts
 /** Scales and directions of points: a circle of twice the scale, a tick in the direction; only where they are few enough to be read. */
@@ -10470,6 +12592,8 @@ var SCALES = 2;
 /** Least radius in CSS px at which a circle is drawn, and how many are: where more are in sight, zooming in shows them. */
 var LEAST_RADIUS = 6;
 var MOST_DRAWN = 250;
+/** CSS px of an image px from which on frames of matches are drawn, where these alone are shown. */
+var LEAST_SCALE = 1;
 /** Whether the directions of the frames were sought. */
 function haveDirections(settings) {
 	return settings !== null && comparesGradients(settings) && !settings.gradient.upright;
@@ -10478,12 +12602,13 @@ function haveDirections(settings) {
 function drawFrames(context, state, pane, transform, clip) {
 	const { points, frames, codes } = pane;
 	if (points === null || frames === null || frames.length === 0 || state.display.points === "none") return;
+	if (state.display.points === "matched" && transform.scale < LEAST_SCALE) return;
 	const ticks = haveDirections(state.settings);
 	const paths = /* @__PURE__ */ new Map();
 	let drawn = 0;
 	codes.forEach((code, i) => {
 		const radius = SCALES * (frames[2 * i] ?? 0) * transform.scale;
-		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isShown(state.display, code)) return;
+		if (drawn > MOST_DRAWN || radius < LEAST_RADIUS || !isCodeShown(state.display, code)) return;
 		const [x, y] = toCanvas(transform, points[3 * i] ?? 0, points[3 * i + 1] ?? 0);
 		if (x + radius < clip.left || x - radius > clip.left + clip.width || y + radius < clip.top || y - radius > clip.top + clip.height) return;
 		drawn += 1;
@@ -10534,7 +12659,7 @@ function halfSize(scale) {
 function stylesAt(scale) {
 	const half = halfSize(scale);
 	const rows = DRAWN.map((code) => {
-		const matched = code === MATCHED || code === GROSS_ERROR;
+		const matched = OF_MATCHES.includes(code);
 		return [
 			STYLES[code]?.shape ?? 0,
 			matched ? half : .75 * half,
@@ -10548,7 +12673,7 @@ function stylesAt(scale) {
 }
 function makeSlots() {
 	return remember((codes, points, hidden) => {
-		const slots = Uint8Array.from(STYLES, (_, code) => isShown({
+		const slots = Uint8Array.from(STYLES, (_, code) => isCodeShown({
 			points,
 			hidden
 		}, code) ? DRAWN.indexOf(code) : NOT_DRAWN);
@@ -10575,7 +12700,11 @@ function drawLines(context, state, scene) {
 	const { lines } = state.display;
 	if (scene.match === null || lines === "none") return;
 	const { left, right } = scene.panes;
-	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? 1 : 0);
+	const rejected = isCodeShown({
+		...state.display,
+		points: state.display.points === "none" ? "matched" : state.display.points
+	}, GROSS_ERROR) ? 1 : NOT_DRAWN;
+	const codes = scene.matchCodes.map((code) => code === GROSS_ERROR ? rejected : 0);
 	draw_match_lines(context, scene.match.matches, codes, Float64Array.of(1, 1), [LINE, LINE_REJECTED], drawView(left.transform, left.rect), drawView(right.transform, right.rect), lines === "all" ? ALL : 100);
 }
 function drawResiduals(context, state, scene, pane) {
@@ -10621,11 +12750,12 @@ function mountToolbar(host, store, navigator) {
 		type: "display",
 		display
 	});
-	const [points, pointSelect] = choice("Points", "layer-points", [
-		["all", "all"],
-		["matched", "matched"],
-		["none", "none"]
-	], (value) => set({ points: value }));
+	const shows = (points) => set({
+		points,
+		hidden: []
+	});
+	const points = toggle("Points", "layer-points", "Show the matched points", (on) => shows(on ? "matched" : "none"));
+	const unmatched = toggle("Unmatched", "layer-unmatched", "Show rejected points too, marked by the rule that rejected them: press one to see why", (on) => shows(on ? "all" : "matched"));
 	const [lines, lineSelect] = choice("Lines", "layer-lines", [
 		["none", "none"],
 		["some", `≤ ${String(100)}`],
@@ -10634,15 +12764,193 @@ function mountToolbar(host, store, navigator) {
 	const [vectors, vectorSelect] = choice("Residuals", "layer-vectors", VECTOR_FACTORS.map((f) => [String(f), f === 0 ? "none" : `× ${String(f)}`]), (value) => set({ vectors: Number(value) }));
 	const linked = toggle("Linked", "linked", "Pan and zoom both images together (L)", (on) => set({ linked: on }));
 	const magnifier = toggle("Magnifier", "magnifier", "Enlarge what is under the pointer (M)", (on) => set({ magnifier: on }));
-	host.append(points, lines, vectors, h("span", { class: "divider" }), linked, magnifier, h("span", { class: "divider" }), ...zoomButtons("", "Whole images", () => navigator), labelled("1:1", "zoom-actual", "One image pixel to one screen pixel (1)", () => navigator.actualSize()), h("span", { class: "divider" }), labelled("‹", "previous-point", "Previous point (P)", () => navigator.step(-1)), labelled("›", "next-point", "Next point (N)", () => navigator.step(1)));
+	const more = h("div", {
+		class: "more",
+		id: "view-more"
+	}, lines, vectors, h("span", { class: "divider" }), linked, magnifier, labelled("1:1", "zoom-actual", "One image pixel to one screen pixel (1)", () => navigator.actualSize()), h("span", { class: "divider" }), labelled("‹", "previous-point", "Previous point (P)", () => navigator.step(-1)), labelled("›", "next-point", "Next point (N)", () => navigator.step(1)));
+	const unfold = h("button", {
+		type: "button",
+		class: "menu-button",
+		testid: "view-menu"
+	}, "View ▾");
+	mountMenu(unfold, more);
+	host.append(points, unmatched, h("span", { class: "divider" }), ...zoomButtons("", "Whole images", () => navigator), unfold, more);
+	store.watch(["results"], () => {
+		const { left, match } = shownPair(store.state);
+		const others = match === null || left === null ? 0 : left.length / 3 - match.counts.matches;
+		fill(unmatched, "Unmatched", others === 0 ? null : h("span", { class: "number-of" }, ` (${count(others)})`));
+	});
 	store.watch(["display"], ([display]) => {
-		pointSelect.value = display.points;
+		points.setAttribute("aria-pressed", String(display.points !== "none"));
+		unmatched.setAttribute("aria-pressed", String(display.points === "all"));
 		lineSelect.value = display.lines;
 		vectorSelect.value = String(display.vectors);
 		linked.setAttribute("aria-pressed", String(display.linked));
 		magnifier.setAttribute("aria-pressed", String(display.magnifier));
 	});
 }
+// www/pair/state/editing.ts
+/** What a user does to matches, whatever was pressed for it. */
+var Editing = class {
+	store;
+	fitter;
+	constructor(store, fitter) {
+		this.store = store;
+		this.fitter = fitter;
+	}
+	/** Rejects or restores what is chosen; nothing where there is nothing of it. */
+	edit(kind) {
+		const edit = editOfChoice(this.store.state, kind);
+		if (edit !== null) this.store.dispatch({
+			type: "edit",
+			edit
+		});
+	}
+	/** Takes edits back, or makes them again. */
+	step(by) {
+		this.store.dispatch({
+			type: "goto",
+			done: this.store.state.history.done + by
+		});
+	}
+	/** Chooses the match of a point beside others, or no longer. */
+	choose(selection) {
+		const { state } = this.store;
+		const edited = editedPair(state);
+		if (edited === null || selection === null) return;
+		const left = leftIndexOf({ selection }, edited.match.best, edited.match.rules);
+		this.chooseAll(keysOfLefts(edited, left < 0 ? [] : [left]));
+	}
+	/** Chooses matches of left points beside others, or no longer where all of them were. */
+	chooseLefts(lefts) {
+		const edited = editedPair(this.store.state);
+		if (edited !== null) this.chooseAll(keysOfLefts(edited, lefts));
+	}
+	chooseNone() {
+		if (this.store.state.chosen.length > 0) this.store.dispatch({
+			type: "choose",
+			chosen: []
+		});
+	}
+	/** Takes up a tool, or puts it away where it is in use. Without matches there is nothing to be done with any. */
+	toggle(tool) {
+		const { state } = this.store;
+		const next = state.tool === tool || editedPair(state) === null ? "look" : tool;
+		if (next !== state.tool) this.store.dispatch({
+			type: "tool",
+			tool: next
+		});
+	}
+	/** Measures the match of the selected point anew. */
+	move() {
+		const draft = moving(this.store.state);
+		if (draft === null) return;
+		this.store.dispatch({
+			type: "tool",
+			tool: "measure"
+		});
+		this.store.dispatch({
+			type: "draft",
+			draft
+		});
+	}
+	/** Places a point of the match that is measured; the first one begins it. */
+	place(side, at) {
+		const { state } = this.store;
+		const { draft } = state;
+		this.store.dispatch({
+			type: "draft",
+			draft: draft === null ? begun(state, side, at) : placed(state, draft, side, at)
+		});
+	}
+	/** Moves the point that is placed now. */
+	nudge(dx, dy) {
+		const { draft } = this.store.state;
+		const at = draft === null ? null : placeOfDraft(this.store.state, draft.side);
+		if (draft !== null && at !== null) this.place(draft.side, [at[0] + dx, at[1] + dy]);
+	}
+	/** Goes on in the other image. */
+	exchange() {
+		const { state } = this.store;
+		const { draft } = state;
+		if (draft === null) return;
+		const at = placeOfDraft(state, draft.side);
+		const settled = at === null ? draft : placed(state, draft, draft.side, at);
+		this.store.dispatch({
+			type: "draft",
+			draft: {
+				...settled,
+				side: otherSide(draft.side)
+			}
+		});
+	}
+	/** Finds the right place by least squares, near where it is. */
+	async fit() {
+		const { state } = this.store;
+		const { draft } = state;
+		const [left, right] = [placeOfDraft(state, "left"), placeOfDraft(state, "right")];
+		if (draft === null || left === null || right === null) return;
+		const found = await this.fitter(left, right);
+		if (this.store.state.draft !== draft) return;
+		if (found !== null) this.store.dispatch({
+			type: "draft",
+			draft: placed(state, placed(state, draft, "left", left), "right", found)
+		});
+		this.store.dispatch({
+			type: "notice",
+			notice: found === null ? {
+				kind: "info",
+				text: "Least squares matching confirms no place near this one: the windows differ too much, or are turned to each other."
+			} : null
+		});
+	}
+	/** The match is measured: it becomes an edit, and is selected. */
+	accept() {
+		const edit = editOfDraft(this.store.state);
+		if (edit === null || edit.kind !== "add" && edit.kind !== "move") return;
+		this.store.dispatch({
+			type: "edit",
+			edit
+		});
+		this.store.dispatch(edit.kind === "add" ? {
+			type: "draft",
+			draft: null
+		} : {
+			type: "tool",
+			tool: "look"
+		});
+		const edited = editedPair(this.store.state);
+		const left = edited === null ? void 0 : leftsByTarget(edited).get(keyOfTarget(edit.kind === "add" ? edit.id : edit.of));
+		if (left !== void 0) this.store.dispatch({
+			type: "select",
+			selection: {
+				side: "left",
+				index: left
+			}
+		});
+	}
+	/** Ends what was begun last: the match that is measured, the tool, the choice; false where nothing was. */
+	leave() {
+		const { tool, chosen, draft } = this.store.state;
+		if (draft !== null && draft.of === null) this.store.dispatch({
+			type: "draft",
+			draft: null
+		});
+		else if (tool !== "look") this.store.dispatch({
+			type: "tool",
+			tool: "look"
+		});
+		else if (chosen.length > 0) this.chooseNone();
+		else return false;
+		return true;
+	}
+	chooseAll(keys) {
+		if (keys.length > 0) this.store.dispatch({
+			type: "choose",
+			chosen: toggled(this.store.state.chosen, keys)
+		});
+	}
+};
 // www/pair/state/reducer.ts
 var NO_DATA = {
 	fiducials: [],
@@ -10665,7 +12973,9 @@ var DEEDS = /* @__PURE__ */ new Set([
 	"fiducialModel",
 	"offset",
 	"display",
-	"resume"
+	"resume",
+	"edit",
+	"goto"
 ]);
 function reduce(state, action) {
 	const next = withShown(state, changed(state, action));
@@ -10755,6 +13065,21 @@ function changed(state, action) {
 			selection: action.selection,
 			activeSide: action.selection?.side ?? state.activeSide
 		};
+		case "edit": return withHistory(state, recorded(state.history, action.edit));
+		case "goto": return withHistory(state, wentTo(state.history, action.done));
+		case "choose": return {
+			...state,
+			chosen: action.chosen
+		};
+		case "tool": return {
+			...state,
+			tool: action.tool,
+			draft: null
+		};
+		case "draft": return {
+			...state,
+			draft: action.draft
+		};
 		case "activeSide": return {
 			...state,
 			activeSide: action.side
@@ -10790,7 +13115,7 @@ function withRun(state, action) {
 				[action.stage]: action.key
 			}
 		};
-		case "stageDone": return {
+		case "stageDone": return withKeptEdits(action.stage, {
 			...state,
 			running: without(state.running, action.stage),
 			failures: without(state.failures, action.stage),
@@ -10799,7 +13124,7 @@ function withRun(state, action) {
 				[action.stage]: action.result
 			},
 			selection: action.stage === (state.selection?.side === "left" ? "pointsLeft" : "pointsRight") ? null : state.selection
-		};
+		});
 		case "stageFailed": return {
 			...state,
 			running: without(state.running, action.stage),
@@ -10830,15 +13155,39 @@ function without(object, key) {
 	delete copy[key];
 	return copy;
 }
+/** After a new run of the matching the user is told what of the edits by hand it has. */
+function withKeptEdits(stage, state) {
+	const edited = stage === "match" ? editedPair(state) : null;
+	const text = edited === null ? null : keptText(edited);
+	return text === null || state.notice?.kind === "problem" ? state : {
+		...state,
+		notice: {
+			kind: "info",
+			text
+		}
+	};
+}
+/** The state with other edits. What they do to the orientation is compared with the one before them. */
+function withHistory(state, history) {
+	if (history.done === state.history.done && history.edits === state.history.edits) return state;
+	const before = isCurrent(state, "orientation") ? state.results.orientation?.value ?? null : state.before;
+	return {
+		...state,
+		history,
+		before,
+		paused: false
+	};
+}
 /** New images. Data that belonged to a simulated pair goes with it; data the user gave stays. */
 function withImages(state, images) {
 	const before = state.truth === null ? state : withoutTruth(state);
+	const all = {
+		...before.images,
+		...images
+	};
 	return {
 		...before,
-		images: {
-			...before.images,
-			...images
-		},
+		images: all,
 		masks: {
 			left: images.left === void 0 ? before.masks.left : null,
 			right: images.right === void 0 ? before.masks.right : null
@@ -10849,7 +13198,9 @@ function withImages(state, images) {
 		views: {
 			left: null,
 			right: null
-		}
+		},
+		...UNEDITED,
+		...exchangedPair(state, all)
 	};
 }
 function withoutTruth(state) {
@@ -10934,6 +13285,8 @@ function swapped(state) {
 			left: state.views.right,
 			right: state.views.left
 		},
+		...UNEDITED,
+		history: exchanged(state.history),
 		selection: null,
 		failures: {},
 		paused: false
@@ -10951,9 +13304,68 @@ var Store = class extends Holder {
 		super(INITIAL, reduce);
 	}
 };
+// www/pair/view/scene.ts
+function pictureOf(state, side) {
+	const stage = side === "left" ? "openLeft" : "openRight";
+	const image = state.images[side];
+	const opened = state.results[stage];
+	if (image === null || opened === void 0 || opened.key !== wantedKeys(state)[stage]) return null;
+	const { info, overview } = opened.value;
+	return {
+		imageId: image.id,
+		width: info.width,
+		height: info.height,
+		overview
+	};
+}
+/** The scene on a canvas of `width` x `height` CSS px. A pane without a view shows its whole image. */
+function sceneOf(state, width, height) {
+	const rects = panesOf(width, height);
+	const shown = shownPair(state);
+	const codes = {
+		left: leftCodes(shown.left, shown.match, shown.orientation),
+		right: rightCodes(shown.right, shown.match, shown.orientation)
+	};
+	const pane = (side) => {
+		const picture = pictureOf(state, side);
+		const view = state.views[side] ?? (picture === null ? {
+			x: 0,
+			y: 0,
+			scale: 1
+		} : fitView(rects[side], picture.width, picture.height));
+		const interior = interiorInUse(state)?.[side];
+		const vectors = shown.match !== null && shown.orientation !== null && interior !== void 0 ? residualVectors[side](shown.match, shown.orientation, interior) : null;
+		return {
+			side,
+			rect: rects[side],
+			transform: transformOf(rects[side], view),
+			picture,
+			points: picture === null ? null : shown[side],
+			frames: state.results[side === "left" ? "pointsLeft" : "pointsRight"]?.value.frames ?? null,
+			codes: codes[side],
+			vectors
+		};
+	};
+	const ofMatches = matchCodes(shown.match, shown.orientation);
+	return {
+		panes: {
+			left: pane("left"),
+			right: pane("right")
+		},
+		match: shown.match,
+		orientation: shown.orientation,
+		matchCodes: ofMatches,
+		places: loosePlaces(shown.match, ofMatches)
+	};
+}
+/** The pane at a canvas position. */
+function paneAt(scene, x, y) {
+	const side = SIDES.find((s) => contains(scene.panes[s].rect, x, y));
+	return side === void 0 ? null : scene.panes[side];
+}
 // www/pair/view/input.ts
 /** Pointer, wheel, touch and keys on the images. */
-function mountInput(view, store, navigator) {
+function mountInput(view, store, navigator, editing) {
 	const { host } = view;
 	const activate = (side) => {
 		if (store.state.activeSide !== side) store.dispatch({
@@ -10972,13 +13384,105 @@ function mountInput(view, store, navigator) {
 		zoomMiddle: (factor) => navigator.zoomMiddle(factor),
 		fit: () => navigator.fit(),
 		grabbed: activate,
-		pressed: (x, y) => navigator.select(view.hit(x, y)),
+		pressed: (x, y, more) => {
+			if (store.state.tool === "measure") measure(view, x, y, editing, navigator);
+			else press(view.hit(x, y), more, editing, navigator);
+		},
+		encloses: (shift) => shift || store.state.tool === "choose",
+		enclosed: (side, from, to, ended) => enclose(view, store, side, from, to, ended),
 		pointed: (at) => view.point(at),
-		command: (key) => command(key, store, navigator)
+		command: (key, shift) => store.state.tool === "measure" && measuring(key, shift, store, navigator, editing) || command(key, store, navigator, editing)
 	}, host.closest(".stage") ?? host);
 }
+/** Selects a point; with `more` its match is chosen beside the others, or no longer. */
+function press(hit, more, editing, navigator) {
+	if (more) {
+		editing.choose(hit);
+		return;
+	}
+	editing.chooseNone();
+	navigator.select(hit);
+}
+/** Chooses the matches in a rectangle of the canvas. */
+function enclose(view, store, side, from, to, ended) {
+	const rect = to === null ? null : between(from, to);
+	view.enclose(ended ? null : rect);
+	const edited = editedPair(store.state);
+	if (!ended || rect === null || edited === null) return;
+	const { transform, codes } = view.scene().panes[side];
+	const [left, top] = toPosition(transform, rect.left, rect.top);
+	const [right, bottom] = toPosition(transform, rect.left + rect.width, rect.top + rect.height);
+	const { display } = store.state;
+	const ofLefts = side === "left" ? codes : view.scene().panes.left.codes;
+	store.dispatch({
+		type: "choose",
+		chosen: keysWithin(edited, side, [
+			left,
+			top,
+			right,
+			bottom
+		], (index) => isCodeShown(display, ofLefts[index] ?? 0))
+	});
+}
+function between([x, y], [u, v]) {
+	return {
+		left: Math.min(x, u),
+		top: Math.min(y, v),
+		width: Math.abs(u - x),
+		height: Math.abs(v - y)
+	};
+}
+/** Places a point of the match that is measured. */
+function measure(view, x, y, editing, navigator) {
+	const pane = paneAt(view.scene(), x, y);
+	if (pane?.picture == null) return;
+	editing.place(pane.side, toPosition(pane.transform, x, y));
+	navigator.followDraft();
+}
+var ARROWS = {
+	ArrowLeft: [-1, 0],
+	ArrowRight: [1, 0],
+	ArrowUp: [0, -1],
+	ArrowDown: [0, 1]
+};
+/** How far an arrow moves a point, px; with Shift. */
+var FINE = .1;
+var COARSE = 1;
+/** Runs the command of a key while a match is measured; false where it has none then. */
+function measuring(key, shift, store, navigator, editing) {
+	const { draft } = store.state;
+	if (draft === null) {
+		const middle = key === "Enter" ? navigator.middle() : null;
+		if (middle === null) return false;
+		editing.place(...middle);
+		navigator.followDraft();
+		return true;
+	}
+	const arrow = ARROWS[key];
+	if (arrow !== void 0) {
+		const step = shift ? COARSE : FINE;
+		editing.nudge(step * arrow[0], step * arrow[1]);
+		navigator.followDraft();
+		return true;
+	}
+	switch (key) {
+		case "Enter":
+			editing.accept();
+			return true;
+		case "o":
+		case "O":
+			editing.exchange();
+			navigator.followDraft();
+			return true;
+		case "f":
+		case "F":
+			editing.fit();
+			return true;
+		default: return false;
+	}
+}
 /** Runs the command of a key; false where it has none. */
-function command(key, store, navigator) {
+function command(key, store, navigator, editing) {
 	const { activeSide, display } = store.state;
 	switch (key) {
 		case "1":
@@ -11013,8 +13517,33 @@ function command(key, store, navigator) {
 				display: { magnifier: !display.magnifier }
 			});
 			return true;
+		case "Delete":
+		case "Backspace":
+			editing.edit("reject");
+			return true;
+		case "r":
+		case "R":
+			editing.edit("restore");
+			return true;
+		case "x":
+		case "X":
+			editing.choose(store.state.selection);
+			return true;
+		case "s":
+		case "S":
+			editing.toggle("choose");
+			return true;
+		case "a":
+		case "A":
+			editing.toggle("measure");
+			return true;
+		case "e":
+		case "E":
+			editing.move();
+			navigator.followDraft();
+			return true;
 		case "Escape":
-			navigator.select(null);
+			if (!editing.leave()) navigator.select(null);
 			return true;
 		default: return false;
 	}
@@ -11170,7 +13699,7 @@ var Navigator = class {
 		const pane = this.activePane();
 		const count = pane.codes.length;
 		const start = state.selection?.side === pane.side ? state.selection.index : by > 0 ? -1 : count;
-		for (let i = start + by; i >= 0 && i < count; i += by) if (isShown(state.display, pane.codes[i] ?? 0)) {
+		for (let i = start + by; i >= 0 && i < count; i += by) if (isCodeShown(state.display, pane.codes[i] ?? 0)) {
 			this.select({
 				side: pane.side,
 				index: i
@@ -11189,6 +13718,31 @@ var Navigator = class {
 		this.bringIntoView(scene, selection);
 		const partner = partnerOf(scene, selection);
 		if (partner !== null) this.bringIntoView(scene, partner);
+	}
+	/** Shows the points of the match that is measured, the second one as large as the first. */
+	followDraft() {
+		const { state } = this.store;
+		const scene = this.view.scene();
+		const scale = Math.max(...SIDES.map((side) => scene.panes[side].transform.scale));
+		const views = SIDES.flatMap((side) => {
+			const { rect, transform } = scene.panes[side];
+			const at = placeOfDraft(state, side);
+			if (at === null || contains(inner(rect), ...toCanvas(transform, ...at)) && transform.scale === scale) return [];
+			return [[side, {
+				x: at[0],
+				y: at[1],
+				scale
+			}]];
+		});
+		if (views.length > 0) this.store.dispatch({
+			type: "views",
+			views: Object.fromEntries(views)
+		});
+	}
+	/** The position in the middle of the active pane; null where it shows no image. */
+	middle() {
+		const { rect, transform, side, picture } = this.activePane();
+		return picture === null ? null : [side, toPosition(transform, rect.left + rect.width / 2, rect.top + rect.height / 2)];
 	}
 	activePane() {
 		return this.view.scene().panes[this.store.state.activeSide];
@@ -11242,6 +13796,15 @@ var Navigator = class {
 		}];
 	}
 };
+/** A place at the very edge of a pane is hardly seen. */
+function inner({ left, top, width, height }) {
+	return {
+		left: left + width / 8,
+		top: top + height / 8,
+		width: .75 * width,
+		height: .75 * height
+	};
+}
 /** The best right point of a left one, or the left point that a right one is matched to. */
 function partnerOf(scene, { side, index }) {
 	const best = scene.match?.best;
@@ -11252,64 +13815,45 @@ function partnerOf(scene, { side, index }) {
 		index: found
 	};
 }
-// www/pair/view/grid.ts
-/** Finds the point nearest to a position: points sorted into square cells. */
-var PointGrid = class {
-	points;
-	start;
-	order;
-	columns;
-	rows;
-	side;
-	/** `points`: stride 3, x, y, value, in an image of `width` x `height` px. */
-	constructor(points, width, height) {
-		this.points = points;
-		const count = points.length / 3;
-		this.side = Math.max(4, Math.sqrt(2 * width * height / Math.max(count, 1)));
-		this.columns = Math.ceil(width / this.side) || 1;
-		this.rows = Math.ceil(height / this.side) || 1;
-		this.start = new Uint32Array(this.columns * this.rows + 1);
-		this.order = new Uint32Array(count);
-		const cells = Uint32Array.from({ length: count }, (_, i) => this.cell(points[3 * i] ?? 0, points[3 * i + 1] ?? 0));
-		for (const cell of cells) this.start[cell + 1] = (this.start[cell + 1] ?? 0) + 1;
-		for (let c = 1; c < this.start.length; c++) this.start[c] = (this.start[c] ?? 0) + (this.start[c - 1] ?? 0);
-		const next = this.start.slice();
-		cells.forEach((cell, i) => {
-			const at = next[cell] ?? 0;
-			this.order[at] = i;
-			next[cell] = at + 1;
+// www/pair/view/chosen.ts
+/** The matches that are chosen together, and the rectangle that chooses them. */
+var RADIUS = 6;
+/** Draws a ring around both points of each chosen match, with a dark edge, so that it shows on light and dark ground. */
+function drawChosen(context, state, scene) {
+	const edited = editedPair(state);
+	const lefts = chosenLefts(state);
+	if (edited === null || lefts.length === 0) return;
+	for (const side of SIDES) {
+		const { rect, transform } = scene.panes[side];
+		const path = new Path2D();
+		for (const left of lefts) {
+			const place = placeOfLeft(edited, left);
+			const [x, y] = toCanvas(transform, ...side === "left" ? [place[0], place[1]] : [place[2], place[3]]);
+			path.moveTo(x + RADIUS, y);
+			path.arc(x, y, RADIUS, 0, 2 * Math.PI);
+		}
+		within(context, rect, () => {
+			context.lineWidth = 3.5;
+			context.strokeStyle = "rgb(0 0 0 / 0.6)";
+			context.stroke(path);
+			context.lineWidth = 1.8;
+			context.strokeStyle = SELECTED;
+			context.stroke(path);
 		});
 	}
-	/** Index of the nearest accepted point within `radius` px; -1 where there is none. */
-	nearest(x, y, radius, accept) {
-		let found = -1;
-		let least = radius * radius;
-		const [firstColumn, lastColumn] = this.range(x, radius, this.columns);
-		const [firstRow, lastRow] = this.range(y, radius, this.rows);
-		for (let row = firstRow; row <= lastRow; row++) {
-			const line = row * this.columns;
-			for (let k = this.start[line + firstColumn] ?? 0; k < (this.start[line + lastColumn + 1] ?? 0); k++) {
-				const index = this.order[k] ?? 0;
-				const dx = (this.points[3 * index] ?? 0) - x;
-				const dy = (this.points[3 * index + 1] ?? 0) - y;
-				const distance = dx * dx + dy * dy;
-				if (distance <= least && accept(index)) {
-					least = distance;
-					found = index;
-				}
-			}
-		}
-		return found;
-	}
-	cell(x, y) {
-		const column = Math.min(this.columns - 1, Math.max(0, Math.floor(x / this.side)));
-		return Math.min(this.rows - 1, Math.max(0, Math.floor(y / this.side))) * this.columns + column;
-	}
-	range(centre, radius, count) {
-		const clamp = (value) => Math.min(count - 1, Math.max(0, Math.floor(value / this.side)));
-		return [clamp(centre - radius), clamp(centre + radius)];
-	}
-};
+}
+function drawRectangle(context, { left, top, width, height }) {
+	context.fillStyle = "rgb(255 212 0 / 0.12)";
+	context.fillRect(left, top, width, height);
+	context.lineWidth = 3;
+	context.strokeStyle = "rgb(0 0 0 / 0.5)";
+	context.strokeRect(left, top, width, height);
+	context.setLineDash([6, 4]);
+	context.lineWidth = 1.5;
+	context.strokeStyle = SELECTED;
+	context.strokeRect(left, top, width, height);
+	context.setLineDash([]);
+}
 // www/pair/view/tilecache.ts
 /** Tiles kept at most: 1 MB each. */
 var MOST_TILES = 96;
@@ -11410,7 +13954,7 @@ function paintMask(context, { overlay, width, height }, t, clip) {
 // www/pair/view/overlay.ts
 /** What follows the pointer and the selection: the selected point, its search window and candidates, the magnifier. */
 /** Side of the magnifier in CSS px, and how much more it enlarges. */
-var LENS_SIDE = 176;
+var LENS_SIDE$1 = 176;
 var LENS_FACTOR = 4;
 var MOST_CANDIDATES_DRAWN = 200;
 /** Candidates by gradients lie all over the image: the nearest of them. */
@@ -11453,19 +13997,17 @@ function drawSelection(context, state, scene) {
 		ring(context, own, at, 9, SELECTED, 2.5);
 	});
 	if (scene.match === null) return;
-	drawLine(context, state, scene);
+	const line = isCurrent(state, "inspection") ? state.results.inspection?.value.line : void 0;
+	if (line != null) drawLine(context, scene.panes[line.side], line.positions);
 	const leftIndex = leftIndexOf(state, scene.match.best, scene.match.rules);
 	const leftAt = pointOf(scene.panes.left, leftIndex);
 	if (leftAt === null) return;
 	if (selection.side === "right") within(context, scene.panes.left.rect, () => ring(context, scene.panes.left, leftAt, 9, SELECTED, 2));
 	drawCandidates(context, state, scene, leftIndex, leftAt, placeOf(scene.match.places, leftIndex));
 }
-/** The epipolar line of the selected point in the other image, or a cross at the one place that a map gives. */
-function drawLine(context, state, scene) {
-	const line = isCurrent(state, "inspection") ? state.results.inspection?.value.line : void 0;
-	if (line == null) return;
-	const pane = scene.panes[line.side];
-	const places = Array.from({ length: line.positions.length / 2 }, (_, i) => toCanvas(pane.transform, line.positions[2 * i] ?? 0, line.positions[2 * i + 1] ?? 0));
+/** An epipolar line, or a cross at the one place that a map gives. */
+function drawLine(context, pane, positions) {
+	const places = Array.from({ length: positions.length / 2 }, (_, i) => toCanvas(pane.transform, positions[2 * i] ?? 0, positions[2 * i + 1] ?? 0));
 	const path = new Path2D();
 	for (const [i, [x, y]] of places.entries()) {
 		if (places.length > 1) {
@@ -11512,15 +14054,18 @@ function drawCandidates(context, state, scene, leftIndex, leftAt, best) {
 function drawLens(context, state, scene, at, ratio, tiles, bounds) {
 	const pane = contains(scene.panes.left.rect, at[0], at[1]) ? scene.panes.left : scene.panes.right;
 	if (pane.picture === null || !contains(pane.rect, at[0], at[1])) return;
-	const [x, y] = toPosition(pane.transform, at[0], at[1]);
-	const rect = lensRect(at, bounds);
 	const scale = Math.min(48, Math.max(4, pane.transform.scale * LENS_FACTOR));
+	paintLens(context, state, scene, pane, toPosition(pane.transform, at[0], at[1]), lensRect(at, bounds), scale, ratio, tiles);
+}
+/** A rectangle of the canvas that shows what lies around a place of an image, enlarged, with its points. */
+function paintLens(context, state, scene, pane, [x, y], rect, scale, ratio, tiles) {
+	const { picture } = pane;
+	if (picture === null) return;
 	const transform = {
 		scale,
 		x: rect.left + rect.width / 2 - scale * x,
 		y: rect.top + rect.height / 2 - scale * y
 	};
-	const picture = pane.picture;
 	within(context, rect, () => {
 		context.fillStyle = "#000000";
 		context.fillRect(rect.left, rect.top, rect.width, rect.height);
@@ -11534,7 +14079,7 @@ function drawLens(context, state, scene, at, ratio, tiles, bounds) {
 }
 /** Beside the pointer, on the canvas. */
 function lensRect([x, y], bounds) {
-	const side = Math.min(LENS_SIDE, bounds.width, bounds.height);
+	const side = Math.min(LENS_SIDE$1, bounds.width, bounds.height);
 	const left = x + 24 + side > bounds.width ? x - 24 - side : x + 24;
 	const top = y + 24 + side > bounds.height ? y - 24 - side : y + 24;
 	return {
@@ -11561,7 +14106,137 @@ function crosshair(context, rect) {
 	context.strokeStyle = SELECTED;
 	context.stroke();
 }
+// www/pair/view/draft.ts
+/** The match that is measured: its points, where they may lie, and both of them enlarged. */
+var ARM = 12;
+var LENS_SIDE = 168;
+/** A px of the image in the lens, CSS px. */
+var LENS_SCALE = 12;
+var EDGE = 8;
+/** Draws the points of the draft as crosses that leave their middle free, and what is known of where the second one may lie. */
+function drawDraft(context, state, scene) {
+	const { draft } = state;
+	if (draft === null) return;
+	const line = lineOfDraft(state);
+	if (line !== null) drawLine(context, scene.panes[line.side], line.positions);
+	const expected = expectedPlace(state);
+	if (expected !== null && draft.places[draft.side] !== null) drawExpected(context, scene.panes[draft.side], expected);
+	for (const side of SIDES) {
+		const at = placeOfDraft(state, side);
+		if (at !== null) drawCross(context, scene.panes[side], at, side === draft.side);
+	}
+}
+function drawExpected(context, pane, at) {
+	const [x, y] = toCanvas(pane.transform, ...at);
+	within(context, pane.rect, () => {
+		context.beginPath();
+		context.arc(x, y, 7, 0, 2 * Math.PI);
+		context.setLineDash([4, 3]);
+		context.lineWidth = 1.5;
+		context.strokeStyle = CANDIDATE;
+		context.stroke();
+		context.setLineDash([]);
+	});
+}
+function drawCross(context, pane, at, active) {
+	const [x, y] = toCanvas(pane.transform, ...at);
+	const path = new Path2D();
+	for (const [ux, uy] of [
+		[1, 0],
+		[-1, 0],
+		[0, 1],
+		[0, -1]
+	]) {
+		path.moveTo(x + 3 * ux, y + 3 * uy);
+		path.lineTo(x + ARM * ux, y + ARM * uy);
+	}
+	within(context, pane.rect, () => {
+		context.lineWidth = active ? 4.5 : 3.5;
+		context.strokeStyle = "rgb(0 0 0 / 0.65)";
+		context.stroke(path);
+		context.lineWidth = active ? 2.2 : 1.4;
+		context.strokeStyle = SELECTED;
+		context.stroke(path);
+	});
+}
+/** Enlarges what lies around both points, in the lower outer corner of each pane: one place is compared with the other. */
+function drawDraftLenses(context, state, scene, ratio, tiles) {
+	for (const side of SIDES) {
+		const pane = scene.panes[side];
+		const at = placeOfDraft(state, side);
+		if (at === null) continue;
+		paintLens(context, state, scene, pane, at, cornerOf(pane), Math.max(LENS_SCALE, pane.transform.scale), ratio, tiles);
+	}
+}
+function cornerOf({ rect, side }) {
+	const length = Math.max(40, Math.min(LENS_SIDE, rect.width * .45, rect.height * .45));
+	return {
+		left: side === "left" ? rect.left + EDGE : rect.left + rect.width - EDGE - length,
+		top: rect.top + rect.height - EDGE - length,
+		width: length,
+		height: length
+	};
+}
+// www/pair/view/grid.ts
+/** Finds the point nearest to a position: points sorted into square cells. */
+var PointGrid = class {
+	points;
+	start;
+	order;
+	columns;
+	rows;
+	side;
+	/** `points`: stride 3, x, y, value, in an image of `width` x `height` px. */
+	constructor(points, width, height) {
+		this.points = points;
+		const count = points.length / 3;
+		this.side = Math.max(4, Math.sqrt(2 * width * height / Math.max(count, 1)));
+		this.columns = Math.ceil(width / this.side) || 1;
+		this.rows = Math.ceil(height / this.side) || 1;
+		this.start = new Uint32Array(this.columns * this.rows + 1);
+		this.order = new Uint32Array(count);
+		const cells = Uint32Array.from({ length: count }, (_, i) => this.cell(points[3 * i] ?? 0, points[3 * i + 1] ?? 0));
+		for (const cell of cells) this.start[cell + 1] = (this.start[cell + 1] ?? 0) + 1;
+		for (let c = 1; c < this.start.length; c++) this.start[c] = (this.start[c] ?? 0) + (this.start[c - 1] ?? 0);
+		const next = this.start.slice();
+		cells.forEach((cell, i) => {
+			const at = next[cell] ?? 0;
+			this.order[at] = i;
+			next[cell] = at + 1;
+		});
+	}
+	/** Index of the nearest accepted point within `radius` px; -1 where there is none. */
+	nearest(x, y, radius, accept) {
+		let found = -1;
+		let least = radius * radius;
+		const [firstColumn, lastColumn] = this.range(x, radius, this.columns);
+		const [firstRow, lastRow] = this.range(y, radius, this.rows);
+		for (let row = firstRow; row <= lastRow; row++) {
+			const line = row * this.columns;
+			for (let k = this.start[line + firstColumn] ?? 0; k < (this.start[line + lastColumn + 1] ?? 0); k++) {
+				const index = this.order[k] ?? 0;
+				const dx = (this.points[3 * index] ?? 0) - x;
+				const dy = (this.points[3 * index + 1] ?? 0) - y;
+				const distance = dx * dx + dy * dy;
+				if (distance <= least && accept(index)) {
+					least = distance;
+					found = index;
+				}
+			}
+		}
+		return found;
+	}
+	cell(x, y) {
+		const column = Math.min(this.columns - 1, Math.max(0, Math.floor(x / this.side)));
+		return Math.min(this.rows - 1, Math.max(0, Math.floor(y / this.side))) * this.columns + column;
+	}
+	range(centre, radius, count) {
+		const clamp = (value) => Math.min(count - 1, Math.max(0, Math.floor(value / this.side)));
+		return [clamp(centre - radius), clamp(centre + radius)];
+	}
+};
 // www/pair/view/view.ts
+/** The canvases: images below, marks above them, selection and magnifier on top. Each is drawn again only when what it shows changed. */
 var LAYERS = [
 	"pictures",
 	"marks",
@@ -11580,6 +14255,7 @@ var View = class {
 	layers;
 	tiles;
 	pointer = null;
+	rectangle = null;
 	constructor(host, store, engine) {
 		this.host = host;
 		this.store = store;
@@ -11606,11 +14282,15 @@ var View = class {
 			s.results.pointsRight,
 			s.results.match,
 			s.results.orientation,
+			s.history,
 			s.display,
 			s.catalogue
 		], () => this.layers.redraw("marks", "overlay"));
 		store.watch((s) => [
 			s.selection,
+			s.chosen,
+			s.draft,
+			s.results.line,
 			s.results.inspection,
 			s.settings,
 			s.results.offset
@@ -11625,6 +14305,11 @@ var View = class {
 		this.pointer = at;
 		if (this.store.state.display.magnifier) this.layers.redraw("overlay");
 	}
+	/** Shows a rectangle that is being drawn; null: none. */
+	enclose(rectangle) {
+		this.rectangle = rectangle;
+		this.layers.redraw("overlay");
+	}
 	/** The shown point nearest to a canvas position. */
 	hit(x, y) {
 		const { state } = this.store;
@@ -11634,17 +14319,17 @@ var View = class {
 		const { width, height } = pane.picture;
 		const at = toPosition(pane.transform, x, y);
 		const radius = CLICK_RADIUS / pane.transform.scale;
-		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isShown(state.display, pane.codes[i] ?? 0));
+		const found = gridOf[pane.side](pane.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, pane.codes[i] ?? 0));
 		const index = found < 0 ? null : {
 			side: pane.side,
 			index: found
 		};
 		if (pane.side === "left" || scene.match === null) return index;
 		const { places } = scene;
-		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isShown(state.display, places.codes[i] ?? 0));
+		const place = gridOfPlaces(places.points, width, height).nearest(...at, radius, (i) => isCodeShown(state.display, places.codes[i] ?? 0));
 		return place < 0 ? index : {
 			side: "left",
-			index: scene.match.indices[2 * (places.matches[place] ?? 0)] ?? 0
+			index: places.lefts[place] ?? 0
 		};
 	}
 	/** The picture as it is on the screen, all layers together. */
@@ -11662,8 +14347,12 @@ var View = class {
 				if (state.catalogue !== null) drawMarks(context, state, scene);
 				break;
 			case "overlay":
+				drawChosen(context, state, scene);
 				drawSelection(context, state, scene);
-				this.drawMagnifier(context, state, scene);
+				drawDraft(context, state, scene);
+				if (this.rectangle !== null) drawRectangle(context, this.rectangle);
+				drawDraftLenses(context, state, scene, this.layers.ratio, this.tiles);
+				if (state.draft === null) this.drawMagnifier(context, state, scene);
 		}
 	}
 	/** At the pointer; at the selected point while the pointer is elsewhere. */
@@ -11694,8 +14383,7 @@ function selectedPlace(state, scene) {
 	return x === void 0 || y === void 0 ? null : toCanvas(transform, x, y);
 }
 // www/pair/mount.ts
-/** `openProject` opens a project of whatever kind where it belongs; `toBlock` takes more images than a pair has; `putAside` leaves a pair in the list of projects. */
-function mountPair(catalogue, openProject, toBlock, putAside) {
+function mountPair(catalogue, { openProject, toBlock, sampleBlock, putAside }) {
 	const store = new Store();
 	const { element: left, panels: [settings, camera, simulate] } = tabbed("Settings", [
 		["settings", "Settings"],
@@ -11709,6 +14397,13 @@ function mountPair(catalogue, openProject, toBlock, putAside) {
 	]);
 	byId("stage").before(left);
 	byId("stage").after(right);
+	const settingsButton = drawerButton("settings", "Settings", "settings", left);
+	byId("menu").before(h("div", {
+		class: "drawers",
+		aria: { label: "Settings of the pair" },
+		role: "group"
+	}, settingsButton));
+	byId("answer-actions").append(drawerButton("details", "Details", "details", right));
 	const engine = new Engine(store);
 	const view = new View(byId("view"), store, engine);
 	const navigator = new Navigator(store, view);
@@ -11728,8 +14423,11 @@ function mountPair(catalogue, openProject, toBlock, putAside) {
 			});
 		}
 	};
-	mountInput(view, store, navigator);
+	const editing = new Editing(store, (left, right) => fitted(store.state, engine, left, right));
+	mountInput(view, store, navigator, editing);
 	mountToolbar(byId("toolbar"), store, navigator);
+	mountEditTools(byId("view-more"), byId("toolbar"), store, editing);
+	mountDraft(byId("toolbar"), store, editing, () => navigator.followDraft());
 	const pick = pickerOf(files);
 	mountPanes(view, store, {
 		open: (side) => pick(side),
@@ -11740,7 +14438,7 @@ function mountPair(catalogue, openProject, toBlock, putAside) {
 			mask: null
 		})
 	});
-	mountControls(settings, store);
+	mountControls(settings, store, settingsButton);
 	mountCamera(camera, store, () => pick(null));
 	mountFiducials(camera, store, (side) => pick(side));
 	mountCounts(results, store);
@@ -11751,15 +14449,47 @@ function mountPair(catalogue, openProject, toBlock, putAside) {
 		side,
 		index
 	}));
-	mountStatistics(matches, store, (side, index) => navigator.select({
+	mountEdits(matches, store, editing, () => navigator.followDraft());
+	mountEditKeys(matches, store, editing);
+	mountStatistics(matches, store, editing, (side, index) => navigator.select({
 		side,
 		index
 	}));
 	mountSimulate(simulate, store, engine, (name, flight) => void attempt(() => files.takeFlight(name, flight)));
-	mountAnnouncements(byId("announce"), store);
+	mountAnnouncements(byId("announce"), store, () => {
+		showTab("tab-point");
+		setDrawer("details", true);
+		reveal(right);
+	});
 	mountStatus(store, {
 		cancel: () => engine.cancel(),
-		run: () => store.dispatch({ type: "resume" })
+		run: () => store.dispatch({ type: "resume" }),
+		open: (side) => pick(side),
+		camera: () => {
+			setDrawer("settings", true);
+			showTab("tab-camera");
+		},
+		otherStrategy: () => {
+			const { settings: wanted } = store.state;
+			if (wanted !== null) store.dispatch({
+				type: "settings",
+				settings: withSetting(wanted, "matching.strategy", readSetting(catalogue.defaults, "matching.strategy"))
+			});
+		},
+		why: () => {
+			showTab("tab-results");
+			setDrawer("details", true);
+			const oriented = shownPair(store.state).orientation !== null;
+			if (!oriented) store.dispatch({
+				type: "display",
+				display: {
+					points: "all",
+					hidden: []
+				}
+			});
+			results.querySelector(`[data-testid="${oriented ? "orientation" : "matches"}-section"]`)?.scrollIntoView({ block: "start" });
+		},
+		save: () => void attempt(() => exportProject(store, engine))
 	});
 	mountHeader({
 		store,
@@ -11767,7 +14497,8 @@ function mountPair(catalogue, openProject, toBlock, putAside) {
 		view,
 		files,
 		pick,
-		attempt
+		attempt,
+		sampleBlock
 	});
 	store.watch(["selection"], ([selection]) => {
 		if (selection !== null && matches.hidden) showTab("tab-point");
@@ -13382,19 +16113,6 @@ var NEXT = {
 	dark: "auto"
 };
 var NAME = "tiepoint-theme";
-/** Storage may be switched off, or absent on file://: the choice then lasts as long as the page. */
-function remembered() {
-	try {
-		return localStorage.getItem(NAME);
-	} catch {
-		return null;
-	}
-}
-function keep(theme) {
-	try {
-		localStorage.setItem(NAME, theme);
-	} catch {}
-}
 function mountTheme(button) {
 	const show = (theme) => {
 		document.documentElement.dataset.theme = theme;
@@ -13404,12 +16122,12 @@ function mountTheme(button) {
 			dark: "Theme: dark"
 		}[theme] ?? "Theme";
 	};
-	const saved = remembered();
+	const saved = keptChoice(NAME);
 	show(saved !== null && saved in NEXT ? saved : "auto");
 	button.addEventListener("click", () => {
 		const theme = NEXT[document.documentElement.dataset.theme ?? "auto"] ?? "auto";
 		show(theme);
-		keep(theme);
+		keepChoice(NAME, theme);
 	});
 }
 // www/main.ts
@@ -13420,7 +16138,12 @@ async function start(opening, serveDrop) {
 	const catalogue = await loadCatalogue();
 	checkRules(catalogue.rules);
 	byId("version").textContent = `Tiepoint ${catalogue.version}`;
-	const pair = mountPair(catalogue, openProject, toBlock, (kept) => keeper.putAside(kept));
+	const pair = mountPair(catalogue, {
+		openProject,
+		toBlock,
+		sampleBlock,
+		putAside: (kept) => keeper.putAside(kept)
+	});
 	const ofBlocks = blockCatalogue(catalogue);
 	const block = mountBlock(ofBlocks, (store, images) => void openPair(store, pair.store, pair.engine, images), openProject);
 	/** What a file holds decides which part shows it; what is no project is refused by the part that it was given to. */
@@ -13439,6 +16162,13 @@ async function start(opening, serveDrop) {
 			mode: "block"
 		});
 		block.give(files, masks);
+	}
+	function sampleBlock() {
+		block.store.dispatch({
+			type: "mode",
+			mode: "block"
+		});
+		block.sample();
 	}
 	const keeper = new Keeper([block.kept, pair.kept], {
 		now: () => block.store.state.mode,
@@ -13464,10 +16194,10 @@ async function start(opening, serveDrop) {
 	serveDrop([block.taker, pair.taker]);
 }
 mountTheme(byId("theme"));
+mountMenu(byId("menu"), byId("bar-menu"));
 var opening = Database.open();
 opening.catch(() => void 0);
 start(opening, mountDrop()).catch((error) => {
-	const status = byId("status");
-	status.dataset.kind = "problem";
-	status.textContent = messageOf(error);
+	byId("answer").dataset.kind = "problem";
+	byId("status").textContent = messageOf(error);
 });

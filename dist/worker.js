@@ -26,6 +26,16 @@
 			return this;
 		}
 		/**
+		* The orthophoto of all that the photos show and the heights of its surface, as GeoTIFF files; `gsd_m` is the side of a pixel.
+		* @param {number} gsd_m
+		* @returns {{ picture: Uint8Array; heights: Uint8Array }}
+		*/
+		orthophoto(gsd_m) {
+			const ret = wasm.blockscene_orthophoto(this.__wbg_ptr, gsd_m);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
 		* Takes a photo.
 		* @param {number} index
 		* @returns {SampleImage}
@@ -212,6 +222,204 @@
 		}
 	};
 	if (Symbol.dispose) FinishedBlock.prototype[Symbol.dispose] = FinishedBlock.prototype.free;
+	/**
+	* A quick orthomosaic of an oriented block in wasm memory: each place is taken from the image whose projection centre is nearest in plan. Call
+	* `free` when it is no longer needed.
+	*/
+	var OrthoMosaic = class OrthoMosaic {
+		static __wrap(ptr) {
+			const obj = Object.create(OrthoMosaic.prototype);
+			obj.__wbg_ptr = ptr;
+			OrthoMosaicFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			OrthoMosaicFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_orthomosaic_free(ptr, 0);
+		}
+		/**
+		* Adds an image, by its index; one that is not oriented adds nothing.
+		* @param {number} index
+		* @param {Uint8Array | number[]} file
+		*/
+		add(index, file) {
+			const val2 = +index;
+			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthomosaic_add(this.__wbg_ptr, val2, ptr0, len0);
+			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* The mosaic, grey, as GeoTIFF.
+		* @returns {Uint8Array}
+		*/
+		finish() {
+			const ptr = this.__destroy_into_raw();
+			const ret = wasm.orthomosaic_finish(ptr);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v1 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v1;
+		}
+		/**
+		* The names of the block's images.
+		* @returns {string[]}
+		*/
+		get names() {
+			const ret = wasm.orthomosaic_names(this.__wbg_ptr);
+			var v1 = getArrayJsValueFromWasm0(ret[0], ret[1]);
+			wasm.__wbindgen_free(ret[0], ret[1] * 4, 4);
+			return v1;
+		}
+		/**
+		* Lays it out for the block of a project file. `heights`: one height for all or a file; null: those of the tie points. `gsd`: the side of a
+		* pixel; absent: that of the images.
+		* @param {Uint8Array | number[]} project
+		* @param {number | Uint8Array | null} heights
+		* @param {string | null} [heights_world_file]
+		* @param {number | null} [gsd]
+		* @returns {OrthoMosaic}
+		*/
+		static open(project, heights, heights_world_file, gsd) {
+			const val3 = +(isLikeNone(gsd) ? 0 : gsd);
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = passArray8ToWasm0(project, wasm.__wbindgen_malloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.orthomosaic_open(ptr0, len0, heights, ptr1, len1, !isLikeNone(gsd), val3);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return OrthoMosaic.__wrap(ret[0]);
+		}
+	};
+	if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
+	/**
+	* An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
+	*/
+	var OrthophotoReference = class OrthophotoReference {
+		static __wrap(ptr) {
+			const obj = Object.create(OrthophotoReference.prototype);
+			obj.__wbg_ptr = ptr;
+			OrthophotoReferenceFinalization.register(obj, obj.__wbg_ptr, obj);
+			return obj;
+		}
+		__destroy_into_raw() {
+			const ptr = this.__wbg_ptr;
+			this.__wbg_ptr = 0;
+			OrthophotoReferenceFinalization.unregister(this);
+			return ptr;
+		}
+		free() {
+			const ptr = this.__destroy_into_raw();
+			wasm.__wbg_orthophotoreference_free(ptr, 0);
+		}
+		/**
+		* Size, place and heights.
+		* @returns {OrthophotoInfo}
+		*/
+		info() {
+			return wasm.orthophotoreference_info(this.__wbg_ptr);
+		}
+		/**
+		* Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
+		* @param {Uint8Array | number[]} file
+		* @param {string | null} [world_file]
+		* @returns {OrthophotoReference}
+		*/
+		static open(file, world_file) {
+			let ptr0, len0, ptr1, len1;
+			try {
+				ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len1 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return OrthophotoReference.__wrap(ret[0]);
+		}
+		/**
+		* Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
+		* of its EXIF and XMP, or a usual one.
+		* @param {string} name
+		* @param {Uint8Array | number[]} file
+		* @param {string | null} [cameras]
+		* @returns {PlacedImage}
+		*/
+		place(name, file, cameras) {
+			let ptr0, len0, ptr1, len1, ptr2, len2;
+			try {
+				ptr0 = passStringToWasm0(name, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len0 = WASM_VECTOR_LEN;
+				ptr1 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+				len1 = WASM_VECTOR_LEN;
+				ptr2 = isLikeNone(cameras) ? 0 : passStringToWasm0(cameras, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+				len2 = WASM_VECTOR_LEN;
+			} catch (e) {
+				if (ptr2) wasm.__wbindgen_free(ptr2, len2 * 1, 1);
+				if (ptr1) wasm.__wbindgen_free(ptr1, len1 * 1, 1);
+				if (ptr0) wasm.__wbindgen_free(ptr0, len0 * 1, 1);
+				throw e;
+			}
+			const ret = wasm.orthophotoreference_place(this.__wbg_ptr, ptr0, len0, ptr1, len1, ptr2, len2);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return takeFromExternrefTable0(ret[0]);
+		}
+		/**
+		* A placed image resampled to the ground, grey, as GeoTIFF.
+		* @param {Uint8Array | number[]} file
+		* @param {Placement} placement
+		* @returns {Uint8Array}
+		*/
+		rectified(file, placement) {
+			const ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
+			const len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_rectified(this.__wbg_ptr, ptr0, len0, placement);
+			if (ret[3]) throw takeFromExternrefTable0(ret[2]);
+			var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
+			wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
+			return v2;
+		}
+		/**
+		* How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
+		* gives how many they are.
+		* @param {Given<PlacingOptions>} options
+		* @returns {number}
+		*/
+		search(options) {
+			const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
+			if (ret[2]) throw takeFromExternrefTable0(ret[1]);
+			return ret[0] >>> 0;
+		}
+		/**
+		* The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+		* @param {number | Uint8Array} heights
+		* @param {string | null} [world_file]
+		*/
+		set_heights(heights, world_file) {
+			var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+			var len0 = WASM_VECTOR_LEN;
+			const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+			if (ret[1]) throw takeFromExternrefTable0(ret[0]);
+		}
+	};
+	if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;
 	/**
 	* A grey image in wasm memory. Call `free` when it is no longer needed.
 	*/
@@ -1266,6 +1474,14 @@
 		register: () => {},
 		unregister: () => {}
 	} : new FinalizationRegistry((ptr) => wasm.__wbg_finishedblock_free(ptr, 1));
+	var OrthoMosaicFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_orthomosaic_free(ptr, 1));
+	var OrthophotoReferenceFinalization = typeof FinalizationRegistry === "undefined" ? {
+		register: () => {},
+		unregister: () => {}
+	} : new FinalizationRegistry((ptr) => wasm.__wbg_orthophotoreference_free(ptr, 1));
 	var PhotoFinalization = typeof FinalizationRegistry === "undefined" ? {
 		register: () => {},
 		unregister: () => {}
@@ -1326,6 +1542,14 @@
 	function getArrayI32FromWasm0(ptr, len) {
 		ptr = ptr >>> 0;
 		return getInt32ArrayMemory0().subarray(ptr / 4, ptr / 4 + len);
+	}
+	function getArrayJsValueFromWasm0(ptr, len) {
+		ptr = ptr >>> 0;
+		const mem = getDataViewMemory0();
+		const result = [];
+		for (let i = ptr; i < ptr + 4 * len; i += 4) result.push(wasm.__wbindgen_externrefs.get(mem.getUint32(i, true)));
+		wasm.__externref_drop_slice(ptr, len);
+		return result;
 	}
 	function getArrayU16FromWasm0(ptr, len) {
 		ptr = ptr >>> 0;
@@ -3193,6 +3417,100 @@
 		blockOpen,
 		blockExport
 	};
+	// www/pair/engine/colour.ts
+	/** Larger images are shown in grey: their colours would take more memory than a tab has to spare. */
+	var MOST_PIXELS = 5e7;
+	var MOST_BYTES = 2 ** 25;
+	/** Pixels of the reduced image that are looked at, one in so many. */
+	var STRIDE = 7;
+	/** Channels that differ by no more are grey, but for the noise of compression. */
+	var GREY = 6;
+	/** A share of pixels that differ by more makes an image coloured. */
+	var LEAST_COLOURED = .001;
+	/** The decoded pixels lie as the crate's do where their brightness correlates so well. */
+	var LEAST_CORRELATION = .9;
+	/** The image as it is stored: the crate too leaves its EXIF orientation aside. Null where the browser cannot decode it. */
+	async function decodeColour(bytes) {
+		if (bytes.length > MOST_BYTES) return null;
+		try {
+			return await createImageBitmap(new Blob(withoutExif(bytes)));
+		} catch {
+			return null;
+		}
+	}
+	/** A JPEG file without its EXIF segments: browsers turn images by the orientation that stands there, whatever they are asked. Of others all stays. */
+	function withoutExif(bytes) {
+		const kept = [];
+		let [from, at] = [0, 2];
+		const isJpeg = bytes[0] === 255 && bytes[1] === 216;
+		while (isJpeg && bytes[at] === 255 && bytes[at + 1] !== 218 && at + 4 < bytes.length) {
+			const next = at + 2 + 256 * (bytes[at + 2] ?? 0) + (bytes[at + 3] ?? 0);
+			if (bytes[at + 1] === 225 && String.fromCharCode(...bytes.subarray(at + 4, at + 8)) === "Exif") {
+				kept.push(bytes.subarray(from, at));
+				from = next;
+			}
+			at = next;
+		}
+		return [...kept, bytes.subarray(from)];
+	}
+	/** The coloured copy of a reduced image; null where it has no colours, or other pixels than the crate decoded. */
+	function reducedColour(colour, grey, width, height) {
+		if (colour.width !== width || colour.height !== height || width * height > MOST_PIXELS) return null;
+		const canvas = new OffscreenCanvas(grey.width, grey.height);
+		const context = canvas.getContext("2d");
+		if (context === null) return null;
+		const step = 2 ** grey.halvings;
+		context.imageSmoothingQuality = "high";
+		context.drawImage(colour, 0, 0, width / step, height / step);
+		const { data } = context.getImageData(0, 0, grey.width, grey.height);
+		return isColoured(data) && correlation(data, grey.grey) >= LEAST_CORRELATION ? canvas.transferToImageBitmap() : null;
+	}
+	/** The tile that `tileOf` gives of grey values. */
+	function colourTile(colour, level, column, row, side) {
+		const step = 2 ** level;
+		const [left, top] = [column * side * step, row * side * step];
+		const [width, height] = [Math.min(side * step, colour.width - left), Math.min(side * step, colour.height - top)];
+		const canvas = new OffscreenCanvas(Math.ceil(width / step), Math.ceil(height / step));
+		const context = canvas.getContext("2d");
+		if (context === null) throw new Error("this browser offers no canvas to draw on");
+		context.imageSmoothingQuality = "high";
+		context.drawImage(colour, left, top, width, height, 0, 0, width / step, height / step);
+		return canvas.transferToImageBitmap();
+	}
+	function isColoured(data) {
+		let coloured = 0;
+		for (let i = 0; i < data.length; i += 28) {
+			const [r, g, b] = [
+				data[i] ?? 0,
+				data[i + 1] ?? 0,
+				data[i + 2] ?? 0
+			];
+			if (Math.max(r, g, b) - Math.min(r, g, b) > GREY) coloured += 1;
+		}
+		return coloured > LEAST_COLOURED * data.length / 28;
+	}
+	/** Of brightness and grey values. */
+	function correlation(data, grey) {
+		let [n, x, y, xx, yy, xy] = [
+			0,
+			0,
+			0,
+			0,
+			0,
+			0
+		];
+		for (let i = 0; i < grey.length; i += STRIDE) {
+			const bright = .299 * (data[4 * i] ?? 0) + .587 * (data[4 * i + 1] ?? 0) + .114 * (data[4 * i + 2] ?? 0);
+			const own = grey[i] ?? 0;
+			n += 1;
+			x += bright;
+			y += own;
+			xx += bright * bright;
+			yy += own * own;
+			xy += bright * own;
+		}
+		return (n * xy - x * y) / Math.sqrt((n * xx - x * x) * (n * yy - y * y));
+	}
 	// www/pair/engine/mask.ts
 	/** What a mask leaves out: how much, and as it is shown over its image. */
 	/** Red, half transparent: `ImageData` keeps bytes in the order red, green, blue, alpha. */
@@ -3291,17 +3609,25 @@
 	}
 	async function open({ source, overviewSide }) {
 		opened?.photo.free();
+		opened?.colour?.close();
 		opened = null;
-		const decoded = await decode(source);
+		const bytes = source.kind === "file" ? new Uint8Array(await source.file.arrayBuffer()) : null;
+		const coming = bytes === null ? null : decodeColour(bytes);
+		const decoded = bytes === null ? await decode(source) : Photo.decode(bytes);
 		opened = {
 			photo: decoded,
-			grey: null
+			grey: null,
+			colour: null
 		};
 		const reduced = decoded.reduced(overviewSide);
+		const colour = await coming;
+		const coloured = colour == null ? null : reducedColour(colour, reduced, decoded.width, decoded.height);
+		if (coloured === null) colour?.close();
+		else opened.colour = colour;
 		return {
 			info: decoded.info(),
 			overview: {
-				bitmap: await bitmapOf(reduced.grey, reduced.width, reduced.height),
+				bitmap: coloured ?? await bitmapOf(reduced.grey, reduced.width, reduced.height),
 				halvings: reduced.halvings
 			}
 		};
@@ -3313,6 +3639,7 @@
 	}
 	function tile({ level, column, row, side }) {
 		const current = photo();
+		if (current.colour !== null) return colourTile(current.colour, level, column, row, side);
 		return tileOf(greyOf(current), current.photo.width, current.photo.height, level, column, row, side);
 	}
 	async function mask({ file, overlaySide }) {

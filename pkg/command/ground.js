@@ -4,7 +4,7 @@
 import { statSync } from 'node:fs';
 import { basename, dirname, extname, join } from 'node:path';
 import { UsageError } from './errors.js';
-import { readBytes, readText } from './files.js';
+import { filesIn, isFolder, readBytes, readText } from './files.js';
 import { path, real } from './options.js';
 
 /** @typedef {{ file: string | undefined, heights: Uint8Array | number, world: string | undefined }} Ground `file`: where the heights come from */
@@ -25,14 +25,16 @@ export function groundOf(values) {
 /** A world file has six numbers. */
 const MOST_BYTES = 4096;
 
-/** The text of the world file beside a picture, where there is one: of `a.tif` a.tfw, a.wld or a.tifw.  @param {string} picture */
+/** The text of the world file beside a picture, where there is one: of `a.tif` a.tfw, a.wld or a.tifw, in capitals or not.  @param {string} picture */
 export function worldOf(picture) {
   const end = extname(picture);
-  const stem = join(dirname(picture), basename(picture, end));
-  const names = end === '' ? [] : [`${stem}${end.slice(0, 2)}${end.slice(-1)}w`, `${stem}.wld`, `${picture}w`];
-  const found = names.find((name) => {
-    const file = statSync(name, { throwIfNoEntry: false });
-    return file?.isFile() && file.size <= MOST_BYTES;
-  });
+  const [folder, name] = [dirname(picture), basename(picture).toLowerCase()];
+  if (end === '' || !isFolder(folder)) return undefined;
+  const stem = name.slice(0, -end.length);
+  const wanted = [`${stem}${end.slice(0, 2)}${end.slice(-1)}w`, `${stem}.wld`, `${name}w`].map((world) => world.toLowerCase());
+  const found = filesIn(folder)
+    .filter((file) => wanted.includes(file.toLowerCase()))
+    .map((file) => join(folder, file))
+    .find((file) => statSync(file).size <= MOST_BYTES);
   return found === undefined ? undefined : readText(found);
 }

@@ -1,8 +1,8 @@
 // @ts-check
 import { basename, extname } from 'node:path';
-import { message, OrthophotoReference, parse_camera_rules, placed_tables, placing_defaults, placing_parameters } from '../node.js';
-import { about, UsageError, VERDICT_CODES } from './errors.js';
-import { makeFolder, readBytes, textOf, writeInto } from './files.js';
+import { check_cameras, message, OrthophotoReference, placed_tables, placing_defaults, placing_parameters } from '../node.js';
+import { about, DataError, UsageError, VERDICT_CODES } from './errors.js';
+import { makeFolder, readBytes, readText, writeInto } from './files.js';
 import { flag, JSON_FLAG, optionsOf, path, settingsOf } from './options.js';
 import { note, print, printJson } from './output.js';
 import { Progress } from './progress.js';
@@ -24,7 +24,7 @@ export const place = {
     ...GROUND_OPTIONS,
     path('cameras', 'cameras.json', 'Cameras in place of those of EXIF, as `tiepoint block` takes them; one with "fixed": true is calibrated.'),
     path('out', 'DIR', 'Folder that receives placed.csv, links.csv and result.json.'),
-    flag('rectified', 'Writes each placed image resampled to the ground, too: NAME.tif, a GeoTIFF to lay over the orthophoto.'),
+    flag('rectified', 'Writes each placed image resampled to the ground, too: NAME-rectified.tif, a GeoTIFF to lay over the orthophoto.'),
     JSON_FLAG,
     ...OPTIONS,
   ],
@@ -41,31 +41,43 @@ async function run({ positionals, values }) {
   if (typeof file !== 'string') throw new UsageError('--orthophoto is missing: name the picture on which the images are placed');
   if (positionals.length === 0) throw new UsageError('name the images that are to be placed');
   if (values.has('rectified') && typeof out !== 'string') throw new UsageError('--rectified needs --out, the folder that receives the pictures');
+  refuseTwice(positionals, values.has('rectified') ? stemOf : basename);
   const { placing } = settingsOf(OPTIONS, values, { placing: placing_defaults() });
-  const cameras = camerasOf(values.get('cameras'));
+  const cameras = camerasOf(values.get('cameras'), positionals);
+  const ground = groundOf(values);
   if (typeof out === 'string') makeFolder(out);
   const shown = new Progress({ steps: positionals.length + 2 });
-  const ground = groundOf(values);
   const reference = shown.step(`reading ${file}`, () => open(file, ground, placing));
   try {
-    /** @type {(PlacedImage & { name: string })[]} */
+    /** @type {Result['images']} */
     const images = [];
     /** @type {string[]} */
     const pictures = [];
+    /** @type {string[]} */
+    const failed = [];
     for (const image of positionals) {
       const name = basename(image);
-      const bytes = readBytes(image);
-      const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras)));
-      if (values.has('rectified') && placed.placement) pictures.push(writeInto(String(out), pictureOf(name), reference.rectified(bytes, placed.placement)));
-      images.push({ name, ...placed });
+      try {
+        const bytes = readBytes(image);
+        const placed = shown.step(`placing ${name}`, () => about(image, () => reference.place(name, bytes, cameras)));
+        images.push({ name, ...placed });
+        if (values.has('rectified') && placed.placement)
+          pictures.push(writeInto(String(out), `${stemOf(image)}-rectified.tif`, reference.rectified(bytes, placed.placement)));
+      } catch (error) {
+        // What is wrong with one image is told at the end: the others have their places.
+        if (!(error instanceof DataError)) throw error;
+        failed.push(error.message);
+      }
     }
-    const info = reference.info();
-    const result = { orthophoto: { name: basename(file), ...info }, images };
-    const written = shown.step('writing', () => (typeof out === 'string' ? [...write(out, result), ...pictures] : []));
+    const result = { orthophoto: { name: basename(file), ...reference.info() }, images };
+    const written = shown.step('writing', () => (typeof out === 'string' && images.length > 0 ? [...write(out, result), ...pictures] : []));
     shown.end();
     if (!ground) note('no heights are given: the ground is taken as level at 0; positions are above it');
-    if (values.has('json')) printJson(result);
-    else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
+    if (failed.length < positionals.length) {
+      if (values.has('json')) printJson(result);
+      else print(...describe(result), ...(written.length > 0 ? ['', `written: ${written.join(', ')}`] : []));
+    }
+    if (failed.length > 0) throw new DataError(failed.join('; '));
     return /** @type {import('./errors.js').ExitCode} */ (Math.max(...images.map(({ verdict }) => VERDICT_CODES[verdict.kind])));
   } finally {
     shown.end();
@@ -73,26 +85,41 @@ async function run({ positionals, values }) {
   }
 }
 
+/** The name of an image without its end.  @param {string} image */
+const stemOf = (image) => basename(image, extname(image));
+
+/** Tables and pictures tell images apart by their names.  @param {readonly string[]} images @param {(image: string) => string} named */
+function refuseTwice(images, named) {
+  const twice = images.find((image, index) => images.findIndex((other) => named(other) === named(image)) !== index);
+  if (twice !== undefined) throw new UsageError(`two images are named ${named(twice)}: place them one after the other, into two folders`);
+}
+
 /** @param {string} file @param {import('./ground.js').Ground | null} ground @param {import('../node.js').PlacingOptions} placing */
 function open(file, ground, placing) {
   const bytes = readBytes(file);
-  return about(ground?.file ?? file, () => OrthophotoReference.open(bytes, worldOf(file), ground?.heights ?? 0, ground?.world, placing));
+  const reference = about(file, () => OrthophotoReference.open(bytes, worldOf(file)));
+  try {
+    if (ground) about(ground.file ?? '--level', () => reference.set_heights(ground.heights, ground.world));
+    reference.search(placing);
+    return reference;
+  } catch (error) {
+    reference.free();
+    throw error;
+  }
 }
 
-/** @param {unknown} cameras */
-function camerasOf(cameras) {
+/** @param {unknown} cameras @param {readonly string[]} images */
+function camerasOf(cameras, images) {
   if (typeof cameras !== 'string') return undefined;
-  const text = textOf(readBytes(cameras));
-  about(cameras, () => parse_camera_rules(text));
+  const text = readText(cameras);
+  about(cameras, () =>
+    check_cameras(
+      text,
+      images.map((image) => basename(image)),
+    ),
+  );
   return text;
 }
-
-/** @param {string} name */
-const pictureOf = (name) => {
-  const picture = `${basename(name, extname(name))}.tif`;
-  if (picture.toLowerCase() === name.toLowerCase()) return `${basename(name, extname(name))}-rectified.tif`;
-  return picture;
-};
 
 /** @typedef {{ orthophoto: object, images: (PlacedImage & { name: string })[] }} Result */
 

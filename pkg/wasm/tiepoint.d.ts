@@ -30,8 +30,6 @@ export interface OrthophotoInfo {
     georeference: Georeference;
     epsg: number | null;
     heights: [number, number];
-    /** Points of it among which images are sought. */
-    points: number;
 }
 
 
@@ -2765,7 +2763,7 @@ export interface Placement {
      */
     footprint: [number, number][];
     /**
-     * Standard error of a coordinate of the image.
+     * Standard error of a coordinate of the image whose place is known as well as those of all links in the mean.
      */
     sigma0_px: number | null;
     rmse_px: number;
@@ -3410,7 +3408,7 @@ export type CameraCaution = { kind: "resized"; taken_width_px: number; taken_hei
 /**
  * What speaks against the orientation of an image on an orthophoto.
  */
-export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "noise"; sigma0_px: number; usual_px: number };
+export type PlacingWeakness = { kind: "few_links"; links: number; needed: number } | { kind: "coverage"; share: number; needed: number } | { kind: "checks"; beyond: number; checks: number } | { kind: "rejected"; rejected: number; links: number } | { kind: "height"; height_m: number; half_width_m: number } | { kind: "plan"; height_m: number; half_width_m: number } | { kind: "noise"; rmse_px: number; usual_px: number };
 
 /**
  * What the adjustment says of an observed position; 0 for a coordinate that was not observed.
@@ -3795,7 +3793,7 @@ export class OrthoMosaic {
 }
 
 /**
- * An orthophoto with the heights of its ground in wasm memory, ready for images to be placed on it. Call `free` when it is no longer needed.
+ * An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
  */
 export class OrthophotoReference {
     private constructor();
@@ -3806,9 +3804,9 @@ export class OrthophotoReference {
      */
     info(): OrthophotoInfo;
     /**
-     * Reads a GeoTIFF, or an image with its world file; `heights` is one height for all, or a file: a GeoTIFF or an ESRI ASCII grid.
+     * Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
      */
-    static open(file: Uint8Array | number[], world_file: string | null | undefined, heights: number | Uint8Array, heights_world_file: string | null | undefined, options: Given<PlacingOptions>): OrthophotoReference;
+    static open(file: Uint8Array | number[], world_file?: string | null): OrthophotoReference;
     /**
      * Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
      * of its EXIF and XMP, or a usual one.
@@ -3818,6 +3816,15 @@ export class OrthophotoReference {
      * A placed image resampled to the ground, grey, as GeoTIFF.
      */
     rectified(file: Uint8Array | number[], placement: Placement): Uint8Array;
+    /**
+     * How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
+     * gives how many they are.
+     */
+    search(options: Given<PlacingOptions>): number;
+    /**
+     * The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+     */
+    set_heights(heights: number | Uint8Array, world_file?: string | null): void;
 }
 
 /**
@@ -4428,9 +4435,11 @@ export interface InitOutput {
     readonly orthomosaic_names: (a: number) => [number, number];
     readonly orthomosaic_open: (a: number, b: number, c: any, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly orthophotoreference_info: (a: number) => any;
-    readonly orthophotoreference_open: (a: number, b: number, c: number, d: number, e: any, f: number, g: number, h: any) => [number, number, number];
+    readonly orthophotoreference_open: (a: number, b: number, c: number, d: number) => [number, number, number];
     readonly orthophotoreference_place: (a: number, b: number, c: number, d: number, e: number, f: number, g: number) => [number, number, number];
     readonly orthophotoreference_rectified: (a: number, b: number, c: number, d: any) => [number, number, number, number];
+    readonly orthophotoreference_search: (a: number, b: any) => [number, number, number];
+    readonly orthophotoreference_set_heights: (a: number, b: any, c: number, d: number) => [number, number];
     readonly pair_hint: (a: any, b: any) => [number, number, number];
     readonly paper: () => any;
     readonly parameters: () => any;

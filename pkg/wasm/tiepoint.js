@@ -340,7 +340,7 @@ export class OrthoMosaic {
 if (Symbol.dispose) OrthoMosaic.prototype[Symbol.dispose] = OrthoMosaic.prototype.free;
 
 /**
- * An orthophoto with the heights of its ground in wasm memory, ready for images to be placed on it. Call `free` when it is no longer needed.
+ * An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
  */
 export class OrthophotoReference {
     static __wrap(ptr) {
@@ -368,30 +368,24 @@ export class OrthophotoReference {
         return ret;
     }
     /**
-     * Reads a GeoTIFF, or an image with its world file; `heights` is one height for all, or a file: a GeoTIFF or an ESRI ASCII grid.
+     * Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
      * @param {Uint8Array | number[]} file
-     * @param {string | null | undefined} world_file
-     * @param {number | Uint8Array} heights
-     * @param {string | null | undefined} heights_world_file
-     * @param {Given<PlacingOptions>} options
+     * @param {string | null} [world_file]
      * @returns {OrthophotoReference}
      */
-    static open(file, world_file, heights, heights_world_file, options) {
-        let ptr0, len0, ptr1, len1, ptr2, len2;
+    static open(file, world_file) {
+        let ptr0, len0, ptr1, len1;
         try {
             ptr0 = passArray8ToWasm0(file, wasm.__wbindgen_malloc);
             len0 = WASM_VECTOR_LEN;
             ptr1 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
             len1 = WASM_VECTOR_LEN;
-            ptr2 = isLikeNone(heights_world_file) ? 0 : passStringToWasm0(heights_world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
-            len2 = WASM_VECTOR_LEN;
         } catch (e) {
-            if (ptr2) { wasm.__wbindgen_free(ptr2, len2 * 1, 1); }
             if (ptr1) { wasm.__wbindgen_free(ptr1, len1 * 1, 1); }
             if (ptr0) { wasm.__wbindgen_free(ptr0, len0 * 1, 1); }
             throw e;
         }
-        const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1, heights, ptr2, len2, options);
+        const ret = wasm.orthophotoreference_open(ptr0, len0, ptr1, len1);
         if (ret[2]) {
             throw takeFromExternrefTable0(ret[1]);
         }
@@ -442,6 +436,32 @@ export class OrthophotoReference {
         var v2 = getArrayU8FromWasm0(ret[0], ret[1]).slice();
         wasm.__wbindgen_free(ret[0], ret[1] * 1, 1);
         return v2;
+    }
+    /**
+     * How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
+     * gives how many they are.
+     * @param {Given<PlacingOptions>} options
+     * @returns {number}
+     */
+    search(options) {
+        const ret = wasm.orthophotoreference_search(this.__wbg_ptr, options);
+        if (ret[2]) {
+            throw takeFromExternrefTable0(ret[1]);
+        }
+        return ret[0] >>> 0;
+    }
+    /**
+     * The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+     * @param {number | Uint8Array} heights
+     * @param {string | null} [world_file]
+     */
+    set_heights(heights, world_file) {
+        var ptr0 = isLikeNone(world_file) ? 0 : passStringToWasm0(world_file, wasm.__wbindgen_malloc, wasm.__wbindgen_realloc);
+        var len0 = WASM_VECTOR_LEN;
+        const ret = wasm.orthophotoreference_set_heights(this.__wbg_ptr, heights, ptr0, len0);
+        if (ret[1]) {
+            throw takeFromExternrefTable0(ret[0]);
+        }
     }
 }
 if (Symbol.dispose) OrthophotoReference.prototype[Symbol.dispose] = OrthophotoReference.prototype.free;

@@ -18,7 +18,7 @@ use crate::math::{detectable_shift, variance_left};
 ///
 /// The block brings approximate values, good enough that the rays of most points meet about where the points are. Gross errors are found
 /// by a robust adjustment and data snooping; the rest is adjusted by least squares. With GNSS positions or control points the block is
-/// taken into their system first.
+/// taken into their system first; a single image, which control alone orients, has to start in it.
 ///
 /// ```
 /// use tiepoint::{AdjustmentOptions, BlockPreset, adjust_block, simulate_network};

@@ -58,7 +58,11 @@ pub(super) fn check_block(block: &Block, datum: Datum) -> Result<(), Error> {
         check_values("image coordinates", &[ray.x_px, ray.y_px], -1e7..=1e7, || place("coordinates"))?;
         check_values("weight", &[ray.weight], 1e-12..=1e12, || place("weight"))?;
     }
-    for prior in &block.camera_priors {
+    for (index, prior) in block.camera_priors.iter().enumerate() {
+        if block.camera_priors[..index].iter().any(|other| other.camera == prior.camera) {
+            let got = format!("camera {} (counted from 0) twice", prior.camera);
+            return Err(Error::InvalidInput { what: "priors of cameras", got, allowed: "each camera once".into() });
+        }
         check_index("camera of a prior", prior.camera, block.cameras.len(), || "camera of a prior".into())?;
         let place = || format!("prior of camera {} (counted from 0)", prior.camera);
         for (value, sigma) in prior.values.iter().zip(prior.sigma).filter_map(|(value, sigma)| Some((value, sigma?))) {

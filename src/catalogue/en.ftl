@@ -536,7 +536,9 @@ placing-weakness-few-links = Only { $links } points link it with the orthophoto;
 placing-weakness-coverage = Points lie in { PERCENT($share, digits: 0) } of the image; { PERCENT($needed, digits: 0) } are needed.
 placing-weakness-checks = { $beyond } of { $checks } points that took no part contradict the orientation.
 placing-weakness-height = The height above ground, { FIXED($height_m, digits: 0) } m, is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %): give the camera.
-placing-weakness-noise = σ0 is { FIXED($sigma0_px, digits: 2) } px, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
+placing-weakness-rejected = { $rejected } of { $links } points were rejected: check the heights and the camera.
+placing-weakness-plan = The place of the projection centre is known to ± { SIGNIFICANT($half_width_m, digits: 2) } m only (95 %), { FIXED($height_m, digits: 0) } m above ground: check the heights and the camera.
+placing-weakness-noise = Residuals are { FIXED($rmse_px, digits: 2) } px in the root mean square, where good pictures reach { FIXED($usual_px, digits: 2) } px: check the heights and the age of the orthophoto.
 
 # What the place of an image is worth.
 placing-verdict-placed = Placed by { $links } points, σ0 { FIXED($sigma0_px, digits: 2) } px; projection centre ± { SIGNIFICANT($half_width_m, digits: 2) } m (95 %).

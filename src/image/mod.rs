@@ -18,5 +18,5 @@ pub use decode::{DecodeLimits, Decoded, decode};
 pub use grey::{GreyImage, GreyView};
 pub use header::{Header, read_header};
 pub use pyramid::{Reduced, halve, reduce_to};
-pub(crate) use tiff::{Directory, checked_directory, decoder_error as tiff_error};
+pub(crate) use tiff::{Directory, checked_directory, decoder_error as tiff_error, with_rows_of_image};
 pub use write::write_png;

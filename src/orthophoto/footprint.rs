@@ -18,6 +18,9 @@ const RAYS: usize = 8;
 /// Rays that go farther than this many heights above ground are cut there.
 const FARTHEST: f64 = 6.0;
 
+/// A ray meets the ground at the height where it last arrived, so many times.
+const APPROACHES: usize = 4;
+
 impl Footprint<'_> {
     /// Height above the middle of the model of heights.
     pub fn above_ground(&self) -> f64 {
@@ -26,14 +29,23 @@ impl Footprint<'_> {
         self.pose.position[2] - below
     }
 
-    /// The place on level ground below at which a ray through a position in px arrives.
+    /// The place at which a ray through a position in px arrives on the ground.
     fn arrives(&self, at: [f64; 2]) -> Option<[f64; 2]> {
         let [x, y] = self.camera.direction(at).ok()?;
         let ray = matrix(&self.pose.rotation).transpose() * Vector3::new(x, -y, -1.0);
-        let height = self.above_ground();
         let flat = (ray.x * ray.x + ray.y * ray.y).sqrt();
-        let share = if -ray.z * FARTHEST > flat { height / -ray.z } else { FARTHEST * height / flat };
-        Some([self.pose.position[0] + share * ray.x, self.pose.position[1] + share * ray.y])
+        let mut height = self.above_ground();
+        let [x0, y0, z0] = self.pose.position;
+        let mut place = [x0, y0];
+        for _ in 0..APPROACHES {
+            let share = if -ray.z * FARTHEST > flat { height / -ray.z } else { FARTHEST * height / flat };
+            place = [x0 + share * ray.x, y0 + share * ray.y];
+            match self.heights.at(place) {
+                Some(ground) => height = z0 - ground,
+                None => break,
+            }
+        }
+        Some(place)
     }
 
     /// The places where the border of the image arrives, in its order.

@@ -57,6 +57,12 @@ impl Georeference {
         Ok(self)
     }
 
+    /// Whether a picture of this size can only be in degrees: within their range, of pixels below a millimetre if they were metres.
+    pub(super) fn is_in_degrees(&self, [width, height]: [usize; 2]) -> bool {
+        let corners = [[0.0, 0.0], [width as f64, height as f64]].map(|corner| self.ground(corner));
+        self.gsd() < 1e-3 && corners.iter().all(|[x, y]| x.abs() <= 180.0 && y.abs() <= 90.0)
+    }
+
     fn determinant(&self) -> f64 {
         self.by_column[0] * self.by_row[1] - self.by_column[1] * self.by_row[0]
     }

@@ -41,12 +41,11 @@ impl GeoTags {
     pub fn read(tiff: &[u8]) -> Result<Self, Error> {
         let directory = checked_directory(tiff)?;
         let keys = directory.all_shorts(KEYS).unwrap_or_default();
+        if key(&keys, MODEL_TYPE) == Some(GEOGRAPHIC) {
+            return refuse_degrees();
+        }
         let georeference = match transformation(&directory) {
             Some(of_corner) => {
-                if key(&keys, MODEL_TYPE) == Some(GEOGRAPHIC) {
-                    let allowed = "a projected system in metres or feet: reproject it, with gdalwarp -t_srs say";
-                    return refuse("coordinates of a GeoTIFF", "longitude and latitude in degrees".into(), allowed);
-                }
                 let is_point = key(&keys, RASTER_TYPE) == Some(PIXEL_IS_POINT);
                 let half = if is_point { -0.5 } else { 0.0 };
                 Some(Georeference { origin: of_corner.ground([half, half]), ..of_corner }.checked()?)
@@ -57,6 +56,12 @@ impl GeoTags {
         let no_data = directory.text(NO_DATA).and_then(|text| text.parse().ok());
         Ok(Self { georeference, epsg, no_data })
     }
+}
+
+/// Angles are no lengths: north and east differ by the cosine of the latitude.
+pub(super) fn refuse_degrees<T>() -> Result<T, Error> {
+    let allowed = "a projected system in metres or feet: reproject it, with gdalwarp -t_srs say";
+    refuse("coordinates of a picture of the ground", "longitude and latitude in degrees".into(), allowed)
 }
 
 /// By which (0, 0) of the raster, be that a corner or a centre, and its steps lie on the map.

@@ -4,9 +4,10 @@ use super::georeference::Georeference;
 use super::geotiff::GeoTags;
 use crate::Error;
 use crate::error::refuse;
-use crate::image::{checked_directory, tiff_error};
+use crate::image::{checked_directory, tiff_error, with_rows_of_image};
 use std::io::Cursor;
-use tiff::decoder::{Decoder, DecodingResult};
+use std::sync::Arc;
+use tiff::decoder::{Decoder, DecodingResult, Limits};
 
 /// A model of heights on a grid; between the centres of its pixels heights are interpolated in both directions.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,8 +15,8 @@ pub struct HeightModel {
     pub georeference: Georeference,
     width: usize,
     height: usize,
-    /// Row by row; NaN where there is none.
-    values: Vec<f32>,
+    /// Row by row; NaN where there is none. Models of the same ground in another system share them.
+    values: Arc<Vec<f32>>,
     /// Lowest and highest.
     range: [f64; 2],
 }
@@ -54,10 +55,15 @@ impl Heights {
     }
 }
 
-/// Heights beyond this are none of the earth.
+/// Heights beyond these are none of ground: what stands for 'no height' is below, as -9999 and -32768.
+const LOWEST: f64 = -1_000.0;
 const HIGHEST: f64 = 20_000.0;
+/// Stands for 'no height' in an ESRI grid that does not say.
+const NO_HEIGHT: f64 = -9999.0;
+/// Most values that a byte of a TIFF stands for.
+const MOST_PACKED: usize = 2560;
 /// Most values of a grid.
-const MOST_VALUES: usize = 250_000_000;
+const MOST_VALUES: usize = 100_000_000;
 
 impl HeightModel {
     /// Takes heights row by row; what is not finite is a hole.
@@ -74,11 +80,11 @@ impl HeightModel {
         }
         let finite = || values.iter().filter(|v| v.is_finite()).map(|v| f64::from(*v));
         let range = [finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max)];
-        if !(range[0] >= -HIGHEST && range[1] <= HIGHEST) {
-            let allowed = "-20000 to 20000, with at least one; what stands for 'no height' must be declared";
+        if !(range[0] <= range[1] && range[0] >= LOWEST && range[1] <= HIGHEST) {
+            let allowed = "-1000 to 20000, with at least one; what stands for 'no height' must be declared";
             return refuse("heights of a height model", format!("{} to {}", range[0], range[1]), allowed);
         }
-        Ok(Self { georeference: georeference.checked()?, width, height, values, range })
+        Ok(Self { georeference: georeference.checked()?, width, height, values: Arc::new(values), range })
     }
 
     /// Reads a GeoTIFF of whole or floating-point numbers, or an ESRI ASCII grid. `world_file`: where a TIFF lies that does not say so.
@@ -110,11 +116,17 @@ impl HeightModel {
                 return refuse("height model", "a TIFF that does not say where it lies".into(), "a GeoTIFF, or a world file beside it");
             }
         };
-        let mut decoder = Decoder::new(Cursor::new(file)).map_err(tiff_error)?;
+        let file = &*with_rows_of_image(file);
+        // What the heights need is checked below.
+        let mut decoder = Decoder::new(Cursor::new(file)).map_err(tiff_error)?.with_limits(Limits::unlimited());
         let (width, height) = decoder.dimensions().map_err(tiff_error)?;
         let [width, height] = [width, height].map(|side| side as usize);
+        // No compression that is read packs more.
+        if width.saturating_mul(height) / MOST_PACKED > file.len() {
+            return refuse("height model", format!("{width} x {height} heights in {} bytes: it is truncated", file.len()), "a whole file");
+        }
         if width.saturating_mul(height) > MOST_VALUES {
-            return refuse("height model", format!("{width} x {height} heights"), "up to 250 million");
+            return refuse("height model", format!("{width} x {height} heights"), "up to 100 million");
         }
         let values: Vec<f32> = match decoder.read_image().map_err(tiff_error)? {
             DecodingResult::F32(values) => values,
@@ -160,7 +172,7 @@ impl HeightModel {
         }
         let low = |corner: &str, centre: &str| of(corner).or_else(|_| of(centre).map(|v| v - 0.5 * cell));
         let [x, y] = [low("xllcorner", "xllcenter")?, low("yllcorner", "yllcenter")?];
-        let hole = head.get("nodata_value").map(|v| *v as f32);
+        let hole = Some(head.get("nodata_value").copied().unwrap_or(NO_HEIGHT) as f32);
         let value = |word: &str| word.parse::<f32>().map(|v| if Some(v) == hole { f32::NAN } else { v });
         let values: Result<Vec<f32>, _> = words.map(|word| value(word).map_err(|_| wrong(format!("{word:?} among the heights")))).collect();
         Self::new(columns as usize, rows as usize, values?, Georeference::north_up([x, y + rows * cell], cell))
@@ -203,7 +215,8 @@ mod tests {
         // A hole, and outside.
         assert_eq!([model.at([123.0, 58.0]), model.at([99.9, 60.0]), model.at([f64::NAN, 60.0])], [None; 3]);
         let centred = GRID.replace("xllcorner 100", "xllcenter 105").replace("yllcorner 50", "yllcenter 55");
-        assert_eq!(HeightModel::read(centred.as_bytes(), None).unwrap(), model);
+        let centred = HeightModel::read(centred.as_bytes(), None).unwrap();
+        assert_eq!((centred.georeference, centred.range), (model.georeference, model.range));
     }
 
     #[test]

@@ -41,6 +41,8 @@ pub(super) struct Over<'a> {
 
 /// Side of a window of least squares matching.
 const WINDOW: usize = 21;
+/// Neither picture is halved to less than this, in px.
+const LEAST_SIDE: usize = 64;
 /// Points nearer than this to where the resampled image ends are its edge, in px.
 const EDGE_PX: f64 = 8.0;
 /// Where heights about a place are looked up, in px of the resampled image.
@@ -77,7 +79,8 @@ impl Over<'_> {
         let Some((first, size)) = self.part(radius) else { return Ok(Vec::new()) };
         let longest = size[0].max(size[1]) as f64;
         let mut halvings = 0;
-        while halvings < 12
+        // A wrong orientation may see the ground from anywhere.
+        while size[0].min(size[1]) >> (halvings + 1) >= LEAST_SIDE
             && (self.georeference.halved(halvings + 1).gsd() <= AS_FINE * gsd || longest / f64::from(1_u32 << halvings) > search.longest_px)
         {
             halvings += 1;

@@ -12,6 +12,8 @@ use crate::{BlockModel, Error, GreyImage, GreyView, Pose, halve};
 
 /// Larger mosaics are made of larger pixels.
 const MOST_PIXELS: f64 = 1e8;
+/// An image is not halved to less than this, in px.
+const LEAST_SIDE: usize = 16;
 /// Points in a cell of the heights that the tie points give, on average.
 const POINTS_IN_CELL: f64 = 4.0;
 /// Longest side of that grid.
@@ -26,14 +28,23 @@ pub fn heights_of_points(model: &BlockModel) -> Result<HeightModel, Error> {
     if points.len() < 10 {
         return Err(Error::TooFew { what: "intersected points, for the heights of the ground", got: points.len(), needed: 10 });
     }
-    // A twentieth of a per cent of the points may lie far off.
+    // One in fifty at each end may lie far off.
     let within = |axis: usize| {
         let mut values: Vec<f64> = points.iter().map(|p| p[axis]).collect();
         values.sort_by(f64::total_cmp);
-        let cut = values.len() / 2000;
+        let cut = values.len() / 50;
         [values[cut], values[values.len() - 1 - cut]]
     };
-    let [[x0, x1], [y0, y1]] = [within(0), within(1)];
+    let middle = Heights::Level(median(&mut points.iter().map(|p| p[2]).collect::<Vec<_>>()).unwrap_or(0.0));
+    let oriented = model.images.iter().filter_map(|image| Some((&model.cameras[image.camera], image.pose.as_ref()?)));
+    let shown: Vec<[f64; 2]> = oriented.flat_map(|(camera, pose)| Footprint { camera, pose, heights: &middle }.border()).collect();
+    let reached = |axis: usize| {
+        let values = shown.iter().map(|place| place[axis]);
+        let [low, high] = within(axis);
+        // As far as the points reach once more: images that look to the horizon show ground without any.
+        [values.clone().fold(low, f64::min).max(2.0 * low - high), values.fold(high, f64::max).min(2.0 * high - low)]
+    };
+    let [[x0, x1], [y0, y1]] = [reached(0), reached(1)];
     let [wide, high] = [x1 - x0, y1 - y0].map(|length| length.max(1e-6));
     let cell = (wide * high * POINTS_IN_CELL / points.len() as f64).sqrt().max(wide.max(high) / MOST_CELLS);
     let [columns, rows] = [wide, high].map(|length| (length / cell).ceil().max(2.0) as usize);
@@ -89,10 +100,9 @@ impl Mosaic {
         let images: Vec<Option<(Camera, Pose)>> =
             model.images.iter().map(|image| Some((model.cameras[image.camera], image.pose?))).collect();
         let seen: Vec<(Vec<[f64; 2]>, f64)> = (images.iter().flatten())
-            .map(|(camera, pose)| {
-                let footprint = Footprint { camera, pose, heights: &heights };
-                (footprint.border(), footprint.gsd())
-            })
+            .map(|(camera, pose)| Footprint { camera, pose, heights: &heights })
+            .filter(|footprint| footprint.above_ground() > 0.0)
+            .map(|footprint| (footprint.border(), footprint.gsd()))
             .collect();
         let Some(own) = median(&mut seen.iter().map(|(_, gsd)| *gsd).filter(|gsd| *gsd > 0.0).collect::<Vec<_>>()) else {
             return refuse("block for a mosaic", "no oriented image above the ground".into(), "one or more");
@@ -108,7 +118,7 @@ impl Mosaic {
             let allowed = format!("{finest:.4} or more, so that the mosaic has at most 100 MP");
             return Err(Error::InvalidInput { what: "side of a pixel of the mosaic", got: gsd.to_string(), allowed });
         }
-        let size = [x1 - x0, y1 - y0].map(|length| ((length / gsd) as usize).max(1));
+        let size = [x1 - x0, y1 - y0].map(|length| ((length / gsd).ceil() as usize).max(1));
         let pixels = size[0] * size[1];
         let georeference = Georeference::north_up([x0, y1], gsd);
         Ok(Self { images, heights, georeference, size, grey: vec![0; pixels], distance: vec![f32::INFINITY; pixels] })
@@ -133,7 +143,7 @@ impl Mosaic {
         let range = |axis: usize| {
             let values = corners.iter().map(|corner| corner[axis]);
             let low = values.clone().fold(f64::INFINITY, f64::min).max(0.0);
-            let high = values.fold(f64::NEG_INFINITY, f64::max).min(self.size[axis] as f64);
+            let high = values.fold(f64::NEG_INFINITY, f64::max).ceil().min(self.size[axis] as f64);
             (low as usize, high.max(low) as usize)
         };
         let [(left, right), (top, bottom)] = [range(0), range(1)];
@@ -142,8 +152,9 @@ impl Mosaic {
         }
         let mut own = image.to_image();
         let mut halvings = 0;
-        while footprint.gsd() * f64::from(2_u32 << halvings) <= self.georeference.gsd() {
-            (own, halvings) = (halve(own.view()), halvings + 1);
+        let mut doubled = 2.0 * footprint.gsd();
+        while doubled <= self.georeference.gsd() && own.width().min(own.height()) >= 2 * LEAST_SIDE {
+            (own, halvings, doubled) = (halve(own.view()), halvings + 1, 2.0 * doubled);
         }
         let camera = reduced(camera, halvings, &own);
         let part = self.georeference.from(left, top);
@@ -167,9 +178,16 @@ impl Mosaic {
     /// The mosaic of what was added.
     ///
     /// # Errors
-    /// None that its layout has not told.
+    /// [`Error::InvalidInput`] where no image showed any of it.
     pub fn finish(self) -> Result<Rectified, Error> {
         let [width, height] = self.size;
+        if self.distance.iter().all(|distance| !distance.is_finite()) {
+            return refuse(
+                "mosaic",
+                "nothing that an image shows".into(),
+                "heights under the images, below them, and a pixel much smaller than an image",
+            );
+        }
         let shown = self.distance.iter().map(|distance| if distance.is_finite() { 255 } else { 0 }).collect();
         let (grey, mask) = (GreyImage::new(width, height, self.grey)?, GreyImage::new(width, height, shown)?);
         Ok(Rectified { grey, mask, georeference: self.georeference })

@@ -17,7 +17,7 @@ options! {
         within_m: f64 = 500.0, "Radius", in "m", 1.0..=1e6;
 
         /// The maximum number of points of the image that are sought on the orthophoto: more find harder places and take longer.
-        points: usize = 10000, "Number of points", 500..=100000;
+        points: usize = 10000, "Number of points", 500..=20000;
 
         /// The standard error of a place of the orthophoto, in its px: a larger one enlarges the standard errors of the image.
         place_sigma_px: f64 = 0.3, "Standard error of a place", in "px", 0.01..=100;

@@ -32,10 +32,14 @@ messages! {
         Coverage { share: f64, needed: f64 },
         /// The links that took no part contradict the orientation.
         Checks { beyond: usize, checks: usize },
+        /// Of the links that took part, most were rejected.
+        Rejected { rejected: usize, links: usize },
         /// The height above ground is hardly known, for want of a camera.
         Height { height_m: f64, half_width_m: f64 },
+        /// The place of the projection centre in plan is hardly known beside its height above ground.
+        Plan { height_m: f64, half_width_m: f64 },
         /// Links disagree far more than those of good pictures do.
-        Noise { sigma0_px: f64, usual_px: f64 },
+        Noise { rmse_px: f64, usual_px: f64 },
     }
 }
 
@@ -111,7 +115,7 @@ pub struct Placement {
     pub gsd_m: f64,
     /// Where the border of the image meets level ground, from its top-left corner on to the right.
     pub footprint: Vec<[f64; 2]>,
-    /// Standard error of a coordinate of the image.
+    /// Standard error of a coordinate of the image whose place is known as well as those of all links in the mean.
     pub sigma0_px: Option<f64>,
     pub rmse_px: f64,
     pub degrees_of_freedom: usize,

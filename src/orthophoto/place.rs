@@ -19,6 +19,10 @@ use crate::{
 
 /// Longest side of the pictures in which a first place is sought, in px.
 const SEARCHED_PX: usize = 4000;
+/// Sides of an image, at least.
+const LEAST_IMAGE_PX: usize = 32;
+/// Sides of the part of the orthophoto that is searched, at least.
+const LEAST_SEARCHED_PX: f64 = 64.0;
 /// The orthophoto has so many times the points of an image.
 const POINTS_OF_GROUND: usize = 4;
 /// Points agree on a first orientation within this share of the longer side of the image.
@@ -54,6 +58,10 @@ impl SearchArea {
     pub fn new(reference: &Orthophoto, options: &PlacingOptions) -> Result<Self, Error> {
         options.check_ranges()?;
         let size = [reference.grey.width(), reference.grey.height()];
+        if !reference.has_heights() {
+            let got = "none under the orthophoto".to_string();
+            return crate::error::refuse("heights of a height model", got, "a model of the same ground in the same system");
+        }
         let (first, size) = match (options.near_x, options.near_y) {
             (None, None) => ([0, 0], size),
             (Some(x), Some(y)) => near(reference, [x, y], options.within_m)?,
@@ -82,10 +90,14 @@ fn near(reference: &Orthophoto, place: [f64; 2], within: f64) -> Result<([usize;
     let size = [reference.grey.width(), reference.grey.height()].map(|side| side as f64);
     let low = [0, 1].map(|k| (at[k] - reach).max(0.0));
     let high = [0, 1].map(|k| (at[k] + reach).min(size[k]));
-    if !(0..2).all(|k| high[k] - low[k] >= 16.0) {
+    if !(0..2).all(|k| high[k] > low[k]) {
         let corners = [[0.0, 0.0], size].map(|corner| reference.georeference.ground(corner));
         let allowed = format!("within {within} m of the orthophoto, whose corners are at {:?} and {:?}", corners[0], corners[1]);
         return Err(Error::InvalidInput { what: "place near an image", got: format!("{place:?}"), allowed });
+    }
+    if !(0..2).all(|k| high[k] - low[k] >= LEAST_SEARCHED_PX) {
+        let allowed = format!("so much that {LEAST_SEARCHED_PX} px of the orthophoto a side lie within it");
+        return Err(Error::InvalidInput { what: "radius about the place near an image", got: format!("{within} m"), allowed });
     }
     Ok((low.map(|v| v as usize), [0, 1].map(|k| (high[k] - low[k]) as usize)))
 }
@@ -113,6 +125,10 @@ pub fn place_image(
     options: &PlacingOptions,
 ) -> Result<PlacedImage, Error> {
     options.check_ranges()?;
+    if image.width().min(image.height()) < LEAST_IMAGE_PX {
+        let [width, height] = [image.width(), image.height()];
+        return Err(Error::ImageTooSmall { width, height, operation: "placing on an orthophoto", min_side: LEAST_IMAGE_PX });
+    }
     known.camera.check(|| "camera of the image".into())?;
     let size = [known.camera.width_px, known.camera.height_px].map(|side| side as usize);
     if size != [image.width(), image.height()] {
@@ -196,10 +212,8 @@ fn coarse(
     if links.len() < LEAST_LINKS {
         return refused(0);
     }
-    let result = match adjusted(&links, known, (over.camera, over.pose), errors) {
-        Ok(result) => result,
-        Err(error) => return Ok(Err(NotPlaced::Failed { failure: Failure::from(&error) })),
-    };
+    // Links that fit nowhere leave nothing to adjust.
+    let Ok(result) = adjusted(&links, known, (over.camera, over.pose), errors) else { return refused(0) };
     let seen = Seen::new(&result.block.cameras[0], &result.block.images[0].pose);
     // In px of the picture in which they were sought: 'agreeing' there is a share of the radius.
     let [width, height] = [over.camera.width_px, over.camera.height_px].map(f64::from);

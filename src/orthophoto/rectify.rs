@@ -38,8 +38,8 @@ pub fn rectify(
     for (k, (grey, mask)) in grey.iter_mut().zip(&mut mask).enumerate() {
         let place = georeference.ground([(k % width) as f64 + 0.5, (k / width) as f64 + 0.5]);
         let seen = heights.at(place).and_then(|z| view.at(&[place[0], place[1], z]));
-        if let Some(value) = seen.and_then(|at| bicubic(image, at)) {
-            (*grey, *mask) = (value, 255);
+        if let Some(at) = seen {
+            (*grey, *mask) = (bicubic(image, at), 255);
         }
     }
     let [grey, mask] = [grey, mask].map(|data| GreyImage::new(width, height, data));
@@ -77,20 +77,21 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// The grey value at a position in px; `None` nearer than two pixels to the edge.
-fn bicubic(image: GreyView<'_>, [x, y]: [f64; 2]) -> Option<u8> {
+/// The grey value at a position in px; beyond the edges are the pixels of the edge.
+fn bicubic(image: GreyView<'_>, [x, y]: [f64; 2]) -> u8 {
     let along = |position: f64, number: usize| {
         let from_centre = position - 0.5;
         let first = libm::floor(from_centre);
-        (first >= 1.0 && first + 2.0 < number as f64).then(|| (first as usize - 1, weights(from_centre - first)))
+        let last = number as f64 - 1.0;
+        ([-1.0, 0.0, 1.0, 2.0].map(|step| (first + step).clamp(0.0, last) as usize), weights(from_centre - first))
     };
-    let ((column, wx), (row, wy)) = (along(x, image.width())?, along(y, image.height())?);
+    let ((columns, wx), (rows, wy)) = (along(x, image.width()), along(y, image.height()));
     let mut sum = 0.0;
-    for (k, weight) in wy.iter().enumerate() {
-        let line = &image.row(row + k)[column..column + 4];
-        sum += weight * (wx[0] * f64::from(line[0]) + wx[1] * f64::from(line[1]) + wx[2] * f64::from(line[2]) + wx[3] * f64::from(line[3]));
+    for (row, weight) in rows.iter().zip(wy) {
+        let line = image.row(*row);
+        sum += weight * columns.iter().zip(wx).map(|(column, weight)| weight * f64::from(line[*column])).sum::<f64>();
     }
-    Some((sum + 0.5).clamp(0.0, 255.0) as u8)
+    (sum + 0.5).clamp(0.0, 255.0) as u8
 }
 
 /// Of four neighbours, at a distance 0..1 from the second.
@@ -113,7 +114,9 @@ mod tests {
         for (c, r) in [(2, 2), (30, 20), (57, 37)] {
             assert_eq!((rectified.grey.view().at(c, r), rectified.mask.view().at(c, r)), (image.view().at(c, r), 255));
         }
-        assert_eq!(rectified.mask.view().at(0, 0), 0);
+        let beside = Georeference::north_up([-5.0, 5.0], 1.0);
+        let wider = rectify(image.view(), &camera, &pose, &Heights::Level(7.0), &beside, [60, 40]).unwrap();
+        assert_eq!([wider.mask.view().at(4, 20), wider.mask.view().at(5, 20)], [0, 255]);
         // Half a pixel between is the mean of what changes evenly.
         let between = Georeference::north_up([0.5, -0.5], 1.0);
         let shifted = rectify(image.view(), &camera, &pose, &Heights::Level(7.0), &between, [50, 30]).unwrap();

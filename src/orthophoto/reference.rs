@@ -1,7 +1,7 @@
 //! An orthophoto as the reference of images.
 
 use super::georeference::Georeference;
-use super::geotiff::GeoTags;
+use super::geotiff::{GeoTags, refuse_degrees};
 use super::heights::{HeightModel, Heights};
 use super::rectify::Rectified;
 use super::write::{write_geotiff, write_heights};
@@ -24,6 +24,8 @@ pub struct Orthophoto {
 const EMPTY: u8 = 0;
 /// A pixel shows nothing where all about it so far, in px, have the value of nothing: single black pixels are shadows.
 const EMPTY_REACH: usize = 4;
+/// Heights are looked up at so many places along each side.
+const LOOKED_UP: usize = 32;
 /// Points within so many px of where nothing is shown are the edge of the picture.
 const EDGE: usize = 8;
 
@@ -52,6 +54,9 @@ impl Orthophoto {
                 return refuse("orthophoto", format!("a {} that does not say where it lies", decoded.format), allowed);
             }
         };
+        if georeference.is_in_degrees([decoded.grey.width(), decoded.grey.height()]) {
+            return refuse_degrees();
+        }
         let empty = tags.no_data.filter(|v| (0.0..=255.0).contains(v)).map_or(EMPTY, |v| v as u8);
         let mask = mask_of(&decoded.grey, empty);
         Ok(Self { grey: decoded.grey, georeference: georeference.checked()?, heights, epsg: tags.epsg, mask })
@@ -101,6 +106,14 @@ impl Orthophoto {
             (point.x, point.y) = (point.x + first[0] as f64, point.y + first[1] as f64);
         }
         Ok(found)
+    }
+
+    /// Whether any of many places of the picture has a height.
+    pub(super) fn has_heights(&self) -> bool {
+        let size = [self.grey.width(), self.grey.height()].map(|side| side as f64);
+        let share = |k: usize| (k as f64 + 0.5) / LOOKED_UP as f64;
+        let places = (0..LOOKED_UP * LOOKED_UP).map(|k| [share(k % LOOKED_UP) * size[0], share(k / LOOKED_UP) * size[1]]);
+        places.into_iter().any(|at| self.heights.at(self.georeference.ground(at)).is_some())
     }
 
     /// Whether the picture shows something at a position in px.

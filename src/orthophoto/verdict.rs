@@ -10,10 +10,10 @@ const LEAST_COVERAGE: f64 = 0.25;
 /// Check links as far off as gross errors, as a share, above which it is weak; and how many of them chance may bring.
 const MOST_BEYOND: f64 = 0.3;
 const BEYOND_BY_CHANCE: f64 = 3.0;
-/// Half of the 95 % interval of the height above ground, as a share of it, above which the height is not known.
-const MOST_HEIGHT: f64 = 0.05;
-/// σ₀ above which links are no good ones, in px.
-const USUAL_SIGMA0_PX: f64 = 2.0;
+/// Half of the 95 % interval of a coordinate of the projection centre, as a share of the height above ground, above which it is not known.
+const MOST_WIDTH: f64 = 0.05;
+/// Root mean square length of the residuals above which links are no good ones, in px.
+const USUAL_RMSE_PX: f64 = 3.0;
 
 pub(super) fn verdict(placement: &Placement) -> PlacingVerdict {
     let links = placement.links.iter().filter(|link| link.role == LinkUse::Used).count();
@@ -42,10 +42,17 @@ fn weakness(placement: &Placement, links: usize) -> Option<PlacingWeakness> {
     if let Some(checks) = placement.checks.filter(|c| c.beyond as f64 > BEYOND_BY_CHANCE + MOST_BEYOND * c.number as f64) {
         return Some(PlacingWeakness::Checks { beyond: checks.beyond, checks: checks.number });
     }
-    let (height_m, half_width_m) = (placement.above_ground_m, half_widths(placement)[2]);
-    if !(half_width_m <= MOST_HEIGHT * height_m) {
-        return Some(PlacingWeakness::Height { height_m, half_width_m });
+    let rejected = placement.links.iter().filter(|link| link.role == LinkUse::Rejected).count();
+    if rejected > links {
+        return Some(PlacingWeakness::Rejected { rejected, links: rejected + links });
     }
-    let sigma0_px = placement.sigma0_px.unwrap_or(0.0);
-    (sigma0_px > USUAL_SIGMA0_PX).then_some(PlacingWeakness::Noise { sigma0_px, usual_px: USUAL_SIGMA0_PX })
+    let (height_m, [x, y, z]) = (placement.above_ground_m, half_widths(placement));
+    if !(z <= MOST_WIDTH * height_m) {
+        return Some(PlacingWeakness::Height { height_m, half_width_m: z });
+    }
+    if !(x.max(y) <= MOST_WIDTH * height_m) {
+        return Some(PlacingWeakness::Plan { height_m, half_width_m: x.max(y) });
+    }
+    let rmse_px = placement.rmse_px;
+    (rmse_px > USUAL_RMSE_PX).then_some(PlacingWeakness::Noise { rmse_px, usual_px: USUAL_RMSE_PX })
 }

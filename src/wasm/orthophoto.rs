@@ -20,34 +20,43 @@ export interface OrthophotoInfo {
     georeference: Georeference;
     epsg: number | null;
     heights: [number, number];
-    /** Points of it among which images are sought. */
-    points: number;
 }
 "#;
 
-/// An orthophoto with the heights of its ground in wasm memory, ready for images to be placed on it. Call `free` when it is no longer needed.
+/// An orthophoto with the heights of its ground in wasm memory, on which images are placed. Call `free` when it is no longer needed.
 #[wasm_bindgen]
 pub struct OrthophotoReference {
     orthophoto: Orthophoto,
-    area: SearchArea,
     options: PlacingOptions,
+    area: Option<SearchArea>,
 }
 
 #[wasm_bindgen]
 impl OrthophotoReference {
-    /// Reads a GeoTIFF, or an image with its world file; `heights` is one height for all, or a file: a GeoTIFF or an ESRI ASCII grid.
-    pub fn open(
-        file: &[u8],
-        world_file: Option<String>,
+    /// Reads a GeoTIFF, or an image with its world file. Its ground is level at 0 until heights are given.
+    pub fn open(file: &[u8], world_file: Option<String>) -> JsResult<OrthophotoReference> {
+        let level = Heights::Level(0.0);
+        let orthophoto = Orthophoto::read(file, world_file.as_deref(), level, &DecodeLimits::default()).map_err(thrown)?;
+        Ok(Self { orthophoto, options: PlacingOptions::default(), area: None })
+    }
+
+    /// The heights of its ground: one for all, or a file, a GeoTIFF or an ESRI ASCII grid, with its world file perhaps.
+    pub fn set_heights(
+        &mut self,
         #[wasm_bindgen(unchecked_param_type = "number | Uint8Array")] heights: &JsValue,
-        heights_world_file: Option<String>,
-        #[wasm_bindgen(unchecked_param_type = "Given<PlacingOptions>")] options: &JsValue,
-    ) -> JsResult<OrthophotoReference> {
-        let options = read_options::<PlacingOptions>("placing", options)?;
-        let heights = read_heights(heights, heights_world_file.as_deref())?;
-        let orthophoto = Orthophoto::read(file, world_file.as_deref(), heights, &DecodeLimits::default()).map_err(thrown)?;
-        let area = SearchArea::new(&orthophoto, &options).map_err(thrown)?;
-        Ok(Self { orthophoto, area, options })
+        world_file: Option<String>,
+    ) -> JsResult<()> {
+        self.orthophoto.heights = read_heights(heights, world_file.as_deref())?;
+        self.area = None;
+        Ok(())
+    }
+
+    /// How images are placed; those that are absent take their defaults. Finds the points of the orthophoto among which images are sought, and
+    /// gives how many they are.
+    pub fn search(&mut self, #[wasm_bindgen(unchecked_param_type = "Given<PlacingOptions>")] options: &JsValue) -> JsResult<usize> {
+        self.options = read_options::<PlacingOptions>("placing", options)?;
+        let area = SearchArea::new(&self.orthophoto, &self.options).map_err(thrown)?;
+        Ok(self.area.insert(area).points())
     }
 
     /// Size, place and heights.
@@ -61,19 +70,24 @@ impl OrthophotoReference {
             ("georeference", pack(georeference)),
             ("epsg", pack(epsg)),
             ("heights", pack(&heights.range())),
-            ("points", (self.area.points() as f64).into()),
         ])
     }
 
     /// Places an image. Its camera is that of `cameras`, the text of a file of cameras as blocks take it, whose pattern its name fits, or that
     /// of its EXIF and XMP, or a usual one.
     #[wasm_bindgen(unchecked_return_type = "PlacedImage")]
-    pub fn place(&self, name: &str, file: &[u8], cameras: Option<String>) -> JsResult<JsValue> {
+    pub fn place(&mut self, name: &str, file: &[u8], cameras: Option<String>) -> JsResult<JsValue> {
         let rules = CameraRules::read(cameras.as_deref()).map_err(thrown)?;
         let image = decode(file, &DecodeLimits::default()).map_err(thrown)?.grey;
         let exif = ExifImage::read(file, image.width() as u64, image.height() as u64);
         let camera = PlacingCamera::of(&rules, name, [image.width() as u32, image.height() as u32], &exif);
-        place_image(image.view(), &camera, &self.orthophoto, &self.area, &self.options).map(|placed| pack(&placed)).map_err(thrown)
+        let area = match self.area.take() {
+            Some(area) => area,
+            None => SearchArea::new(&self.orthophoto, &self.options).map_err(thrown)?,
+        };
+        let placed = place_image(image.view(), &camera, &self.orthophoto, &area, &self.options);
+        self.area = Some(area);
+        placed.map(|placed| pack(&placed)).map_err(thrown)
     }
 
     /// A placed image resampled to the ground, grey, as GeoTIFF.

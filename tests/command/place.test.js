@@ -32,7 +32,7 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
       assert.ok(Math.abs(off) < 4 * placement.position_errors_m[axis] && Math.abs(off) < (axis === 2 ? 20 : 2), `${off} along axis ${axis}`);
     }
     // What was written is an orthophoto itself, on which the photo is placed again.
-    const picture = join(out, name.replace('.png', '.tif'));
+    const picture = join(out, name.replace('.png', '-rectified.tif'));
     assert.ok(Photo.decode(readFileSync(picture)).width > 300);
     const again = json('place', OWN.photos[index], '--orthophoto', picture, '--heights', join(OWN.at, 'heights.tif'), '--points', '3000');
     assert.equal(again.images[0].verdict.kind, 'placed', JSON.stringify(again.images[0].verdict));
@@ -49,10 +49,21 @@ test('photos are placed on the orthophoto of their scene, and their pictures lie
 
 test('a photo of elsewhere is not placed, and the exit code says so', () => {
   const other = flown('4');
-  const { code, stdout, stderr } = tiepoint('place', other.photos[0], OWN.photos[0], ...GROUND);
+  const stranger = file(folder(), 'stranger.png', readFileSync(other.photos[0]));
+  const { code, stdout, stderr } = tiepoint('place', stranger, OWN.photos[0], ...GROUND);
   assert.equal(code, 4, stderr);
-  assert.match(stdout, /photo_00000\.png: Not placed: .+/);
+  assert.match(stdout, /stranger\.png: Not placed: .+/);
   assert.match(stdout, /photo_00000\.png: Placed by \d+ points, σ0 0\.\d+ px; projection centre ± /);
+});
+
+test('an image that cannot be read is told, and the others are placed', () => {
+  const out = folder();
+  const [photo = ''] = OWN.photos;
+  const { code, stdout, stderr } = tiepoint('place', photo, file(out, 'broken.png', 'no picture'), ...GROUND, '--out', out);
+  assert.equal(code, 1);
+  assert.match(stderr, /broken\.png/);
+  assert.match(stdout, /photo_00000\.png: Placed by/);
+  assert.equal(readFileSync(join(out, 'placed.csv'), 'utf8').trim().split('\n').length, 2);
 });
 
 test('an orthophoto without a place, one in degrees and other bad input are refused with what to give', () => {
@@ -75,6 +86,17 @@ test('an orthophoto without a place, one in degrees and other bad input are refu
   const cut = join(at, 'cut.tif');
   writeFileSync(cut, bytes.subarray(0, bytes.length / 2));
   assert.match(refused(photo, '--orthophoto', cut), /^1 .*cut\.tif/);
+  const degrees = join(at, 'b.png');
+  writeFileSync(degrees, readFileSync(photo));
+  file(at, 'B.PGW', '0.000008\n0\n0\n-0.000008\n11.5\n51.2\n');
+  assert.match(refused(photo, '--orthophoto', degrees), /^1 .*b\.png.*degrees/);
+  const elsewhere = file(at, 'elsewhere.asc', 'ncols 2\nnrows 2\nxllcorner 50000\nyllcorner 0\ncellsize 5\n1 2 3 4\n');
+  assert.match(refused(photo, ...GROUND.slice(0, 2), '--heights', elsewhere), /^1 .*none under the orthophoto/);
+  const holes = file(at, 'holes.asc', 'ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 5\n-9999 -9999 -9999 -9999\n');
+  assert.match(refused(photo, ...GROUND.slice(0, 2), '--heights', holes), /^1 .*holes\.asc.*at least one/);
+  assert.match(refused(photo, photo, ...GROUND), /^2 .*two images are named/);
+  const cameras = file(at, 'cameras.json', '{"cameras": [{"images": "other*", "focal_px": 900}]}');
+  assert.match(refused(photo, ...GROUND, '--cameras', cameras), /^1 .*other\*, which fit no image/);
   const world = file(at, 'a.pgw', '0.5\n0\n0\n');
   writeFileSync(join(at, 'a.png'), readFileSync(photo));
   assert.match(refused(photo, '--orthophoto', join(at, 'a.png')), /^1 .*world file/, world);

@@ -203,7 +203,8 @@ impl<'a> Course<'a> {
         } else {
             self.sigma = round.adjusted.sigma;
         }
-        let is_weighted = options.datum != Datum::Free && options.sigma0_px.is_none();
+        let is_observed = options.datum != Datum::Free || !self.block.camera_priors.is_empty();
+        let is_weighted = is_observed && options.sigma0_px.is_none();
         let is_reweighted = is_weighted && (self.sigma - round.sigma_before).abs() > SETTLED_SIGMA * self.sigma;
         let found = round.statistics.as_ref().filter(|_| options.snooping);
         let is_replaced = found.is_some_and(|found| self.snoop_positions(found, round.weighted_by, round.calm_rounds));

@@ -234,12 +234,21 @@ fn as_the_decoder_reads<'a>(bytes: &'a [u8], declared: &TiffLayout) -> Cow<'a, [
         return bytes.into();
     };
     let palette = (declared.photometric == PALETTE).then_some((tag::PHOTOMETRIC, BLACK_IS_ZERO));
-    let all_rows = directory.value(tag::ROWS_PER_STRIP).filter(|&rows| rows > declared.height);
+    let mut file = with_rows_of_image(bytes);
+    if let Some((at, encoded)) = palette.and_then(|(tag, value)| directory.encoded(tag, value)) {
+        file.to_mut()[at..at + encoded.len()].copy_from_slice(&encoded);
+    }
+    file
+}
+
+/// The file with no more rows a strip than the image has.
+pub(crate) fn with_rows_of_image(bytes: &[u8]) -> Cow<'_, [u8]> {
     let mut file = Cow::from(bytes);
-    for (tag, value) in palette.into_iter().chain(all_rows.map(|_| (tag::ROWS_PER_STRIP, declared.height))) {
-        if let Some((at, encoded)) = directory.encoded(tag, value) {
-            file.to_mut()[at..at + encoded.len()].copy_from_slice(&encoded);
-        }
+    let Some(directory) = Directory::first(bytes) else { return file };
+    let height = directory.value(tag::HEIGHT).unwrap_or(0);
+    let more = directory.value(tag::ROWS_PER_STRIP).filter(|&rows| rows > height);
+    if let Some((at, encoded)) = more.and_then(|_| directory.encoded(tag::ROWS_PER_STRIP, height)) {
+        file.to_mut()[at..at + encoded.len()].copy_from_slice(&encoded);
     }
     file
 }
